@@ -12,9 +12,9 @@ namespace thaum::audio {
 namespace {
 
 constexpr std::size_t window_samples = 2048;
-/// Bands more than this below the loudest count as silence in a signature (dB).
+/// Level below the loudest band from which a band counts as silent in a signature (dB).
 constexpr double signature_floor_db = 24;
-/// Share of a sound's energy in the part that counts as audible.
+/// Share of a sound's energy that its audible part holds.
 constexpr double audible_share = 0.97;
 /// Difference in a signature between a sound and one of twice the length (dB).
 constexpr double octave_of_length_db = 12;
@@ -31,7 +31,7 @@ const std::vector<double>& hann_window() {
     return window;
 }
 
-/// Power of each line of the spectrum around the sample `middle`.
+/// Power of each line of the spectrum of the samples around `middle`.
 std::vector<double> lines_around(std::span<const float> samples, std::ptrdiff_t middle) {
     std::vector<std::complex<double>> values(window_samples);
     const auto& window = hann_window();
@@ -44,12 +44,12 @@ std::vector<double> lines_around(std::span<const float> samples, std::ptrdiff_t 
     fourier(values);
     std::vector<double> lines(window_samples / 2);
     constexpr double scale =
-        2.0 / (0.375 * window_samples * window_samples);  // 0.375: mean square of the window
+        2.0 / (0.375 * window_samples * window_samples);  // 0.375 is the mean square of the window
     for (std::size_t i = 0; i < lines.size(); ++i) lines[i] = std::norm(values[i]) * scale;
     return lines;
 }
 
-/// Power of the lines between two frequencies. A line counts by its share within them.
+/// Power of the lines between two frequencies. A line that lies partly between them counts in part.
 double power_between(const std::vector<double>& lines, double low_hz, double high_hz) {
     constexpr double line_hz = static_cast<double>(sample_rate) / window_samples;
     const double low = low_hz / line_hz, high = high_hz / line_hz;

@@ -19,8 +19,8 @@ double loudest_db(std::span<const float> samples);
 /// Power over time and frequency. The rows are bands of equal width in octaves, the lowest first.
 struct Spectrogram {
     std::size_t columns{}, rows{};
-    std::vector<double>
-        power;  ///< column by column; the sum over a column is near the mean square of its time
+    /// Column by column. The powers of a column add up to about the mean square of the samples at that time.
+    std::vector<double> power;
 
     double at(std::size_t column, std::size_t row) const { return power[column * rows + row]; }
 };
@@ -37,7 +37,7 @@ using Signature = std::array<double, signature_bands * signature_quarters + 1>;
 
 Signature signature_of(std::span<const float> samples);
 
-/// Root mean square of the differences.
+/// Root mean square of the differences between the numbers of two signatures.
 double distance(const Signature& a, const Signature& b);
 
 }  // namespace thaum::audio

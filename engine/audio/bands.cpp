@@ -9,14 +9,15 @@
 namespace thaum::audio {
 namespace {
 
-/// Only tones below 1.2 kHz are looked at, so every eighth sample is enough.
+/// The bands end at 1.2 kHz, so every eighth sample is enough.
 constexpr std::size_t thinning = 8;
 constexpr double thin_rate = static_cast<double>(sample_rate) / thinning;
 constexpr std::size_t thin_per_block = frame_samples / thinning;
 /// Blocks after the end of a sound in which its filters ring.
 constexpr std::size_t tail_blocks = 12;
 
-/// One filter of the second order (a state variable filter by the trapezoidal rule, which stays exact at low tones).
+/// A second-order filter: a state variable filter by the trapezoidal rule, which stays exact at low
+/// frequencies.
 class Section {
 public:
     Section(double hz, double quality, bool high)
@@ -61,7 +62,7 @@ private:
     double power_{};
 };
 
-/// Every eighth sample, after a filter that damps tones above 5 kHz, which would come back as low ones.
+/// Every eighth sample, after a low-pass filter at 5 kHz: higher tones would be aliased to low ones.
 std::vector<double> thinned(const Sound& sound) {
     const auto size = sound.samples.size();
     const auto sample_at = [&](std::size_t i) {
@@ -70,7 +71,7 @@ std::vector<double> thinned(const Sound& sound) {
     };
     std::vector<double> out((size + thinning - 1) / thinning);
     for (std::size_t i = 0; i < out.size(); ++i) {
-        double sum = 0;  // a triangle of weights
+        double sum = 0;  // the sum has weights in the shape of a triangle
         for (std::size_t k = 0; k < 2 * thinning - 1; ++k)
             sum += static_cast<double>(std::min(k + 1, 2 * thinning - 1 - k)) * sample_at(i * thinning + k);
         out[i] = sum / (thinning * thinning);
@@ -81,8 +82,10 @@ std::vector<double> thinned(const Sound& sound) {
 /// Writes the mean power of each block of one band.
 void follow_band(const std::vector<double>& samples, const Band& band, std::size_t number, BandCourse& out) {
     BandPower power(band);
-    // A loop has been played for ever: its filters have the state of its end.
-    constexpr std::size_t least_before = 12'000;  // 2 s, longer than any filter rings
+    // A loop sounds as if it had always been playing: its filters begin in the state that they have at its
+    // end.
+    // Samples to filter before a loop: 2 s, longer than any filter rings.
+    constexpr std::size_t least_before = 12'000;
     for (std::size_t i = 0, before = samples.size(); out.loops && i < std::max(before, least_before); ++i)
         power.take(samples[i % before]);
     for (std::size_t block = 0; block < out.levels.size(); ++block) {

@@ -1,9 +1,10 @@
-// audio/bands.h: how strong a sound is in a few bands of frequencies, every 8 ms. For those who feel it instead of
-// hearing it: motors on the body follow such a course, and are too slow to follow the samples.
+// audio/bands.h: how strong a sound is in a few bands of frequencies, every 8 ms. Used to feel a sound
+// instead of hearing it: motors on the body are too slow to follow the samples, but can follow these levels.
 //
-// Each band is cut out by Butterworth filters of the fourth order, so its ends are 3 dB down, and an octave beyond them
-// 24 dB. The power is smoothed over a third of the longest period of the band and given as the amplitude of a sine of
-// that power. The course of a looping sound has no seam. Equal sounds give equal courses, bit for bit.
+// Each band is cut out by Butterworth filters of the fourth order, so its ends are 3 dB down, and an octave
+// beyond them 24 dB. The power is smoothed over a third of the longest period of the band and given as the
+// amplitude of a sine of that power. The levels over the whole sound are called its course. The course of a
+// looping sound has no seam. Equal sounds give equal courses, bit for bit.
 #pragma once
 #include <array>
 #include <span>
@@ -24,25 +25,26 @@ struct Band {
 /// Amplitude of each band (0 to about 1). Bands beyond those asked for have 0.
 using BandLevels = std::array<float, most_bands>;
 
-/// The course of one sound.
+/// Levels of the bands of one sound over time.
 struct BandCourse {
-    std::vector<BandLevels>
-        levels{};      ///< one for each block of frame_samples samples, and a tail of a sound that ends
+    /// One entry for each block of frame_samples samples, and some more for the ringing after the sound's end.
+    std::vector<BandLevels> levels{};
     double samples{};  ///< length of the sound (samples)
     bool loops{};
     SoundGroup group{};
-    double near_m{}, reach_m{};  ///< as of the sound (m)
+    /// Distances at which the sound begins to fade and at which it is silent, as in Sound (m).
+    double near_m{}, reach_m{};
 
     /// Levels at a time since the start (samples, >= 0); a sound that has ended has zeros.
     BandLevels at(double sample) const;
-    /// Whether nothing is left at a time since the start (samples).
+    /// Whether all levels are 0 from this time since the start on (samples).
     bool has_ended(double sample) const;
 };
 
-/// Courses of all sounds of a bank, by the number of the sound.
+/// Courses of all sounds of a bank; the index is the number of the sound.
 std::vector<BandCourse> band_courses(const SoundBank& bank, std::span<const Band> bands);
 
-/// The course of one sound, for at most most_bands bands.
+/// The course of one sound; `bands` has at most most_bands entries.
 BandCourse band_course(const Sound& sound, std::span<const Band> bands);
 
 }  // namespace thaum::audio

@@ -35,9 +35,9 @@ public:
     /// `channels`: 1 to most_channels.
     explicit ChannelTones(std::size_t channels) : channels_(channels) {}
 
-    /// Changes the wave of a channel within the next block. Values that are no numbers or too large are clipped.
+    /// Changes the wave of a channel within the next block. Values that are NaN or too large are clipped.
     void set(std::size_t channel, const ChannelTone& tone);
-    /// Lets all waves end within the next block.
+    /// Fades all waves out within the next block.
     void silence();
     /// Makes the next block: channels() * frame_samples values within -1 to 1.
     void mix(std::span<float> block);
@@ -48,10 +48,10 @@ public:
 
 private:
     struct Wave {
-        double amplitude{};  ///< at the end of the last block
+        double amplitude{};  ///< amplitude at the end of the last block
         double wanted{};     ///< amplitude at the end of the next block
         double hz{100};
-        double phase{};  ///< part of a period, 0 to 1
+        double phase{};  ///< phase as a share of a period, 0 to 1
     };
 
     std::size_t channels_;

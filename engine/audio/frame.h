@@ -15,7 +15,7 @@
 namespace thaum::audio {
 
 inline constexpr Tick frame_ticks = 8;
-/// Samples of one frame, per channel.
+/// Samples of one frame for each channel.
 inline constexpr std::size_t frame_samples = sample_rate * frame_ticks / ticks_per_second;
 static_assert(frame_samples == 384);
 
@@ -23,7 +23,7 @@ inline constexpr std::size_t most_listeners = 2;
 
 /// Ears of one player. `forward` and `up` are orthogonal unit vectors.
 struct Listener {
-    vec3 position{};  ///< (m, world)
+    vec3 position{};  ///< position of the ears (m, world)
     vec3 forward{0, 0, -1};
     vec3 up{0, 1, 0};
 };
@@ -31,18 +31,20 @@ struct Listener {
 /// One sound at one place.
 struct Voice {
     std::uint32_t sound{};  ///< number in the SoundBank
-    std::uint32_t key{};    ///< identifies a lasting voice from frame to frame; a beginning one ignores it
+    /// Identifies a lasting voice from frame to frame; unused for voices that play once.
+    std::uint32_t key{};
     std::uint32_t heard_by{3};  ///< bit i: listener i hears the voice
-    bool at_ear{};              ///< true: without place, as loud wherever the listener is
-    bool sided{};               ///< true: at the ear, but the words of the sound tell the side of `position`
-    vec3 position{};            ///< (m, world)
-    double gain{1};             ///< 0 to 1
-    double pitch{1};            ///< speed of playing, 0.25 to 4
+    bool at_ear{};              ///< true: has no place, and is equally loud wherever the listener is
+    /// True: played at the ear, but the caption names the side on which `position` lies.
+    bool sided{};
+    vec3 position{};  ///< position of the sound (m, world)
+    double gain{1};   ///< 0 to 1
+    double pitch{1};  ///< speed of playing, 0.25 to 4
     /// Damping of high tones by walls for each listener, 0 to 1.
     std::array<double, most_listeners> muffled{};
 };
 
-/// A list of fixed capacity. Voices that do not fit are counted.
+/// A list of fixed capacity. It counts the voices that do not fit.
 template <std::size_t N>
 struct VoiceList {
     std::array<Voice, N> voices{};
@@ -63,7 +65,8 @@ struct AudioFrame {
     std::uint32_t listener_count{1};  ///< 1 or 2
     std::array<Listener, most_listeners> listeners{};
     VoiceList<32> begins;  ///< voices that begin in this frame and play to the end of their sound
-    VoiceList<32> lasts;   ///< voices of looping sounds; one that a later frame lacks fades out within it
+    /// Voices of looping sounds. A voice that is missing from a later frame fades out within that frame.
+    VoiceList<32> lasts;
 };
 
 }  // namespace thaum::audio

@@ -17,7 +17,7 @@ constexpr double half_power = 0.70710678118654752;
 
 }  // namespace
 
-/// How a listener's two channels get to the two speakers.
+/// Gains from a listener's two channels to the two speakers.
 struct SpeakerGains {
     float left_to_left{}, right_to_left{}, left_to_right{}, right_to_right{};
     bool operator==(const SpeakerGains&) const = default;
@@ -115,7 +115,8 @@ void Mixer::State::take(const AudioFrame& frame) {
         begin(voice);
 }
 
-/// Changes between panning and HRTF while the first listener is not heard; the next block brings the listener back.
+/// Switches between panning and HRTF while the first listener is faded out; the next block fades the listener
+/// in again.
 void Mixer::State::switch_hrtf() {
     const bool wanted = wants_hrtf();
     mixes[0]->set_hrtf(wanted);

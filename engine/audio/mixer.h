@@ -20,9 +20,9 @@
 
 namespace thaum::audio {
 
-/// Voices that one listener can hear at a time. Of more, the quietest are left out.
+/// Voices that one listener can hear at a time. If there are more, the quietest are left out.
 inline constexpr std::size_t most_heard = 64;
-/// Voices that may begin in one block; those of a frame included.
+/// Voices that may begin in one block, including those of its frame.
 inline constexpr std::size_t most_begins = 256;
 inline constexpr std::size_t block_values = 2 * frame_samples;
 
@@ -38,7 +38,7 @@ struct MixSettings {
     double effects{1};
     double music{1};
     double interface { 1 };
-    bool headphones{};  ///< places sounds around the head (HRTF) while one player listens
+    bool headphones{};  ///< true: places sounds around the head (HRTF) while one player listens
     Ears ears{};
 };
 
@@ -49,10 +49,10 @@ struct MixReport {
     std::uint32_t voices{};                ///< voices of the last block, of all listeners together
     std::uint64_t begun{};                 ///< voices that got a source
     std::uint64_t stolen{};                ///< voices that lost their source to louder ones
-    std::uint64_t
-        left_out{};  ///< audible voices without a source, in each block; voices that a frame had no room for
+    /// Audible voices without a source, summed over blocks, and voices for which a frame had no room.
+    std::uint64_t left_out{};
     std::uint64_t limited_blocks{};  ///< blocks in which the limiter made the sum quieter
-    std::uint64_t bad_values{};      ///< values that were wrong or too large, and were replaced
+    std::uint64_t bad_values{};      ///< invalid values that were replaced
     bool hrtf{};                     ///< true while the first listener is heard through HRTF
 };
 
@@ -63,7 +63,7 @@ double distance_gain(double distance_m, double near_m, double reach_m);
 /// Gain of a fader; values outside 0 to 1 are clipped.
 double fader_gain(double fader);
 
-/// Sets OpenAL's variables of the environment, once for the process. A program calls it while one thread runs, if
+/// Sets OpenAL's environment variables, once for the process. A program calls it while one thread runs, if
 /// others run before its first mixer is made.
 void prepare_openal();
 
@@ -75,16 +75,18 @@ public:
     Mixer& operator=(Mixer&& other) noexcept;
     ~Mixer();
 
-    /// Adds a voice that begins with the next block. It is left out if most_begins wait.
+    /// Adds a voice that begins with the next block. The voice is dropped if most_begins voices are already
+    /// waiting.
     void begin(const Voice& voice);
-    /// Mixes the next block: begins the frame's voices, changes the lasting ones and ends those that the frame lacks.
-    /// `stereo` has block_values values, left and right in turn; none is outside -1 to 1.
+    /// Mixes the next block: begins the frame's voices, updates the lasting ones and ends those that are
+    /// missing from the frame. `stereo` has block_values values, left and right in turn; none is outside -1
+    /// to 1.
     void play(const AudioFrame& frame, std::span<float> stereo);
-    /// Mixes the next block without a new frame: all voices go on.
+    /// Mixes the next block without a new frame: all voices continue.
     void run_on(std::span<float> stereo);
     /// Changes the settings within the next block, without a click.
     void set(const MixSettings& settings);
-    /// Ends all voices at once. For the start after a pause in which nobody heard the mixer.
+    /// Ends all voices at once. Call it before playing again after a pause in which nobody heard the mixer.
     void silence();
 
     const MixReport& report() const;

@@ -28,7 +28,7 @@ public:
         if (device_ == nullptr)
             return fail(name_.empty() ? "no sound device was found"
                                       : "there is no sound device of this name");
-        // Without sends, which only reverberation needs, OpenAL needs less memory for its voices.
+        // Sends are needed for reverberation only. Without them OpenAL needs less memory for its voices.
         const ALCint attributes[] = {ALC_FREQUENCY, static_cast<ALCint>(sample_rate), ALC_MAX_AUXILIARY_SENDS,
                                      0, 0};
         context_ = alcCreateContext(device_, attributes);
@@ -66,7 +66,7 @@ public:
     void close() override { end(); }
 
 private:
-    /// An OpenAL that does not tell the number of its channels is believed.
+    /// If OpenAL cannot tell the number of its channels, assume that it has those asked for.
     bool has_channels() const {
         if (channels_ == 2 || alcIsExtensionPresent(device_, "ALC_SOFT_output_mode") == ALC_FALSE)
             return true;
@@ -106,7 +106,7 @@ std::unique_ptr<SoundDevice> openal_channels(std::string name, std::size_t chann
 std::vector<std::string> sound_device_names() {
     prepare_openal();
     std::vector<std::string> names;
-    // The list is words that each end in NUL, and an empty word.
+    // The list consists of names that each end in NUL; an empty name ends the list.
     const ALCchar* word = alcGetString(nullptr, ALC_ALL_DEVICES_SPECIFIER);
     for (; word != nullptr && *word != '\0'; word += names.back().size() + 1) names.emplace_back(word);
     return names;

@@ -10,13 +10,14 @@ namespace thaum::audio {
 namespace {
 
 constexpr double block_s = static_cast<double>(frame_samples) / sample_rate;
-/// Time between looks at a device that plays (s).
+/// Time between two checks of a device that plays (s).
 constexpr double playing_rest_s = 0.002;
-/// Time between looks at the queues while nothing plays (s). It empties them before they are full.
+/// Time between two checks of the queues while nothing plays (s): short enough that they do not fill up.
 constexpr double silent_rest_s = 0.1;
-/// A device may be faster than its time by this factor. A lying one could keep a whole core busy.
+/// Largest rate at which a device may take blocks, relative to real time. One that claims to take more could
+/// keep a core busy.
 constexpr double most_speed = 1.25;
-/// Time between two steps that counts as waiting for the device (s).
+/// Longest time between two steps that is counted as waiting for the device (s).
 constexpr double longest_wait_s = 0.05;
 
 }  // namespace
@@ -59,7 +60,7 @@ double Playback::step(double now_s) {
         drop_waiting();
         return silent_rest_s;
     }
-    // A thread that was held up has not waited for the device.
+    // If this thread itself was held up, the device is not to blame for all of that time.
     waited_s_ += std::clamp(now_s - last_step_s_, 0.0, longest_wait_s);
     const auto blocks = allowed(device_->wanted(), now_s);
     feed(blocks);
@@ -88,7 +89,7 @@ void Playback::try_open(double now_s) {
     last_step_s_ = now_s;
     waited_s_ = 0;
     credit_ = most_at_once;
-    // Nobody has heard what was played or queued until now.
+    // Nobody has heard what was played or queued before this moment.
     mixer_.silence();
     drop_waiting();
     say("sound plays");
@@ -99,7 +100,7 @@ void Playback::lose(double now_s, std::string_view why) {
     open_ = plays_ = false;
     if (abandoned_) return;
     ++report_.times_lost;
-    // Another device may be there already, such as the speakers after headphones.
+    // Another device may already be available, such as the speakers after headphones were pulled out.
     next_try_s_ = now_s;
     say(text("no sound: ", why, "; trying to open it again"));
 }
@@ -109,7 +110,7 @@ void Playback::drop_waiting() {
     while (voices_.front() != nullptr) voices_.pop();
 }
 
-/// Number of blocks to write: what the device wants, at most what its time allows.
+/// Number of blocks to write: what the device wants, but at most what real time allows.
 std::size_t Playback::allowed(std::size_t wanted, double now_s) {
     const double passed = std::max(0.0, now_s - last_step_s_);
     last_step_s_ = now_s;
@@ -131,7 +132,7 @@ void Playback::feed(std::size_t blocks) {
 
 void Playback::mix_block(std::size_t blocks_left, std::span<float> block) {
     for (; voices_.front() != nullptr; voices_.pop()) mixer_.begin(*voices_.front());
-    // Each block gets a frame while there are no more frames than blocks.
+    // Frames are taken one for each block unless more frames than blocks are waiting.
     for (; frames_.size() > blocks_left; frames_.pop()) {
         const auto& begins = frames_.front()->begins;
         const auto count = std::min<std::size_t>(begins.count, begins.voices.size());

@@ -1,11 +1,13 @@
-// audio/playback.h: keeps a sound device fed with mixed blocks. It has no thread and no clock (audio/speakers.h has).
+// audio/playback.h: keeps a sound device fed with mixed blocks. It has no thread and no clock
+// (audio/speakers.h has both).
 //
 //     simulation thread --frames--> queue --+
 //     main thread ------voices----> queue --+--> step(): mix, write --> device
 //     main thread ------settings--> newest -+
 //
-// A device plays by its own clock, so frames come too early or too late. Several that wait become one: all their
-// beginning voices begin, and the newest says what lasts. Where none waits, the mixer goes on with what it has.
+// A device plays by its own clock, so frames come too early or too late. Frames that wait together are
+// merged: all their beginning voices begin, and the newest frame gives the lasting voices. While no frame
+// waits, the mixer continues with the voices that it has.
 #pragma once
 #include <atomic>
 #include <memory>
@@ -20,49 +22,50 @@
 
 namespace thaum::audio {
 
-/// Counts since the start.
+/// Counts of blocks and frames since the start.
 struct PlaybackReport {
     MixReport mix;
     std::uint64_t blocks_written{};
-    std::uint64_t frames_merged{};  ///< frames whose beginning voices were given to a newer frame
+    std::uint64_t frames_merged{};  ///< frames that were merged into a newer one
     std::uint64_t times_opened{};
     std::uint64_t times_lost{};
 };
 
 class Playback {
 public:
-    static constexpr double retry_s = 2;         ///< time between two tries to open a device
-    static constexpr double patience_s = 1;      ///< a device that takes no block for so long is given up
-    static constexpr double late_after_s = 0.2;  ///< without frames for so long, lasting voices fade out
+    static constexpr double retry_s = 2;  ///< time between two tries to open a device
+    /// A device that takes no block for this long is given up (s).
+    static constexpr double patience_s = 1;
+    /// Time without frames after which lasting voices fade out (s).
+    static constexpr double late_after_s = 0.2;
 
     Playback(Mixer mixer, std::unique_ptr<SoundDevice> device);
 
-    // The simulation thread.
-    /// Queues a frame. Returns false if the queue is full: the device is not fed at the moment.
+    // Queues a frame; called by the simulation thread. Returns false if the queue is full: the device is not
+    // fed at the moment.
     bool hear(const AudioFrame& frame) { return frames_.push(frame); }
 
-    // The main thread.
-    /// Queues a voice that begins, such as a sound of the menu. Returns false if the queue is full.
+    // Queues a voice that begins, such as a sound of the menu; called by the main thread. Returns false if
+    // the queue is full.
     bool hear(const Voice& voice) { return voices_.push(voice); }
     void set(const MixSettings& settings);
 
-    // Any thread.
-    /// Whether a device plays. Frames for no device need not be made.
+    // Whether a device plays; if not, frames need not be made. Any thread may ask.
     bool plays() const { return plays_; }
-    /// One line: what plays, or why nothing does; empty until the first try to open a device. A report that is asked for
-    /// after it is not older.
+    /// One line: what plays, or why nothing does; empty until the first try to open a device. A report that
+    /// is read afterwards is at least as recent.
     std::string status() const;
     PlaybackReport report() const;
-    /// Lets `step` return as soon as a blocking call of the device does, without any further call.
+    /// Lets `step` return as soon as a blocking call of the device returns, without calling the device again.
     void abandon() { abandoned_ = true; }
 
-    // The thread that feeds the device.
-    /// Does what is due at the time `now_s` and returns the time until the next step (s).
+    // Does what is due at the time `now_s` and returns the time until the next step (s). Called by the thread
+    // that feeds the device.
     double step(double now_s);
     void close();
 
 private:
-    /// Blocks that are ready to be written at once.
+    /// Largest number of blocks that are written in one step.
     static constexpr std::size_t most_at_once = 24;
 
     void try_open(double now_s);
@@ -79,7 +82,7 @@ private:
     TripleBuffer<MixSettings> settings_{MixSettings{}};
 
     std::atomic<bool> plays_{};
-    mutable std::mutex told_;  ///< guards what other threads ask for
+    mutable std::mutex told_;  ///< guards data that other threads set or read
     std::string status_{};
     PlaybackReport published_;
 
@@ -87,12 +90,12 @@ private:
     Mixer mixer_;
     std::unique_ptr<SoundDevice> device_;
     PlaybackReport report_;
-    AudioFrame quiet_;  ///< the newest listeners without voices
+    AudioFrame quiet_;  ///< the newest frame's listeners, without voices
     bool open_{};
     double next_try_s_{};
     double last_step_s_{};
     double waited_s_{};  ///< time for which the device took no block
-    double credit_{};    ///< blocks that the device may still take
+    double credit_{};    ///< number of blocks that real time still allows the device to take
     std::size_t blocks_without_frame_{};
 };
 

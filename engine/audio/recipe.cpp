@@ -160,7 +160,7 @@ void read_whole(const ConfigTable& root, Recipe& recipe) {
     recipe.seed = static_cast<std::uint64_t>(root.integer("seed", {0, 1e9}, 1));
 }
 
-/// Samples that a part with this envelope writes for each sine wave.
+/// Number of samples that a part with this envelope writes for each sine wave.
 double samples_of(const Envelope& envelope, double decay, const Recipe& recipe) {
     const double whole = recipe.seconds * sample_rate;
     if (decay == 0) return whole;

@@ -8,7 +8,7 @@
 //     0  _____/                 ' - . _____
 //       start attack hold    decay
 //
-// A sound that loops is a circle: what reaches its end goes on at its start. So it has no seam.
+// A sound that loops is a circle: whatever would pass its end continues at its start, so it has no seam.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -70,17 +70,18 @@ struct Grains {
     Envelope envelope;  ///< gain of a grain by the time of its start
     double rate{};      ///< grains per second at the start of the part
     double rate_to{};   ///< grains per second at the end of the part
-    double even{};      ///< 0: random intervals; 1: equal intervals
+    double even{};      ///< regularity: 0 for random intervals, 1 for equal ones
     double low_hz{};    ///< lowest frequency of a grain (Hz)
     double high_hz{};   ///< highest frequency of a grain (Hz)
     double ring{};      ///< time in which a grain falls by 60 dB (s)
     double glide{};     ///< rise of a grain's frequency within `ring` (semitones)
-    double spread{};    ///< 0: all grains are equally strong; 1: a grain has 0 to 1 of the level
+    /// Spread of the strengths. 0: all grains are equally strong; 1: each has 0 to 1 of the level.
+    double spread{};
 };
 
 /// One note of a score.
 struct Note {
-    double beat{};    ///< time of its start (beats)
+    double beat{};    ///< time at which the note starts (beats)
     double beats{};   ///< length (beats)
     double key{};     ///< MIDI number: 69 is 440 Hz, and 1 is a semitone
     double level{1};  ///< amplitude as a multiple of the part's level
@@ -91,7 +92,7 @@ struct Score {
     Envelope envelope;
     std::vector<Partial> partials;
     double vibrato_hz{};  ///< (Hz)
-    double vibrato{};     ///< (semitones)
+    double vibrato{};     ///< largest deviation by the vibrato (semitones)
     double beats_per_minute{};
     std::vector<Note> notes;
 };
@@ -102,14 +103,14 @@ struct Recipe {
     std::string name;
     std::string description;
     std::string caption;  ///< words on the screen for people who do not hear the sound; empty: none
-    bool important{};     ///< true: the caption is shown even to those who want few
+    bool important{};     ///< true: shown even to players who want few captions
     SoundGroup group{};
     bool loops{};
     double near_m{1.5};  ///< (m)
     double reach_m{40};  ///< (m)
     double seconds{};    ///< length of the sound (s)
     double level{};      ///< largest amplitude of the finished sound, at most 0.9
-    double drive{};      ///< how strongly loud moments are compressed, 0 to 20
+    double drive{};      ///< strength of the compression of loud moments, 0 to 20
     double echo_s{};     ///< delay of the echo (s); 0: none
     double echo{};       ///< amplitude of each echo as a share of the one before
     std::uint64_t seed{};

@@ -17,25 +17,25 @@ inline constexpr std::uint32_t sample_rate = 48'000;
 enum class SoundGroup : std::uint8_t { effects, music, interface };
 inline constexpr std::size_t sound_groups = 3;
 
-/// One sound. Its samples are mono and lie within -1 to 1.
+/// One sound. Its samples are mono, with values from -1 to 1.
 struct Sound {
     std::string name;
-    std::string description;  ///< plain words for a table of what is heard
+    std::string description;  ///< plain description for a table of all sounds
     std::string caption{};    ///< words on the screen for people who do not hear the sound; empty: none
-    bool important{};         ///< true: the caption is shown even to those who want few
+    bool important{};         ///< true: the caption is shown even to players who want few captions
     SoundGroup group{};
-    bool loops{};  ///< true for a sound without an end; its last sample leads to its first without a step
-    double near_m{1.5};  ///< distance within which the sound is not louder (m)
-    double reach_m{40};  ///< distance beyond which the sound is not heard and costs nothing (m)
+    bool loops{};  ///< true: the sound repeats without end; its last sample leads to its first without a step
+    double near_m{1.5};  ///< distance up to which the sound has its full loudness (m)
+    double reach_m{40};  ///< distance beyond which the sound is silent and costs no time (m)
     std::vector<float> samples;
 };
 
 /// All sounds of a program, sorted by name. A sound's number is its index.
 struct SoundBank {
     std::vector<Sound> sounds;
-    std::vector<LeftOut> faulty{};  ///< sounds that are left out, sorted by name
+    std::vector<LeftOut> faulty{};  ///< recipes that were left out because of their faults, sorted by name
 
-    /// Returns the number of the sound of this name, or nothing.
+    /// Returns the number of the sound with this name; std::nullopt: there is none.
     std::optional<std::uint32_t> find(std::string_view name) const;
 };
 

@@ -1,8 +1,8 @@
 // audio/speakers.h: plays audio frames on the system's sound device, in a thread of its own.
 //
-// The delay of an event's sound is at most 8 ms until its frame is full, 8 ms until the device wants the next block,
-// 2 ms until this thread looks, 8 ms while the block before is played, and 2 ms in the limiter: 28 ms, and what the
-// device itself delays. A device that had gaps gets one block more, so 36 ms.
+// The delay of an event's sound is at most 8 ms until its frame is full, 8 ms until the device wants the next
+// block, 2 ms until this thread looks, 8 ms while the block before is played, and 2 ms in the limiter: 28 ms,
+// plus the delay of the device itself. A device that had gaps gets one block more, which makes 36 ms.
 //
 // Without a device nothing is heard, and the thread tries again every two seconds. A device may block its caller for
 // ever, so the destructor waits for the thread for `most_wait_s` only (core/step_thread.h). A thread that is left
@@ -28,9 +28,10 @@ public:
     bool hear(const AudioFrame& frame);
     /// Queues a voice that begins; the main thread calls it. Never waits.
     bool hear(const Voice& voice);
-    /// Changes faders and ears; the main thread calls it. Never waits.
+    /// Changes the faders and the way two listeners share the speakers; the main thread calls it. Never
+    /// waits.
     void set(const MixSettings& settings);
-    /// Whether a device plays. Frames for no device need not be made. Any thread may ask.
+    /// Whether a device plays; if not, frames need not be made. Any thread may ask.
     bool plays() const;
     /// One line: that sound plays, or why not; empty until the first try to open a device. Any thread may ask.
     std::string status() const;

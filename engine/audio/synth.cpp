@@ -13,9 +13,10 @@ namespace thaum::audio {
 namespace {
 
 constexpr std::size_t largest_recipe = 64 << 10, most_sounds = 256;
-constexpr double most_seconds = 120;                     // largest length of all sounds of a folder
-constexpr double fade_in_s = 0.0005, fade_out_s = 0.02;  // fades of a sound that does not loop
-constexpr double lowest_hz = 15;  // frequencies below are not heard, only shift the samples
+/// Limit on the summed length of all sounds of a folder (s).
+constexpr double most_seconds = 120;
+constexpr double fade_in_s = 0.0005, fade_out_s = 0.02;  // durations of the fades of a sound without a loop
+constexpr double lowest_hz = 15;  // lower frequencies are inaudible and only shift the samples
 
 void add_part(Canvas& canvas, const Part& part, Random random) {
     if (const auto* tone = std::get_if<Tone>(&part)) return add_tone(canvas, *tone);
@@ -30,7 +31,7 @@ double largest_of(const std::vector<double>& samples) {
     return peak;
 }
 
-/// Compresses loud moments: x / (1 + drive |x|), with the peak at 1 before.
+/// Compresses loud moments by x / (1 + drive |x|); the peak must be 1 before.
 void compress(Canvas& canvas, double drive) {
     if (drive == 0) return;
     const double peak = std::max(largest_of(canvas.samples()), 1e-12);
@@ -49,7 +50,8 @@ void add_echoes(Canvas& canvas, double delay_s, double share) {
     }
 }
 
-/// Removes what is below the range of hearing. A loop runs twice, so that the filter ends as it began.
+/// Removes frequencies below the range of hearing. A loop is filtered twice, so that the filter starts as it
+/// ends.
 void remove_offset(Canvas& canvas) {
     const double share = 1 - 2 * pi * lowest_hz / sample_rate;
     const auto dry = canvas.samples();
@@ -91,7 +93,7 @@ Expected<std::vector<std::filesystem::path>> recipes_in(const std::filesystem::p
 
 namespace {
 
-/// All of a sound but its samples.
+/// All fields of a sound except its samples.
 Sound head_of(const Recipe& recipe) {
     return {.name = recipe.name,
             .description = recipe.description,

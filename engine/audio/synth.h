@@ -10,11 +10,12 @@ namespace thaum::audio {
 /// Makes the sound of a recipe that `read_recipe` has accepted.
 Sound make_sound(const Recipe& recipe);
 
-/// Whether sounds get their samples. Without samples they have all but that, in almost no time: words and reach.
+/// Whether sounds get their samples. Without samples, loading takes almost no time and gives captions,
+/// descriptions and distances.
 enum class WithSamples : std::uint8_t { no, yes };
 
-/// Makes the sounds of all recipes NAME.toml of a folder. A faulty recipe costs its own sound only. The error: the
-/// folder cannot be read, or holds no sounds, or too many.
+/// Makes the sounds of all recipes NAME.toml of a folder. Of a faulty recipe only its own sound is left out.
+/// The error says that the folder cannot be read, holds no sounds, or too many.
 Expected<SoundBank> load_sounds(const std::filesystem::path& folder, WithSamples samples = WithSamples::yes);
 
 }  // namespace thaum::audio

@@ -11,7 +11,7 @@
 namespace thaum::audio {
 namespace {
 
-/// The sizes in a WAV file have 32 bits.
+/// Sizes in a WAV file are 32-bit numbers.
 constexpr std::uint64_t most_wav_bytes = std::numeric_limits<std::uint32_t>::max() - 100;
 
 std::uint16_t bytes_of(WavFormat format) { return format == WavFormat::whole_16 ? 2 : 4; }
@@ -55,7 +55,7 @@ Bytes WavWriter::header() const {
     out.put(static_cast<std::uint32_t>(sample_rate * frame_size));
     out.put(frame_size);
     out.put(static_cast<std::uint16_t>(8 * size));
-    out.put(std::uint16_t{0});  // bytes that follow in this chunk
+    out.put(std::uint16_t{0});  // no further bytes in this chunk
     put_name(out, "fact");
     out.put(fact_size);
     out.put(static_cast<std::uint32_t>(values_ / channels_));
@@ -75,7 +75,8 @@ void WavWriter::write(std::span<const float> samples) {
         }
     };
     values_ += samples.size();
-    if (values_ * bytes_of(format_) > most_wav_bytes) return;  // `close` reports it
+    // Too large for a WAV file, which `close` reports.
+    if (values_ * bytes_of(format_) > most_wav_bytes) return;
     if (format_ == WavFormat::float_32)
         write_as(clipped_sample);
     else

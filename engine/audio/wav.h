@@ -11,19 +11,18 @@
 namespace thaum::audio {
 
 enum class WavFormat : std::uint8_t {
-    whole_16,  ///< whole numbers of 16 bits, which every program reads
-    float_32,  ///< the mixer's own numbers, bit for bit
+    whole_16,  ///< 16-bit integers, which every program reads
+    float_32,  ///< the mixer's own 32-bit floats, bit for bit
 };
 
-/// A file of 48 kHz. Without `close`, no file is left (core/file_writer.h).
+/// A WAV file at 48 kHz. Unless `close` is called, no file is left (core/file_writer.h).
 class WavWriter {
 public:
-    /// The error is FileWriter's. `channels`: 1, or 2 for stereo.
+    /// Starts a file. `channels`: 1, or 2 for stereo. The error is that of FileWriter.
     static Expected<WavWriter> create(std::filesystem::path path, WavFormat format,
                                       std::uint16_t channels = 2);
 
-    /// Appends samples, in stereo left and right in turn. Values outside -1 to 1 are clipped, those that are no numbers
-    /// become 0.
+    /// Appends samples, in stereo left and right in turn. Values outside -1 to 1 are clipped, NaN becomes 0.
     void write(std::span<const float> samples);
     /// Completes the header and the file. The error names the path: FileWriter's, or more than 4 GB of samples.
     Expected<void> close();
@@ -38,7 +37,7 @@ private:
     std::filesystem::path path_;
     WavFormat format_;
     std::uint16_t channels_;
-    std::uint64_t values_{};  ///< samples of all channels
+    std::uint64_t values_{};  ///< number of samples written, over all channels
 };
 
 }  // namespace thaum::audio

@@ -64,7 +64,7 @@ public:
     requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) T get() {
         if constexpr (std::is_same_v<T, bool>) {
             const auto byte = get<std::uint8_t>();
-            ok_ = ok_ && byte <= 1;  // any other byte in a bool would be undefined
+            ok_ = ok_ && byte <= 1;  // a bool made from any other byte would be undefined behaviour
             return ok_ && byte == 1;
         } else {
             T value{};

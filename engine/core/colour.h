@@ -11,7 +11,7 @@ double linear_from_srgb(double s);
 /// Linear light, 0 to 1, of an sRGB colour 0xRRGGBB.
 vec3 linear_colour(std::uint32_t hex);
 
-/// Reads a colour as linear light: "#RRGGBB", or three shares of linear light, as older files have it.
+/// Reads a colour as linear light: "#RRGGBB", or, in older files, three values of linear light from 0 to 1.
 vec3 read_linear_colour(const ConfigTable& table, std::string_view key);
 
 }  // namespace thaum

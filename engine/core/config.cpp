@@ -19,7 +19,8 @@ namespace thaum {
 using detail::ConfigFault;
 using detail::FaultKind;
 
-/// Most faults that are kept of one file: a file of nonsense has one in every line, and nobody reads them all.
+/// Greatest number of faults that are kept for one file. A nonsense file has a fault in every line, and
+/// nobody reads them all.
 constexpr std::size_t most_faults = 100;
 
 struct Config::State {
@@ -29,7 +30,8 @@ struct Config::State {
     std::set<const toml::node*> asked;
     detail::AskedKeys asked_keys;
 
-    /// Marks all that is in a value as asked for: one fault is told of a table in the place of a number.
+    /// Marks all keys within a value as asked for, so that a table in the place of a number is reported once,
+    /// not key by key.
     void mark_asked(const toml::node& value);
     /// Keeps a fault. `misleads`: the reader cannot know which keys belong to this table.
     void report(const toml::node* where, FaultKind kind, std::string_view key, std::string what,
@@ -44,7 +46,7 @@ std::size_t line_of(const toml::node* node) {
     return node != nullptr && node->source().begin ? node->source().begin.line : 0;
 }
 
-/// Whether a node is the table or list `outer`, or within it.
+/// Whether `node` is the table or list `outer` or lies within it.
 bool is_within(const toml::node& outer, const toml::node* node);
 
 template <class Children>
@@ -65,7 +67,7 @@ bool is_within(const toml::node& outer, const toml::node* node) {
     return &outer == node || is_among(children_of(outer), node);
 }
 
-/// The innermost table that holds a node; null if none does.
+/// The innermost table that holds a node; null: none does.
 const toml::table* holder_of(const toml::node& outer, const toml::node* node) {
     for (const auto* child : children_of(outer)) {
         if (!is_within(*child, node)) continue;
@@ -75,7 +77,7 @@ const toml::table* holder_of(const toml::node& outer, const toml::node* node) {
     return nullptr;
 }
 
-/// Keys from the outermost table to a table in it: "range.player".
+/// Keys from the outermost table down to `table`, such as "range.player".
 std::string path_of(const toml::table& outer, const toml::table* table) {
     for (const auto& [key, node] : outer) {
         const auto* child = node.as_table();
@@ -85,7 +87,7 @@ std::string path_of(const toml::table& outer, const toml::table* table) {
     return "";
 }
 
-/// Adds all keys that no reader asked for. The keys within such a table are not named.
+/// Adds all keys that no reader asked for. If such a key is a table, the keys in it are not listed.
 void find_unknown(const Config::State& state, const toml::table& table, const std::string& path,
                   std::vector<detail::UnknownKey>& found) {
     for (const auto& [key, node] : table) {
@@ -104,7 +106,8 @@ void find_unknown(const Config::State& state, const toml::table& table, const st
     }
 }
 
-/// Whether a reader found a wrong value in the table or below it, so that its own findings are of no use.
+/// Whether a reader found a wrong value in this table or below it. Later faults that the reader reports there
+/// mean nothing.
 bool is_misread(const Config::State& state, const toml::node& table) {
     return std::ranges::any_of(state.faults, [&](const ConfigFault& fault) {
         return fault.kind != FaultKind::told && fault.table != nullptr &&
@@ -156,7 +159,7 @@ public:
         std::size_t size = 0;
         for (const auto& [key, node] : table) size += left_out(key.str()) ? 0 : 1;
         add_bits('t', size);
-        for (const auto& [key, node] : table) {  // sorted by key in toml++
+        for (const auto& [key, node] : table) {  // toml++ keeps the keys sorted
             if (left_out(key.str())) continue;
             add_text('k', key.str());
             add(node);
@@ -192,7 +195,7 @@ private:
     std::string bytes_;
 };
 
-/// "from 0 to 10"
+/// Words for a range: "from 0 to 10".
 std::string range_text(Range range) {
     constexpr double huge = std::numeric_limits<double>::max();
     if (range.low <= -huge && range.high >= huge) return "finite";
@@ -201,7 +204,7 @@ std::string range_text(Range range) {
     return text("from ", range.low, " to ", range.high);
 }
 
-/// "a number from 0 to 10"
+/// Words for a number in a range: "a number from 0 to 10".
 std::string in_range_words(std::string_view what, Range range) {
     const auto limits = range_text(range);
     return limits == "finite" ? std::string(what) : text(what, limits.starts_with("at") ? ", " : " ", limits);
@@ -218,7 +221,7 @@ std::string invisible_words(std::string_view words) {
     return found.empty() ? "" : text(" with ", found);
 }
 
-/// A value of a wrong kind in words, and how to make a number of it.
+/// Describes a value of a wrong kind, and says how to make it a number.
 std::string words_of(const toml::node& node) {
     constexpr std::size_t longest = 40;
     if (const auto* word = node.as_string())
@@ -249,8 +252,8 @@ const toml::node* ask(Config::State& state, const void* table, std::string_view 
     return node;
 }
 
-/// A quantity nearer to 0 is a slip, and to divide by it makes infinities. Lists and numbers of either sign are often
-/// computed, so they may have any value.
+/// A nonzero quantity nearer to 0 than this is a typing mistake, and dividing by it gives infinities. Lists
+/// and ranges with negative numbers are often computed, so they may hold any value.
 constexpr double least_quantity = 1e-12;
 
 std::optional<double> number_in(Config::State& state, const toml::node& node, std::string_view key,
@@ -335,12 +338,12 @@ std::optional<std::size_t> choice_in(Config::State& state, const toml::node& nod
     return std::nullopt;
 }
 
-/// All faults of a file, with the keys that no reader asked for.
+/// All faults of a file, including the keys that no reader asked for.
 std::optional<Error> faults_of(const Config::State& state, std::span<const detail::UnknownKey> unknown) {
     return detail::told_faults(state.name, state.faults, {unknown.begin(), unknown.end()}, state.asked_keys);
 }
 
-/// Words on a version that stands below the header of a table; empty if there is none.
+/// Message for a `version` key that stands below the header of a table; empty if there is none.
 std::string place_of_version(const toml::table& root) {
     for (const auto& [key, node] : root) {
         const auto* table = node.as_table();
@@ -368,7 +371,7 @@ Expected<Config> Config::parse(std::string_view source, std::string name, std::i
         config.root().report("version", text("version ", found, " cannot be read, only version ", version));
     }
     if (state->faults.empty()) return config;
-    // No reader has asked for the other keys, so only a misspelt 'version' is known to be wrong.
+    // No reader has asked for the other keys yet, so only a misspelt 'version' is known to be wrong.
     std::vector<detail::UnknownKey> unknown;
     find_unknown(*state, state->root, "", unknown);
     constexpr std::string_view version_key[] = {"version"};
@@ -431,7 +434,8 @@ void ConfigTable::demand(std::string_view key, std::string_view allowed, bool mi
         return;
     }
     const auto first = path_.substr(0, path_.find('.'));
-    if (as_table(holder_)->contains(first)) return;  // it is no table, which has been reported
+    // The key exists but is no table, which has been reported already.
+    if (as_table(holder_)->contains(first)) return;
     const auto path = path_of(state_->root, as_table(holder_));
     state_->report(as_table(holder_), FaultKind::missing, first,
                    text("table '", path.empty() ? "" : text(path, "."), path_, "' is missing"));

@@ -34,8 +34,8 @@ public:
     /// Replaces the value of an existing key. The path has the form "shot.damage"; the value is written as in
     /// TOML.
     Expected<void> replace(std::string_view path, std::string_view value);
-    /// Reports a fault found by the caller, such as two entries that contradict each other. Nothing is reported if a
-    /// value of the file is wrong: the caller worked with what stands in for it.
+    /// Reports a fault found by the caller, such as two entries that contradict each other. Nothing is
+    /// reported if a value of the file is wrong: the caller then worked with a fallback value.
     void report(std::string_view message) const;
     /// Returns all faults of the reads so far, and the keys that no reader asked for: the first one as the message of the
     /// error, the others in Error::more.
@@ -85,8 +85,8 @@ public:
     std::vector<ConfigTable> tables(std::string_view key) const;
     /// Returns all keys in sorted order and marks them as asked for.
     std::vector<std::string> keys() const;
-    /// Reports a fault at this key, or at the table if the key is empty. Nothing is reported if a value of the table is
-    /// wrong: the caller worked with what stands in for it.
+    /// Reports a fault at this key, or at the table if the key is empty. Nothing is reported if a value of
+    /// the table is wrong: the caller then worked with a fallback value.
     void report(std::string_view key, std::string_view message) const;
     /// Place of the key, or of the table if it has no such key, for messages: "wand.toml:12".
     std::string place(std::string_view key) const;
@@ -104,7 +104,7 @@ private:
     std::string path_;    // keys from the holder to a missing table: "shot.trail"
 };
 
-/// Words as a string of TOML. Control characters become escapes.
+/// A text as a quoted TOML string. Control characters become escapes.
 std::string in_quotes(std::string_view words);
 
 }  // namespace thaum

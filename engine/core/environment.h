@@ -1,5 +1,5 @@
-// core/environment.h: reads environment variables. An empty variable counts as one that is not set, for all alike: people
-// switch a variable off by setting it to nothing.
+// core/environment.h: reads environment variables. An empty variable counts as not set for every reader,
+// because people switch a variable off by making it empty.
 #pragma once
 #include <optional>
 #include <string>

@@ -15,7 +15,7 @@ namespace thaum {
 /// One line for the user: what is wrong, where, and what to do. It has no trailing newline.
 struct Error {
     std::string message;
-    /// Lines of the same kind on further faults of the same file or folder. Most users need only the first line.
+    /// More lines about further faults of the same file or folder. Most users need only the first line.
     std::vector<std::string> more{};
 };
 
@@ -140,7 +140,7 @@ private:
 
 inline Error fail(std::string message) { return {std::move(message)}; }
 
-/// A data file that is left out because of its faults, by its name without folder and ending.
+/// Name, without folder and extension, of a data file that is left out because of its faults.
 struct LeftOut {
     std::string name;
     Error fault;

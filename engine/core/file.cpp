@@ -35,7 +35,7 @@ Error system_error(const std::filesystem::path& path, std::string_view doing) {
 
 enum class Owner : std::uint8_t { user, program };
 
-/// Reads the file or, of a longer one, its first `most` bytes. A file of more than `limit` bytes is refused.
+/// Reads at most the first `most` bytes of a file. A file of more than `limit` bytes is refused.
 Expected<Bytes> read_bytes(const std::filesystem::path& path, std::size_t limit, std::size_t most,
                            Owner owner = Owner::user) {
     // O_NONBLOCK: opening a fifo without a writer must not hang.
@@ -106,7 +106,7 @@ bool flush_to_disk(int fd) {
 }
 
 void occupy_closed_streams() {
-    int fd = 0;  // open gives the lowest number that is free
+    int fd = 0;  // open returns the lowest free number
     do {
         fd = ::open("/dev/null", O_RDONLY);
     } while (fd >= STDIN_FILENO && fd <= STDERR_FILENO);

@@ -12,41 +12,46 @@
 
 namespace thaum {
 
-/// Reads a whole file, which no writer of this run replaces from then on (write_rule.h). The error names the path and
-/// the fault: missing, not an ordinary file (directory, fifo, device), larger than `limit` bytes, or not readable.
+/// Reads a whole file. From then on no writer of this run may replace it (write_rule.h). The error names the
+/// path and the fault: missing, not an ordinary file (directory, fifo, device), larger than `limit` bytes, or
+/// not readable.
 Expected<Bytes> read_file(const std::filesystem::path& path, std::size_t limit);
 
-/// Reads the first bytes of a file, at most `most`. The error is that of `read_file`, but a file may be of any length.
+/// Reads the first bytes of a file, at most `most`. The file may have any length; otherwise the error is that
+/// of `read_file`.
 Expected<Bytes> read_start(const std::filesystem::path& path, std::size_t most);
 
 /// Reads a whole file, as `read_file` does, and returns it as text.
 Expected<std::string> read_text_file(const std::filesystem::path& path, std::size_t limit);
 
-/// Reads a file that the program owns and may replace itself, such as its settings. tests/structure lists who may.
+/// Reads a file that the program owns and may replace itself, such as its settings. tests/structure lists the
+/// callers that may use this.
 Expected<std::string> read_own_text_file(const std::filesystem::path& path, std::size_t limit);
 
-/// Files of a folder whose names end with `ending`, such as ".toml", sorted. The error names the folder that cannot be
-/// read.
+/// Files of a folder whose names end with `ending`, such as ".toml", sorted. The error names a folder that
+/// cannot be read.
 Expected<std::vector<std::filesystem::path>> files_in(const std::filesystem::path& folder,
                                                       std::string_view ending);
 
-/// "; did you mean 'blast'?" if the folder has a file of nearly this name, both without the ending; else nothing.
+/// Words for a message, such as "; did you mean 'blast'?", if the folder has a file of a similar name; else
+/// empty. Names are without extension.
 std::string near_file(std::string_view name, const std::filesystem::path& folder, std::string_view ending);
 
-/// Writes all bytes to an open descriptor. On failure returns false with errno set; some of the bytes may
-/// have been written.
+/// Writes all bytes to an open descriptor. On failure returns false with errno set; some bytes may already be
+/// written.
 bool write_all(int fd, std::span<const std::byte> bytes);
 
 /// Waits until the bytes of an open file are on the disk. On failure returns false with errno set. An interruption is no
 /// failure, nor is a file system without a disk.
 bool flush_to_disk(int fd);
 
-/// Occupies those of the numbers of standard input, output and error that are closed, so that no file gets them which the
-/// program opens later: what is printed would be written into it. Printing to a closed stream fails as before.
+/// Opens a placeholder for each of standard input, output and error that is closed. Otherwise a file that is
+/// opened later would get that number, and printed text would be written into it. Printing to a closed stream
+/// fails as before.
 void occupy_closed_streams();
 
-/// Creates the folder and any missing parent folders. The error names the folder, which cannot be created or
-/// is not writable.
+/// Creates the folder and any missing parent folders. The error names the folder that cannot be created or is
+/// not writable.
 Expected<void> make_folder(const std::filesystem::path& folder);
 
 /// A new empty folder in the system's temporary directory. The destructor removes it with all its contents.

@@ -4,7 +4,7 @@
 //     for (;; sleep(0.2)) if (auto changed = watch.look(); !changed.empty()) read_again(changed);
 //
 // Editors write in several steps, or write another file and rename it. A change is therefore reported only
-// once every file is the same as at the previous look. Two changes between two looks count as one.
+// when every file is the same as in the previous poll. Several changes between two polls count as one.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -14,7 +14,7 @@ namespace thaum {
 
 class FileWatch {
 public:
-    /// Also watches files that are missing, since they may appear later.
+    /// A file that is missing is watched too, since it may appear later.
     explicit FileWatch(std::vector<std::filesystem::path> files);
 
     /// Returns the files that differ from the last report, or from the start. Returns none while any file is
@@ -24,7 +24,8 @@ public:
 private:
     /// Metadata that distinguishes one content of a file from the next without reading it.
     struct Stamp {
-        std::uint64_t device{}, number{}, mode{}, size{};  ///< all 0 if the file does not exist
+        /// Device, inode, type and size; all 0 if the file does not exist.
+        std::uint64_t device{}, number{}, mode{}, size{};
         std::int64_t written_s{}, written_ns{};
         bool operator==(const Stamp&) const = default;
     };

@@ -17,20 +17,20 @@ namespace thaum {
 namespace {
 
 constexpr std::size_t buffer_size = 1U << 16U;
-constexpr std::size_t longest_name = 255;  ///< bytes of a file's name
+constexpr std::size_t longest_name = 255;  ///< longest file name (bytes)
 
 Error fault(const std::filesystem::path& path, std::string_view doing, int why) {
     return fail(text(path.string(), ": cannot ", doing, ": ", std::strerror(why)));
 }
 
-/// Creates a new file beside the target. It never opens an existing file, whose name could be a link to
+/// Creates a new file beside the target. It never opens an existing file, because its name could be a link to
 /// another user's file. A killed program may have left a file with the same name, so several names are tried.
 /// Returns -1 with errno set on failure.
 int create_part(const std::filesystem::path& target, std::string& part) {
     constexpr int most_tries = 100;
     for (int i = 0; i < most_tries; ++i) {
         const auto ending = text(".", ::getpid(), "-", i, ".part");
-        // The target's name may be as long as a name can be.
+        // The target's name may already have the greatest length, so it is shortened.
         const auto name = target.filename().string().substr(0, longest_name - ending.size());
         part = (target.parent_path() / (name + ending)).string();
         const int fd = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
@@ -80,7 +80,7 @@ Expected<FileWriter> FileWriter::create(std::filesystem::path path) {
 }
 
 Expected<FileWriter> FileWriter::create_new(const std::filesystem::path& path) {
-    // The empty file takes the name at once, so two programs never choose the same.
+    // The name is occupied at once by an empty file, so that two programs never choose the same name.
     const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (fd < 0) return fault(path, "create", errno);
     ::close(fd);
@@ -92,7 +92,7 @@ Expected<FileWriter> FileWriter::create_new(const std::filesystem::path& path) {
     return made;
 }
 
-/// Removes the file that only took the name.
+/// Removes the empty file that reserved the name.
 void FileWriter::give_name_back() {
     if (std::exchange(claimed_, false)) ::unlink(target_.c_str());
 }
@@ -133,7 +133,7 @@ Expected<void> FileWriter::finish() {
     if (fd_ < 0) return {};
     flush();
     if (fault_ != 0) return give_up("write", fault_);
-    // Some disks report only here that they are full.
+    // Some disks report only at this point that they are full.
     if (!flush_to_disk(fd_)) return give_up("write", errno);
     if (::close(std::exchange(fd_, -1)) != 0) return give_up("write", errno);
     return {};

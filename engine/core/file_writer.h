@@ -19,8 +19,8 @@ public:
     /// Starts a file. The error names the path: it cannot be created, or an existing file must not be
     /// replaced.
     static Expected<FileWriter> create(std::filesystem::path path);
-    /// Starts a file of a name that no file has, and takes the name at once: an empty file stands there until `close`.
-    /// The error names the path.
+    /// Starts a file under a name that does not exist yet, and reserves the name at once with an empty file
+    /// until `close`. The error names the path.
     static Expected<FileWriter> create_new(const std::filesystem::path& path);
     FileWriter(FileWriter&& other) noexcept;
     FileWriter& operator=(FileWriter&&) = delete;
@@ -33,7 +33,7 @@ public:
     void replace_start(std::span<const std::byte> bytes);
     /// Hands all bytes to the system.
     void flush();
-    /// False after a failure. Bytes that wait for a `flush` may still fail.
+    /// False after a failure. Bytes that were not flushed may still fail.
     bool is_whole() const { return fault_ == 0; }
     /// Flushes the bytes to the disk, still under the temporary name. Several files that belong together are all
     /// finished first and then closed, so that a full disk replaces none of them. The error names the path.
@@ -49,8 +49,8 @@ private:
     std::filesystem::path name_;    ///< path as given by the caller, for messages
     std::filesystem::path target_;  ///< path of the file to replace, with symbolic links resolved
     std::string part_;           ///< path of the temporary file, in the target's folder; empty: there is none
-    bool claimed_ = false;       ///< an empty file of our own stands at the target
-    int fd_;                     ///< -1 from `finish` on
+    bool claimed_ = false;       ///< true: an empty file of our own reserves the target's name
+    int fd_;                     ///< file descriptor; -1 once `finish` was called
     int fault_ = 0;              ///< errno of the first write that failed
     std::uint64_t written_ = 0;  ///< bytes that `write` was given
     Bytes buffer_;

@@ -12,10 +12,10 @@
 namespace thaum {
 namespace {
 
-constexpr int gzip_window = 15 + 16;  // largest window, gzip header
+constexpr int gzip_window = 15 + 16;  // largest window (15 bits), with a gzip header (16)
 constexpr std::size_t piece = std::size_t{1} << 18U;
 
-/// Input that zlib has not been given yet. zlib counts in 32 bits.
+/// Passes input to zlib in parts, because zlib counts bytes in 32 bits.
 class Feed {
 public:
     explicit Feed(std::span<const std::byte> bytes) : left_(bytes) {}
@@ -27,7 +27,7 @@ public:
         stream.avail_in = static_cast<uInt>(next.size());
         left_ = left_.subspan(next.size());
     }
-    /// Whether another member begins here.
+    /// Whether another gzip member begins at the next byte.
     bool begins_member(const z_stream& stream) const {
         constexpr Bytef first = 0x1f, second = 0x8b;
         if (stream.avail_in >= 2) return stream.next_in[0] == first && stream.next_in[1] == second;
@@ -39,7 +39,7 @@ private:
     std::span<const std::byte> left_;
 };
 
-/// Ends the inflater when it leaves the scope.
+/// Ends zlib's inflater (inflateEnd) in its destructor.
 class Inflater {
 public:
     Inflater() { started_ = inflateInit2(&stream, gzip_window) == Z_OK; }
@@ -62,7 +62,8 @@ namespace {
 
 enum class Beyond : std::uint8_t { refused, left };
 
-/// Unpacks `limit` bytes at most. More than that, or data that are not gzip behind a member, are refused or left.
+/// Unpacks at most `limit` bytes. If there are more, or if other data follow the last member, they are an
+/// error or are ignored, as the caller chooses.
 Expected<UnpackedStart> unpack(std::span<const std::byte> packed, std::size_t limit, Beyond beyond) {
     Inflater inflater;
     if (!inflater.started()) return fail("no memory to unpack the file");

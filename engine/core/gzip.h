@@ -17,10 +17,10 @@ Expected<std::string> unpack_gzip(std::span<const std::byte> packed, std::size_t
 /// The first bytes of unpacked gzip data.
 struct UnpackedStart {
     std::string bytes;
-    bool goes_on{};  ///< more was packed, or something else follows the gzip data
+    bool goes_on{};  ///< true: not all was unpacked, or other data follow the gzip data
 };
 
-/// Unpacks at most the first `most` bytes. What follows is neither read nor judged.
+/// Unpacks at most the first `most` bytes. Whatever follows them is not checked.
 Expected<UnpackedStart> unpack_gzip_start(std::span<const std::byte> packed, std::size_t most);
 
 /// Packs bytes as one member without name or time, so that equal bytes give equal data.

@@ -8,7 +8,7 @@
 namespace thaum {
 namespace {
 
-/// Code points from `first` to `last`.
+/// A range of code points with a name.
 struct Invisible {
     char32_t first, last;
     std::string_view name;
@@ -51,7 +51,7 @@ std::string number_words(char32_t character) {
     return text("U+", digits);
 }
 
-/// The first invisible character in words, blanks among them if `blanks`.
+/// Describes the first invisible character of a text; unusual blanks count if `blanks` is true.
 std::string first_of(std::string_view words, bool blanks) {
     for (const auto character : decode_utf8(words)) {
         const auto* kind = kind_of(character);

@@ -1,15 +1,17 @@
-// core/invisible.h: characters that nobody sees in a text, and that make two equal words differ.
+// core/invisible.h: finds characters that nobody can see, and that make two words differ that look equal.
 #pragma once
 #include <string>
 #include <string_view>
 
 namespace thaum {
 
-/// The first invisible character of a text, in words: "an invisible character, U+200B (zero-width space)". Empty if there is
-/// none. Blanks of other kinds than a space, such as the no-break space, count: they look like a space and are none.
+/// The first invisible character of a text, in words: "an invisible character, U+200B (zero-width space)".
+/// Empty if there is none. Blanks other than the space, such as the no-break space, count too, because they
+/// look like a space.
 std::string invisible_character(std::string_view text);
 
-/// The same for characters without width: blanks of other kinds, which words may have, do not count.
+/// Like invisible_character, but blanks other than the space do not count, as texts for people may contain
+/// them.
 std::string hidden_character(std::string_view text);
 
 }  // namespace thaum

@@ -26,7 +26,7 @@ bool Jobs::Ticket::ended() const { return !job_ || job_->done.load(std::memory_o
 
 Jobs::Jobs(unsigned threads) {
     threads_.reserve(threads);
-    // If the system starts fewer threads, or none, the same work runs more slowly.
+    // If the system refuses some or all of the threads, the same work runs more slowly.
     for (unsigned i = 0; i < threads; ++i) {
         auto started = start_thread([this] { work(); });
         if (!started) break;
@@ -39,7 +39,7 @@ Jobs::~Jobs() {
         const std::lock_guard lock(mutex_);
         stopping_ = true;
     }
-    wake_.notify_all();  // the threads then end, and their destructors wait for that
+    wake_.notify_all();  // the threads then end, and the members' destructors wait for them
 }
 
 Jobs::Ticket Jobs::run(std::function<void()> body) {

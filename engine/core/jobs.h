@@ -48,7 +48,8 @@ private:
     std::condition_variable wake_;
     std::deque<std::shared_ptr<Ticket::Job>> queue_;
     bool stopping_ = false;
-    std::vector<std::jthread> threads_;  ///< last, so that they end while the other members still live
+    /// Last member, so that the threads end while the other members still exist.
+    std::vector<std::jthread> threads_;
 };
 
 }  // namespace thaum

@@ -25,7 +25,7 @@ JsonMember& JsonMember::operator=(JsonMember other) noexcept {
 
 namespace {
 
-/// Numbers of the members in the order of their keys; those with equal keys stay in order.
+/// Indices of the members, sorted by key; members with equal keys keep their order.
 std::vector<std::size_t> order_of_keys(std::span<const JsonMember> members) {
     std::vector<std::size_t> order(members.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -34,8 +34,8 @@ std::vector<std::size_t> order_of_keys(std::span<const JsonMember> members) {
     return order;
 }
 
-/// Merges members with equal keys: the first one's place and the last one's value stay. Sorting finds them,
-/// because comparing all with all takes minutes for a hostile file.
+/// Merges members with equal keys: the first gives the place and the last the value. They are found by
+/// sorting, because comparing all pairs takes minutes for a hostile file.
 std::vector<JsonMember> without_equal_keys(std::vector<JsonMember> members) {
     const auto order = order_of_keys(members);
     std::vector<bool> kept(members.size(), true);
@@ -91,7 +91,7 @@ Json& Json::operator=(Json other) noexcept {
     return *this;
 }
 
-/// Moves the elements that have elements themselves to a list.
+/// Moves the elements of this value that have elements themselves to a list.
 void Json::move_nested(std::vector<Json>& to) {
     const auto move = [&](Json& value) {
         if (value.is_array() || value.is_object()) to.push_back(std::move(value));
@@ -102,8 +102,8 @@ void Json::move_nested(std::vector<Json>& to) {
     }
 }
 
-/// A file may be nested a million times, too deep for destructors that call each other. So what is nested is
-/// taken out first, level by level.
+/// A file may be nested a million times, too deep for destructors that call each other. So nested values are
+/// first moved out of their parents, level by level.
 Json::~Json() {
     if (is_array() || is_object()) {
         std::vector<Json> nested;
@@ -204,7 +204,7 @@ using Library = nlohmann::ordered_json;  // keeps the order of members
 class Builder {
 public:
     Json result;
-    std::string fault;  ///< fault of the text, for the error's line
+    std::string fault;  ///< what is wrong with the text, for the error
 
     explicit Builder(std::string_view source) : source_(source) {}
 
@@ -214,7 +214,7 @@ public:
     bool number_unsigned(std::uint64_t value) { return add(value); }
     bool number_float(double value, const std::string& /*digits*/) { return add(value); }
     bool string(std::string& value) { return add(std::move(value)); }
-    bool binary(Library::binary_t& /*value*/) { return false; }  // no text of JSON has one
+    bool binary(Library::binary_t& /*value*/) { return false; }  // JSON text has no binary values
     bool start_array(std::size_t /*size*/) { return open(); }
     bool start_object(std::size_t /*size*/) { return open(); }
     bool key(std::string& name) {
@@ -231,10 +231,10 @@ public:
     }
 
 private:
-    /// An array or object whose end was not read yet.
+    /// An array or object whose end has not been read yet.
     struct Open {
         std::vector<Json> elements{};
-        std::vector<JsonMember> members{};  ///< the last one waits for its value
+        std::vector<JsonMember> members{};  ///< the value of the last member has not been read yet
     };
 
     bool open() {
@@ -257,7 +257,7 @@ private:
         return true;
     }
 
-    /// Words on the place of a byte, counted from 1: ", in line 3, column 5".
+    /// Words for the place of a byte (counted from 1), such as ", in line 3, column 5".
     std::string place_of(std::size_t byte) const {
         if (byte > source_.size()) return ": it ends before all brackets and quotes are closed";
         const auto before = source_.substr(0, byte - 1);
@@ -285,7 +285,7 @@ Library in_library(const Json& json) {
             return list;
         }
         case Json::Kind::object: {
-            Library::object_t members;  // a vector, to which a member is added without a search for its key
+            Library::object_t members;  // a vector, so members are added without searching for their key
             for (const auto& [key, value] : json.members()) members.emplace_back(key, in_library(value));
             return members;
         }

@@ -1,6 +1,7 @@
 // core/json.h: values of JSON, read from text and written as text.
 //
-// A library reads and writes the text, but only json.cpp includes it: its header takes seconds to compile.
+// A library reads and writes the text, but only json.cpp includes that library, because its header takes
+// seconds to compile.
 #pragma once
 #include <cstdint>
 #include <initializer_list>
@@ -17,9 +18,9 @@ struct JsonMember;
 
 /// Any value of JSON. An object keeps the order of its members.
 ///
-/// Files hold any value anywhere, so no question fails: asked for another kind than it is, a value answers
-/// false, 0, "" or no elements. Copies descend by recursion, so only values of our own making, which are
-/// shallow, are to be copied.
+/// Any value may appear anywhere in a file, so no read fails: a value that is of another kind than asked for
+/// gives false, 0, "" or no elements. Copying works by recursion, so copy only values that the program made
+/// itself, which are not deeply nested.
 class Json {
 public:
     enum class Kind : std::uint8_t { null, boolean, integer, unsigned_integer, real, string, array, object };
@@ -32,7 +33,7 @@ public:
     Json(long value) noexcept : Json(static_cast<long long>(value)) {}
     Json(unsigned value) noexcept : Json(static_cast<unsigned long long>(value)) {}
     Json(unsigned long value) noexcept : Json(static_cast<unsigned long long>(value)) {}
-    Json(double value) noexcept;  ///< written as null if it is not finite
+    Json(double value) noexcept;  ///< a number; written as null if it is not finite
     Json(std::string value);
     Json(std::string_view value);
     Json(const char* value);
@@ -70,9 +71,9 @@ public:
     bool is_object() const { return kind_ == Kind::object; }
 
     bool boolean() const;
-    double number() const;                   ///< any number
+    double number() const;                   ///< value of any number
     std::int64_t integer() const;            ///< a whole number; one that is too large wraps around
-    std::uint64_t unsigned_integer() const;  ///< a number for which is_unsigned() holds
+    std::uint64_t unsigned_integer() const;  ///< value of a number for which is_unsigned() holds
     const std::string& string() const;
     std::span<const Json> elements() const;
     std::span<const JsonMember> members() const;
@@ -108,13 +109,14 @@ struct JsonMember {
     Json value;
 };
 
-/// Reads a text that is one value of JSON, nested to any depth. Of members with the same key, the last gives
-/// the value. The error says what is wrong with the text, without naming it: "is not JSON from byte 12 on".
+/// Reads a text that is one value of JSON, nested to any depth. If several members have the same key, the
+/// last one gives the value. The error says what is wrong with the text, without naming it: "is not JSON from
+/// byte 12 on".
 Expected<Json> parse_json(std::string_view source);
 
 /// Writes a value as text, with `indent` spaces for each level; in one line if it is negative. Numbers take
-/// the shortest form that reads back to the same value, and bytes that are not UTF-8 become U+FFFD. It
-/// descends by recursion, so values of our own making, which are shallow, are to be written.
+/// the shortest form that reads back to the same value, and bytes that are not UTF-8 become U+FFFD. It works
+/// by recursion, so write only values that the program made itself, which are not deeply nested.
 std::string dump(const Json& json, int indent = -1);
 
 }  // namespace thaum

@@ -23,7 +23,7 @@ constexpr double half_pi_high = 0x1.921fb544p+0;
 constexpr double half_pi_middle = 0x1.0b4611a6p-34;
 constexpr double half_pi_low = 0x1.3198a2e037073p-69;
 
-/// Computes sin(x + rest) for |x| <= pi/4 and |rest| below an ulp of x.
+/// Computes sin(x + rest) for |x| <= pi/4, where `rest` is a correction smaller than an ulp of x.
 double sin_near_zero(double x, double rest) {
     if (std::abs(x) < 0x1p-27) return rest == 0 ? x : x + rest;  // x + 0 would lose the sign of -0
     const double q = x * x;
@@ -44,7 +44,7 @@ double cos_near_zero(double x, double rest) {
     return top + (((1 - top) - half) + (q2 * (low + q2 * q2 * high) - x * rest));
 }
 
-/// An angle after a whole number of quarter turns was subtracted.
+/// An angle from which a whole number of quarter turns was subtracted.
 struct Reduced {
     double x;      ///< remaining angle in [-pi/4, pi/4], up to rounding of the last place (rad)
     double rest;   ///< rounding error of x; the angle is x + rest (rad)
@@ -131,7 +131,7 @@ Reduced reduce(double x) {
     constexpr double to_integer = 0x1.8p52;
     const double k = (x * 0x1.45f306dc9c883p-1 + to_integer) - to_integer;
     const Double2 near = sum_of(x - k * half_pi_high, -(k * half_pi_middle));
-    // the parts of pi/2 are too short near a multiple of pi/2
+    // too near to a multiple of pi/2 for the three parts of pi/2
     if (std::abs(near.high) < 0x1p-20) return reduce_exactly(x);
     const Double2 sum = sum_of(near.high, near.low - k * half_pi_low);
     return {sum.high, sum.low, static_cast<int>(static_cast<std::int64_t>(k) & 3)};

@@ -38,17 +38,19 @@ namespace det {
 double sin(double x);
 double cos(double x);
 double tan(double x);
-/// The error is within 3 ulp. Zeros and infinities give the same results as in C.
+/// Angle of the point (x, y) (rad). The error is within 3 ulp. Zeros and infinities give the same results as
+/// in C.
 double atan2(double y, double x);
-/// The error is within 4 ulp. The result is NaN outside [-1, 1].
+/// Arc sine (rad). The error is within 4 ulp. The result is NaN outside [-1, 1].
 double asin(double x);
 double acos(double x);
-/// The error is within 2 ulp. The result is 0 below -745.2 and infinity above 709.78.
+/// Exponential function. The error is within 2 ulp. The result is 0 below -745.2 and infinity above 709.78.
 double exp(double x);
-/// The error is within 2 ulp of the larger of |log x| and 1. The result is NaN for x < 0 and -infinity at 0.
+/// Natural logarithm. The error is within 2 ulp of the larger of |log x| and 1. The result is NaN for x < 0
+/// and -infinity at 0.
 double log(double x);
-/// The error is within 1 ulp (2 for subnormal results). Zeros, infinities and NaN give the same results as in
-/// C. A power that is representable as a double is exact.
+/// The power x^y. The error is within 1 ulp (2 for subnormal results). Zeros, infinities and NaN give the
+/// same results as in C. A power that is representable as a double is exact.
 double pow(double x, double y);
 
 }  // namespace det
@@ -56,7 +58,8 @@ double pow(double x, double y);
 /// Rotation by `angle` (rad) about a unit axis.
 inline quat rotation(vec3 axis, double angle) { return {det::cos(angle / 2), axis * det::sin(angle / 2)}; }
 
-/// Rotation of a wizard that turned left by `yaw` and looks up by `pitch` (rad). Zero looks along -z.
+/// Rotation of a wizard that turned left by `yaw` and looks up by `pitch` (rad). With both 0 the wizard looks
+/// along -z.
 inline quat look_rotation(double yaw, double pitch) {
     return rotation({0, 1, 0}, yaw) * rotation({1, 0, 0}, pitch);
 }

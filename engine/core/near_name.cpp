@@ -9,11 +9,12 @@
 namespace thaum {
 namespace {
 
-constexpr std::size_t longest_word = 64;  // bytes; the work grows with the square
+/// Longest word that is compared (bytes), because the work grows with the square of the length.
+constexpr std::size_t longest_word = 64;
 
 char plain(char c) { return c == '-' ? '_' : lower_case(c); }
 
-/// Smallest number of changes that make one word of the other (optimal string alignment).
+/// Least number of edits that turn one word into the other (optimal string alignment).
 std::size_t changes_between(std::string_view a, std::string_view b) {
     std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), now(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
@@ -36,7 +37,8 @@ std::size_t changes_between(std::string_view a, std::string_view b) {
 
 std::string_view near_name(std::string_view word, std::span<const std::string_view> names) {
     if (word.size() > longest_word || std::ranges::find(names, word) != names.end()) return {};
-    // One change in a word of 3 to 6 letters, two in one of 7 to 10. Of two letters, any other word would be near.
+    // Allows one edit in a word of 3 to 6 letters and two in one of 7 to 10; with two letters every other
+    // word would be near.
     std::size_t least = std::min<std::size_t>((word.size() + 1) / 4, 3) + 1;
     std::string_view nearest;
     for (const auto name : names) {

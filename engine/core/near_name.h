@@ -1,4 +1,5 @@
-// core/near_name.h: the known name that a slip of typing meant, for messages that end with "did you mean 'damage'?".
+// core/near_name.h: finds the known name nearest to a misspelt one, for messages that end with "did you mean
+// 'damage'?".
 #pragma once
 #include <concepts>
 #include <functional>
@@ -10,15 +11,15 @@
 
 namespace thaum {
 
-/// The name that differs least from the word: by letters that were added, left out, replaced or swapped with their
-/// neighbour. Small and capital letters count as equal, and so do '_' and '-'. Empty if no name is near, or if the
-/// word is one of the names.
+/// The name that needs the fewest edits to become the word: adding, leaving out or replacing a letter, or
+/// swapping two neighbours. Small and capital letters count as equal, and so do '_' and '-'. Empty if no name
+/// is near, or if the word is one of the names.
 std::string_view near_name(std::string_view word, std::span<const std::string_view> names);
 
-/// "; did you mean 'damage'?", or nothing if no name is near.
+/// Words for a message, such as "; did you mean 'damage'?", or nothing if no name is near.
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> names);
 
-/// The same for the names of things: did_you_mean(word, materials, &Material::name).
+/// did_you_mean for things that have names: did_you_mean(word, materials, &Material::name).
 template <std::ranges::range Things, class Name = std::identity>
 requires(!std::convertible_to<const Things&, std::span<const std::string_view>>) std::string
     did_you_mean(std::string_view word, const Things& things, Name name = {}) {

@@ -1,4 +1,4 @@
-// core/parse.h: numbers that people write.
+// core/parse.h: parses numbers that people have typed.
 #pragma once
 #include <cstdint>
 #include <string_view>

@@ -99,7 +99,7 @@ double log(double x) {
     if (x == 0) return -infinity;
     if (std::isinf(x)) return x;
     int exponent = 0;
-    double mantissa = std::frexp(x, &exponent);  // in [0.5, 1)
+    double mantissa = std::frexp(x, &exponent);  // frexp gives a mantissa in [0.5, 1)
     if (mantissa < 0.70710678118654752) {
         mantissa *= 2;
         --exponent;

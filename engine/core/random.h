@@ -32,8 +32,7 @@ struct Random {
     }
 };
 
-/// Creates a generator for one subsystem. With the same seed, different stream numbers never give the same
-/// initial state.
+/// Creates a generator for one subsystem. Two streams of one seed never have the same initial state.
 constexpr Random random_stream(std::uint64_t seed, std::uint64_t stream) {
     return Random{seed ^ (stream * 0xd1342543de82ef95ULL + 0x632be59bd9b4e019ULL)};
 }

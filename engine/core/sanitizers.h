@@ -1,5 +1,5 @@
-// core/sanitizers.h: which sanitizer a program is built with, for code that must leave memory to it. GCC and clang
-// say so in different ways.
+// core/sanitizers.h: which sanitizer a program is built with, for code that must not manage memory itself
+// under one. GCC and clang say so in different ways.
 #pragma once
 
 #if defined(__SANITIZE_ADDRESS__)

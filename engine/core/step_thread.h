@@ -1,8 +1,8 @@
-// core/step_thread.h: a thread that does what is due, step by step, and that may be left behind.
+// core/step_thread.h: a thread that runs a Work object step by step, and that its owner may abandon.
 //
-// The work may block its caller for ever, as a device can. Only the thread calls it. At its end the owner waits for the
-// thread for a limited time. A thread that has not ended by then is left behind with all that it uses: its memory stays
-// until the program ends.
+// The work may block its caller for ever, as a device can, so only this thread calls it. The owner's
+// destructor waits for the thread for a limited time. A thread that has not ended by then is abandoned with
+// all that it uses: its memory is kept until the program ends.
 #pragma once
 #include <chrono>
 #include <condition_variable>
@@ -17,12 +17,14 @@
 
 namespace thaum {
 
-/// `Work` has three functions: `double step(double now_s)` does what is due and returns the time until the next step
-/// (s); `void close()` is the last call, if the thread ends in time; `void abandon()` is called by the owner, if not.
+/// `Work` has three functions: `double step(double now_s)` does what is due and returns the time until the
+/// next step (s); `void close()` is the last call if the thread ends in time; `void abandon()` is called by
+/// the owner if it does not.
 template <class Work>
 class StepThread {
 public:
-    /// Starts the thread. `wait_s`: the longest time that the destructor waits for its end.
+    /// Starts the thread. `wait_s` is the longest time for which the destructor waits until the thread ends
+    /// (s).
     template <class... Arguments>
     explicit StepThread(double wait_s, Arguments&&... arguments)
         : state_(std::make_shared<State>(std::forward<Arguments>(arguments)...)), wait_s_(wait_s) {
@@ -38,7 +40,7 @@ public:
 
     Work& work() { return state_->work; }
     const Work& work() const { return state_->work; }
-    /// Why there is no thread; empty: there is one.
+    /// Why the system refused the thread; empty: it runs.
     const std::string& refused() const { return refused_; }
 
 private:
@@ -52,9 +54,9 @@ private:
         void run();
 
         Work work;
-        std::mutex mutex;  ///< guards the three below
+        std::mutex mutex;  ///< guards the three members below
         bool stop = false;
-        bool left_behind = false;  ///< set with `stop`: the owner waits no more
+        bool left_behind = false;  ///< true: the owner no longer waits; set together with `stop`
         bool ended = false;
         std::condition_variable changed;
     };
@@ -95,7 +97,7 @@ StepThread<Work>::~StepThread() {
     if (ended) return;
     state_->left_behind = true;
     state_->work.abandon();
-    // Never destroyed: a late return of the device must not find its memory, or its library, gone.
+    // Never destroyed, because a device call that returns late must still find its memory and its library.
     static auto* const kept = std::make_unique<std::vector<std::shared_ptr<State>>>().release();
     kept->push_back(state_);
     thread_.detach();

@@ -15,12 +15,13 @@ namespace thaum {
 namespace {
 
 constexpr std::size_t most_columns = 1000;
-constexpr std::size_t most_shown = 40;          // bytes of a cell in an error
-constexpr std::size_t most_titles_shown = 200;  // bytes of all titles in an error
-constexpr std::size_t most_looked_at = 64;      // bytes at the start that tell what a file is
+constexpr std::size_t most_shown = 40;          // longest part of a cell that an error quotes (bytes)
+constexpr std::size_t most_titles_shown = 200;  // longest list of titles that an error quotes (bytes)
+/// Bytes at the start of a file by which its kind is recognised.
+constexpr std::size_t most_looked_at = 64;
 constexpr std::string_view separator_line = "sep=";
 
-/// Names the kind of a file that cannot be a table; empty if it may be one.
+/// Names the kind of a file that is no table, such as a spreadsheet's own format; empty if it may be a table.
 std::string_view no_table(std::string_view text) {
     constexpr std::array<std::string_view, 3> archives{"PK\x03\x04", "\x1f\x8b", "\xd0\xcf\x11\xe0"};
     if (std::ranges::any_of(archives, [&](auto start) { return text.starts_with(start); }))
@@ -35,8 +36,9 @@ std::string_view without_end(std::string_view line) {
     return line;
 }
 
-/// The separator of a table by its first line: the one that stands there most often outside of quotes. In a line of numbers,
-/// whose points may be commas, it is the one that makes as many cells as there are usual titles.
+/// Finds the separator of a table from its first line: the character that occurs there most often outside of
+/// quotes. If the line holds numbers, which may have decimal commas, it is the character that gives as many
+/// cells as there are usual titles.
 char separator_of(std::string_view line, std::string_view usual_titles) {
     static constexpr std::string_view separators = ",;\t";
     std::array<std::ptrdiff_t, 3> count{};
@@ -131,7 +133,7 @@ double TableReader::number(std::size_t column) {
     return value.value_or(0);
 }
 
-/// One sign alone may be the point of all numbers: the other one could separate thousands.
+/// All numbers of a table must use the same decimal sign, because the other sign could separate thousands.
 void TableReader::check_point(std::string_view word) {
     const auto at = word.find_first_of(",.");
     if (at == std::string_view::npos) return;
@@ -178,7 +180,7 @@ void TableReader::skip_blanks() {
     while (!rest_.empty() && is_blank(rest_.front())) rest_.remove_prefix(1);
 }
 
-/// Reads the cells of the next line; of more than one if ends of lines stand in quotes.
+/// Reads the cells of the next row, which spans several lines if a quoted cell contains line breaks.
 void TableReader::read_cells() {
     cells_.clear();
     unquoted_.clear();
@@ -201,7 +203,7 @@ std::string_view TableReader::read_plain() {
     return cell;
 }
 
-/// Reads a cell behind its opening quote.
+/// Reads a quoted cell. The opening quote has been read already.
 std::string_view TableReader::read_quoted() {
     std::string* unquoted = nullptr;
     for (;;) {

@@ -1,9 +1,10 @@
 // core/table.h: reads and writes tables of text (CSV, RFC 4180), and reads what spreadsheets make of them.
 //
-// The first line names the columns, in any order. Commas stand between cells; if that line has more semicolons or tabs, these,
-// and then all numbers may have a comma for their point. These make no difference: capitals in titles, a byte order mark, lines
-// that end in CRLF, blanks round a cell, quotes round a cell, a first line "sep=;", rows and titles without content at the
-// end, and a plus before a number. A cell in quotes may hold separators and ends of lines; two quotes in it stand for one.
+// The first line names the columns, in any order. Cells are separated by commas, or by semicolons or tabs if
+// the first line has more of those; numbers may then have a decimal comma. The following make no difference:
+// capitals in titles, a byte order mark, lines that end in CRLF, blanks round a cell, quotes round a cell, a
+// first line "sep=;", rows and titles without content at the end, and a plus before a number. A cell in
+// quotes may hold separators and ends of lines; two quotes in it stand for one.
 #pragma once
 #include <cstddef>
 #include <deque>
@@ -19,27 +20,28 @@ namespace thaum {
 /// Reads a table row by row and keeps the first fault, with its line. After a fault there are no more rows.
 class TableReader {
 public:
-    /// Stands for an optional column that the table does not have.
+    /// Returned by `column` for an optional column that the table lacks.
     static constexpr std::size_t no_column = static_cast<std::size_t>(-1);
 
-    /// Reads the titles. `csv` must outlive the reader, `name` stands in errors. If `usual_titles` is given (separated by
-    /// commas), a table may begin with numbers instead of titles, and then has these.
+    /// Reads the titles. `csv` must outlive the reader; errors mention `name`. If `usual_titles` is given
+    /// (separated by commas), a table that begins with numbers instead of titles gets these titles.
     TableReader(std::string_view csv, std::string_view name, std::string_view usual_titles = {});
 
-    /// Column of a title. If the table has none: no_column, which is a fault if it is required.
+    /// Column of a title. If the table lacks it, returns no_column, and reports a fault if the column is
+    /// required.
     std::size_t column(std::string_view title, bool required = true);
 
     /// Goes to the next row that has content. Returns false at the end and after a fault.
     bool next();
     /// A cell of the row, without its quotes; valid until the next row.
     std::string_view cell(std::size_t column) const { return cells_[column]; }
-    /// Number in a cell of the row. What is no finite number is a fault; in no_column there is 0.
+    /// Number in a cell of the row. A cell that holds no finite number is a fault; no_column gives 0.
     double number(std::size_t column);
 
     /// Line in which the row begins, from 1.
     std::size_t line() const { return line_; }
 
-    /// Notes a fault at the present row.
+    /// Reports a fault at the current row.
     void report(std::string_view what);
     bool good() const { return !fault_.has_value(); }
     Error fault() const { return fail(*fault_); }
@@ -58,20 +60,20 @@ private:
 
     std::string_view rest_;
     std::string name_;
-    std::size_t line_ = 1;        ///< line in which the present row begins, from 1
-    std::size_t lines_read_ = 0;  ///< lines up to the end of the present row
+    std::size_t line_ = 1;        ///< line in which the current row begins, from 1
+    std::size_t lines_read_ = 0;  ///< number of lines read so far, including the current row
     char separator_ = ',';
-    char point_ =
-        0;  ///< sign that is the point of all numbers so far, if it may be a comma; 0: not yet known
+    char point_ = 0;  ///< decimal sign of all numbers so far, if it may be a comma; 0: not yet known
     char line_end_ = '\n';
-    bool first_row_pending_ = false;  ///< true: the first line was no titles and is the first row
+    /// true: the first line held numbers instead of titles, and is the first row.
+    bool first_row_pending_ = false;
     std::vector<std::string> titles_{};
     std::vector<std::string_view> cells_{};
-    std::deque<std::string> unquoted_{};  ///< cells of the row in which two quotes stand for one
+    std::deque<std::string> unquoted_{};  ///< storage for cells in which doubled quotes were replaced by one
     std::optional<std::string> fault_{};
 };
 
-/// Appends a cell to a row, in quotes if it needs them.
+/// Appends a cell to a row, in quotes if necessary.
 void append_cell(std::string& row, std::string_view cell);
 
 }  // namespace thaum

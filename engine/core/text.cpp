@@ -77,7 +77,7 @@ std::pair<std::size_t, char32_t> first_character(std::string_view s) {
                                                                : std::pair{bytes, code};
 }
 
-/// Returns true if a terminal would act on the character instead of showing it.
+/// Returns true if a terminal would act on the character instead of displaying it.
 bool is_command(char32_t code) {
     const bool control = code < 0x20 || (code >= 0x7f && code < 0xa0);
     const bool turns_writing = (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069) ||

@@ -16,8 +16,8 @@ public:
     requires std::convertible_to<const Words&, std::string_view> TextPart(const Words& words)
         : kind_(Kind::words), words_(words) {}
     TextPart(char c) : kind_(Kind::character), character_(c) {}
-    TextPart(std::same_as<bool> auto truth)  // a plain bool parameter would accept pointers, too
-        : kind_(Kind::words), words_(truth ? "true" : "false") {}
+    // std::same_as, because a plain bool parameter would accept pointers, too.
+    TextPart(std::same_as<bool> auto truth) : kind_(Kind::words), words_(truth ? "true" : "false") {}
     template <std::signed_integral Integer>
     TextPart(Integer value) : kind_(Kind::integer), integer_(value) {}
     template <std::unsigned_integral Integer>
@@ -46,8 +46,8 @@ inline void append_text(std::string& out, const TextPart& part) { part.append_to
 /// Appends the parts to each other.
 std::string joined_text(std::initializer_list<TextPart> parts);
 
-/// text("tick ", 12, " differs") -> "tick 12 differs". Each of a thousand calls has its own types, so the work is done
-/// by a function that is compiled once.
+/// text("tick ", 12, " differs") -> "tick 12 differs". The work is done by joined_text, which is compiled
+/// only once, because a thousand calls have different types.
 template <class... Parts>
 inline std::string text(const Parts&... parts) {
     return joined_text({TextPart(parts)...});
@@ -62,7 +62,7 @@ std::string clock_text(unsigned long long seconds);
 /// Formats `value` as 16 lower-case hexadecimal digits.
 std::string hex(unsigned long long value);
 
-/// A name with its first letter large, if that is one of a to z.
+/// A name with a capital as its first letter, if that letter is one of a to z.
 std::string capitalised(std::string_view name);
 
 }  // namespace thaum

@@ -16,9 +16,10 @@ namespace thaum {
 /// its own.
 class FaultStack {
 public:
-    /// Makes it the calling thread's, unless that thread has one. The memory must outlive the thread or its use.
+    /// Makes this the signal stack of the calling thread, unless that thread already has one. The memory must
+    /// stay until the thread ends or calls end_use.
     void begin_use() noexcept;
-    /// Ends the use; call it from the thread that began it.
+    /// Ends the use of this memory as signal stack. Must be called by the thread that called begin_use.
     void end_use() noexcept;
 
 private:
@@ -26,7 +27,7 @@ private:
     bool used_ = false;
 };
 
-/// Runs `body` in a new thread that has a stack for its faults. The thread's destructor waits until `body` returns. The
+/// Runs `body` in a new thread that has a FaultStack. The thread's destructor waits until `body` returns. The
 /// error is one line with the system's reason.
 template <class Body>
 Expected<std::jthread> start_thread(Body&& body) {

@@ -14,7 +14,7 @@ class TripleBuffer {
 public:
     explicit TripleBuffer(const T& start) : values_{start, start, start} {}
 
-    // Called by the writer.
+    // The value that the writer may fill. Called by the writer.
     T& to_fill() { return values_[back_]; }
     void publish() { back_ = middle_.exchange(back_ | fresh, std::memory_order_acq_rel) & index; }
 

@@ -17,7 +17,7 @@ constexpr double seconds(Tick ticks) { return static_cast<double>(ticks) * tick_
 /// Converts a duration (s, >= 0) to the nearest number of ticks.
 constexpr Tick ticks(double s) {
     const double exact = s * static_cast<double>(ticks_per_second);
-    const auto whole = static_cast<Tick>(exact);  // std::lround is not constexpr
+    const auto whole = static_cast<Tick>(exact);  // rounded by hand, because std::lround is not constexpr
     return whole + (exact - static_cast<double>(whole) >= 0.5 ? 1 : 0);
 }
 

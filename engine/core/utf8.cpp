@@ -37,7 +37,7 @@ Decoded decode_one(std::string_view text) {
     return {value, 1 + static_cast<std::size_t>(tail)};
 }
 
-/// Small letters first to last, of which every `step`-th one has its capital `down` code points lower.
+/// A range of small letters. Every `step`-th of them has a capital, whose code point is lower by `down`.
 struct Letters {
     char32_t first, last, down, step;
 };

@@ -14,10 +14,11 @@ constexpr std::string_view without_byte_order_mark(std::string_view text) {
     return text.substr(text.starts_with(mark) ? mark.size() : 0);
 }
 
-/// Encodes one code point; what is none becomes U+FFFD.
+/// Encodes one code point; an invalid one becomes U+FFFD.
 std::string encode_utf8(char32_t code_point);
 
-/// The capital of a Latin (to U+017F), Greek or Cyrillic letter, whatever the locale; other code points stay.
+/// The capital of a Latin (to U+017F), Greek or Cyrillic letter, whatever the locale; other code points are
+/// returned unchanged.
 char32_t upper_case(char32_t code_point);
 
 }  // namespace thaum

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 struct KnownFiles {
     std::mutex mutex;
     std::set<fs::path> inputs, read;
-    std::set<fs::path> written;  ///< canonical paths
+    std::set<fs::path> written;  ///< files that this run has written (canonical paths)
 };
 
 KnownFiles& known_files() {

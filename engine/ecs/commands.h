@@ -63,7 +63,7 @@ private:
                  std::size_t size);
     void apply(World& world);
 
-    Bytes bytes_;  // headers, each followed by `size` bytes
+    Bytes bytes_;  // a header for each command, followed by its `size` bytes
     std::uint32_t pending_ = 0;
     std::vector<Entity> made_;
 };

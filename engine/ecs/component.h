@@ -74,7 +74,7 @@ struct FieldInfo {
 };
 
 namespace detail {
-/// Stands for any visitor of fields.
+/// A visitor of fields that accepts anything, for concepts.
 struct AnyVisit {};
 }  // namespace detail
 
@@ -114,7 +114,7 @@ constexpr Scalar scalar_of() {
     if constexpr (std::is_enum_v<T>) {
         return scalar_of<std::underlying_type_t<T>>();
     } else {
-        // A long double has bytes without a value.
+        // The bytes of a long double include padding.
         static_assert(std::is_arithmetic_v<T> && !std::is_same_v<T, bool> && sizeof(T) <= 8,
                       "a field is a number, an enum, a vector, an array or a described struct");
         constexpr int log2 = sizeof(T) == 1 ? 0 : sizeof(T) == 2 ? 1 : sizeof(T) == 4 ? 2 : 3;
@@ -187,7 +187,8 @@ constexpr std::size_t packed_size() {
     }
 }
 
-/// Tests whether T and its parts list no field twice. Their sizes could then add up in spite of padding.
+/// Tests whether T and its parts list no field twice. With a field listed twice, the sizes could add up in
+/// spite of padding.
 template <class T>
 constexpr bool lists_fields_once() {
     if constexpr (is_array<T>) {
@@ -205,7 +206,7 @@ constexpr bool lists_fields_once() {
     }
 }
 
-/// Number of types that have a type number. `closed` is set once a World has arrays of that size.
+/// Number of types that have a type number so far. `closed` is set once a World has arrays of that size.
 struct TypeNumbers {
     std::uint32_t count = 0;
     std::atomic<bool> closed = false;  // atomic, since Worlds may be created on several threads
@@ -258,7 +259,7 @@ concept Accessible = Declarable<T> || ResourceType<T>;
 /// Description of a component or a blob.
 struct ComponentInfo {
     std::string_view name;
-    std::uint32_t size{};  ///< size; 0 for a tag; of one element for a blob (bytes)
+    std::uint32_t size{};  ///< size of the component, 0 for a tag; size of one element for a blob (bytes)
     std::vector<FieldInfo> fields;
     bool is_blob{};
 };

@@ -22,7 +22,7 @@ struct Described {
     std::vector<FieldInfo> fields;
 };
 
-/// Component name -> bytes, which are empty for a tag.
+/// Component name -> bytes; a tag has none.
 using Parts = std::map<std::string, std::span<const std::byte>>;
 
 struct Parsed {
@@ -63,7 +63,7 @@ bool get_table(ByteReader& in, const std::vector<Described>& components, Parsed&
     std::vector<Parts*> parts;
     for (std::uint32_t row = 0; row < rows && in.ok(); ++row) {
         parts.push_back(&out.entities[in.get<std::uint32_t>()]);
-        in.get<std::uint32_t>();  // generation, which is in the records too
+        in.get<std::uint32_t>();  // skips the generation, which is in the records too
     }
     for (std::uint32_t c = 0; c < max_components && in.ok(); ++c) {
         if (!mask.test(c)) continue;
@@ -157,8 +157,8 @@ void diff_fields(const Described& a, std::span<const std::byte> bytes_a, const D
     }
 }
 
-/// Lists elements of a blob that differ. A blob that one side lacks, or that has another size or type there,
-/// is one difference.
+/// Lists elements of a blob that differ. A blob that one side lacks, or whose size or type differs, counts as
+/// one difference.
 void diff_blob(const Parsed& a, const Parsed& b, const std::string& name, std::size_t limit,
                std::vector<Difference>& out) {
     const auto bytes_of = [&](const Parsed& side) {

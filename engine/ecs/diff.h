@@ -1,4 +1,5 @@
-// ecs/diff.h: lists the differences between two snapshots in words. Every desync is found this way.
+// ecs/diff.h: lists the differences between two snapshots in words, to find where two runs of a match
+// diverge.
 #pragma once
 #include <string>
 #include <vector>
@@ -11,10 +12,10 @@ namespace thaum::ecs {
 struct Difference {
     std::string component;   ///< component or blob; empty if the entity exists on one side only
     std::uint32_t entity{};  ///< number of the entity; `none` for a blob
-    /// Such as "position.x", or "[7]" in a blob. Empty if the component exists on one side only, or if the blob
-    /// has another size there.
+    /// Name of the field, such as "position.x", or the index "[7]" in a blob. Empty if the component exists
+    /// on one side only, or if the blob has another size there.
     std::string field;
-    std::string a, b;  ///< both values; "-" if there is none
+    std::string a, b;  ///< both values as text; "-" where there is none
 };
 
 /// Returns at most `limit` differences, sorted by entity, then component, then field, blobs last. Entities are

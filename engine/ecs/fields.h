@@ -10,12 +10,13 @@
 #pragma once
 #include <string_view>
 
-/// Makes the struct in which it stands a component, named as in C++, with these fields in the order of its memory.
+/// Makes the surrounding struct a component with the name of its type and these fields, which must be listed
+/// in the order of their memory.
 #define THAUM_COMPONENT(Type, ...)                  \
     static constexpr std::string_view name = #Type; \
     THAUM_FIELDS(Type, __VA_ARGS__)
 
-/// Lists the fields of the struct in which it stands. Components may have fields of such a type.
+/// Lists the fields of the surrounding struct. Components may have fields of such a type.
 #define THAUM_FIELDS(Type, ...)                         \
     template <class Visit>                              \
     static constexpr void visit_fields(Visit&& visit) { \
@@ -23,7 +24,8 @@
     }                                                   \
     using ListedFields = Type
 
-/// Lists the fields of a struct from a part that does not use components. Stands in the namespace of the struct.
+/// Lists the fields of a struct from a library that does not use components. Write it in the namespace of the
+/// struct.
 #define THAUM_FIELDS_OF(Type, ...)                               \
     template <class Visit>                                       \
     constexpr void visit_fields_of(const Type*, Visit&& visit) { \

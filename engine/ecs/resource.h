@@ -23,7 +23,8 @@ class Resource {
 public:
     using Value = typename R::Value;
 
-    /// Declares the resource in the World, which must outlive it, and makes the value of the arguments.
+    /// Declares the resource in the World, which must outlive it, and constructs the value from the
+    /// arguments.
     template <class... Args>
     explicit Resource(World& world, Args&&... args)
         : world_(world),

@@ -21,21 +21,22 @@ struct System {
     Tick phase = 0;   ///< the system runs at every tick t with t % period == phase (ticks)
     Mask reads{};
     Mask writes{};
-    Mask needs{};  ///< components; the system is skipped while no entity has one of these
+    Mask needs{};  ///< components; the system is skipped if any of them has no entity
     std::function<void(World&, Tick)> run{};
 };
 
 struct SystemCount {
     std::uint64_t calls = 0;
-    std::uint64_t skipped = 0;  ///< times the system was due, but a component it needs had no entity
-    std::int64_t time_ns = 0;   ///< time spent in `run`, counted only while `timing` is set (ns)
+    /// Number of times that the system was due, but a component that it needs had no entity.
+    std::uint64_t skipped = 0;
+    std::int64_t time_ns = 0;  ///< time spent in `run`, counted only while `timing` is set (ns)
 };
 
 class Schedule {
 public:
     void add(System system);
-    /// Runs the systems that are due at this tick. With `skip_idle` false, calls every due system; the
-    /// results must be the same.
+    /// Runs the systems that are due at this tick. With `skip_idle` false, every due system runs, even
+    /// without entities; the results must be the same.
     void run(World& world, Tick tick);
 
     std::size_t size() const { return systems_.size(); }

@@ -109,7 +109,8 @@ struct SnapshotAccess {
         world.memory_.release();
         world.tables_.push_back(make_pooled<Table>(world.memory_));
         world.free_ = none;
-        std::fill_n(world.counts_.begin(), world.infos_.size(), 0);  // the counts of resources stay
+        // The counts of resources, which follow, are kept.
+        std::fill_n(world.counts_.begin(), world.infos_.size(), 0);
         for (auto& blob : world.blobs_) blob.clear();
         for (auto& query : world.queries_) query.reset();
         world.forget_packs();
@@ -179,7 +180,7 @@ struct SnapshotAccess {
         return get_tags(in, world, table);
     }
 
-    /// Whether it is a component with data: tags and blobs have no column.
+    /// Whether this is a component with data; tags and blobs have no column.
     static bool has_cells(const ComponentInfo& info) { return info.size != 0 && !info.is_blob; }
 
     static bool get_tags(ByteReader& in, World& world, Table& table) {

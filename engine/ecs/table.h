@@ -32,9 +32,9 @@ namespace thaum::ecs {
 
 inline constexpr std::uint32_t none = 0xffffffffU;
 
-/// Memory for tables and table edges. It comes from the system in one piece and is released with the World or
-/// by a restore. A table that first appears in the middle of a match, as when a wizard dies holding a new
-/// wand, then needs no allocation.
+/// Memory for tables and table edges. It is allocated in one piece and is released with the World or by a
+/// restore. A table that first appears in the middle of a match, as when a wizard dies holding a new wand,
+/// then needs no allocation.
 using TableMemory = std::pmr::monotonic_buffer_resource;
 inline constexpr std::size_t table_memory_bytes = std::size_t{4} << 20U;
 
@@ -52,8 +52,8 @@ Pooled<T> make_pooled(TableMemory& memory) {
     return Pooled<T>(new (memory.allocate(sizeof(T), alignof(T))) T(memory));
 }
 
-/// Uninitialised memory, aligned to 64 bytes. Small arrays are in TableMemory. Large arrays come from the
-/// system and are freed when outgrown; in TableMemory their old copies would use up the space.
+/// Uninitialised memory, aligned to 64 bytes. Small arrays are in TableMemory. Large arrays are allocated
+/// from the system and freed when outgrown; in TableMemory their old copies would use up the space.
 class RawArray {
 public:
     RawArray() = default;
@@ -117,7 +117,7 @@ struct TableEdge {
     Table* from = nullptr;
     Table* to = nullptr;
     std::uint32_t to_number = none;
-    std::pmr::vector<ColumnPair> pairs;  ///< columns that both tables have
+    std::pmr::vector<ColumnPair> pairs;  ///< columns that both tables of the edge have
 
     explicit TableEdge(TableMemory& memory) : pairs(&memory) {}
 
@@ -133,8 +133,8 @@ constexpr std::uint64_t edge_key(std::uint32_t table, std::uint32_t component, b
 struct Table {
     Mask mask;  ///< set of data components
     TableMemory* memory;
-    std::pmr::vector<Column> columns;  ///< sorted by component
-    std::pmr::vector<TagColumn> tags;  ///< only tags that a row of this table has ever had
+    std::pmr::vector<Column> columns;  ///< columns, sorted by component
+    std::pmr::vector<TagColumn> tags;  ///< columns of those tags that some row of this table has ever had
     RawArray entity_array;
     std::uint32_t rows = 0;
     /// Capacity of every array; above 0 if there are columns (rows).
@@ -142,7 +142,8 @@ struct Table {
 
     std::array<std::byte*, max_components> cells;     ///< array of each data component; null: no such column
     std::array<std::uint8_t, max_components> tag_of;  ///< index of each tag in `tags`; no_tag: none
-    /// Edge for each component: to the table that has it besides, or that lacks only it. Null: not known yet.
+    /// Edge for each component: leads to the table that has this component as well, or that lacks only this
+    /// component. Null: not known yet.
     std::array<Pooled<TableEdge>, max_components> edges;
     /// Edges from or to this table, which hold the addresses of its arrays.
     std::pmr::vector<TableEdge*> incident;
@@ -176,7 +177,7 @@ struct Table {
     /// `row` was the last.
     Entity remove(std::uint32_t row);
     /// Moves the entity's row to the end of the table at the other end of `edge`. The last row of this table
-    /// takes its place. The cells are left to `move_cells`.
+    /// takes its place. `move_cells` moves the cells afterwards.
     struct Moved {
         /// the new row in the other table; the row of this table that no longer exists
         std::uint32_t to_row{}, last{};
@@ -187,8 +188,8 @@ struct Table {
     /// that column, since only the caller may know its type.
     static void move_cells(const TableEdge& edge, std::uint32_t row, std::uint32_t last,
                            std::uint32_t to_row);
-    /// Creates the edge to `other`, which differs from this table in `component` only. Called once per pair
-    /// and direction.
+    /// Creates the edge to `other`, which differs from this table in `component` only. Called once for each
+    /// pair of tables and direction.
     void add_edge(std::uint32_t number, Table& other, std::uint32_t other_number, std::uint32_t component);
     /// Returns the bit column of a tag and creates it on first use.
     TagColumn& tag_column(std::uint32_t component) {
@@ -242,9 +243,9 @@ template <class F>
     }
 }
 
-/// Copies the cell at `hole` to `to`, then the cell at `filler` into the hole. One word copies the end of the
-/// cell, the others copy it from its start. They may overlap, so a cell may have any size. The last words are
-/// therefore read before the first is written.
+/// Copies the cell at `hole` to `to`, then the cell at `filler` into the hole. The last word covers the end
+/// of the cell, the others begin at its start. Words may overlap, so a cell may have any size. For that
+/// reason the last words are read before the first is written.
 [[gnu::always_inline]] inline void move_cell(std::byte* to, std::byte* hole, const std::byte* filler,
                                              std::size_t size) {
     with_word(size, [&]<class Word>(Word) {

@@ -51,7 +51,7 @@ struct Term<Without<T>> {
 template <class T>
 inline constexpr bool passed = !Term<T>::tag && !Term<T>::excluded;
 
-/// The argument of a term for one row: a reference, or a pointer that may be null.
+/// The argument that a term gives for one row: a reference, or a pointer that may be null.
 template <class T>
 decltype(auto) argument(typename Term<T>::value* base, std::size_t row) {
     if constexpr (Term<T>::optional) {
@@ -64,7 +64,7 @@ decltype(auto) argument(typename Term<T>::value* base, std::size_t row) {
 template <class... Ts>
 struct Terms {};
 
-/// The list Terms<...> of a view's terms that are passed as arguments; tags and Without are not.
+/// The terms of a view that are passed as arguments, as a list Terms<...>. Tags and Without are not passed.
 template <class Kept, class... Left>
 struct Arguments;
 template <class... Kept>
@@ -128,7 +128,7 @@ private:
             world_.template known_id<typename detail::Term<T>::component>());
     }
 
-    /// The rows that match among the 64 from `row` on, one bit each.
+    /// The matching rows among the 64 that begin at `row`, one bit each.
     std::uint64_t matching(const Table& table, std::uint32_t row) const {
         const auto left = table.rows - row;
         std::uint64_t word = left >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << left) - 1;

@@ -134,7 +134,7 @@ public:
     template <Component C>
     void on_add(Hook hook) {
         added_[id<C>()] = hook;
-        forget_packs();  // packs record whether there is a hook
+        forget_packs();  // because packs record whether there is a hook
     }
     template <Component C>
     void on_remove(Hook hook) {
@@ -146,7 +146,7 @@ public:
     Commands& commands() { return commands_; }
     void apply_commands();
 
-    // Access for the schedule, snapshots and tools.
+    // Untyped access for the schedule, snapshots and tools.
     template <Accessible A>
     std::uint32_t id() const;
     template <Accessible... As>
@@ -175,10 +175,10 @@ private:
         std::uint32_t table = none;  // none: the record is free, and row is the next free one
         std::uint32_t row = none;
     };
-    /// Cached data of one instantiation of `create`. It fills half a cache line.
+    /// Cached data for one list of components passed to `create`. It fills half a cache line.
     struct Pack {
         std::uint32_t table = none;  // table of the new entity; none: not known yet
-        bool hooked = false;         // one of the components has an `added_` hook
+        bool hooked = false;         // true: one of the components has an `added_` hook
         std::array<std::uint8_t, 27> components{};
     };
     static_assert(max_components <= 256 && sizeof(Pack) == 32);
@@ -186,7 +186,7 @@ private:
         std::byte* array;
         std::uint32_t row;
     };
-    /// A cell whose entity moved away, and the row (`filler`) whose cell must take its place.
+    /// A cell whose entity has moved away. The cell of row `filler` must be moved into it.
     struct Hole {
         std::byte* array;
         std::uint32_t row, filler;
@@ -212,7 +212,7 @@ private:
             fail_locked(component);
         }
     }
-    // `number` is that of a component or of a resource.
+    // `number` is the number of a component or of a resource.
     void check_read(std::uint32_t number) const { check_access(number, false); }
     void check_write(std::uint32_t number) const { check_access(number, true); }
     void check_access(std::uint32_t number, bool write) const {
@@ -244,7 +244,7 @@ private:
     }
     std::uint32_t new_number();
     std::uint32_t table_with(const Mask& mask);
-    /// The edge to the table that has this component besides (`more`), or that lacks only it.
+    /// The edge to the table that has this component as well (`more`), or that lacks only this component.
     const TableEdge& edge_from(std::uint32_t table, std::uint32_t component, bool more, Entity entity) {
         const auto* edge = last_edge_;
         if (edge->key != edge_key(table, component, more)) [[unlikely]] {
@@ -252,8 +252,8 @@ private:
         }
         return *edge;
     }
-    /// Looks the edge up and remembers it. An assertion fails if the entity has the component that it shall
-    /// get, or lacks the one that it shall lose.
+    /// Looks the edge up and remembers it. An assertion fails if the entity already has the component to be
+    /// added, or lacks the one to be removed.
     const TableEdge& find_edge(std::uint32_t table, std::uint32_t component, bool more, Entity entity);
     /// Moves the entity along the edge and returns its new row.
     std::uint32_t follow(const TableEdge& edge, Record& record, Entity entity);
@@ -266,11 +266,11 @@ private:
         if (removed_[component].call != nullptr) call(removed_[component], component, entity);
     }
     void removing_all(const Table& table, std::uint32_t row);
-    /// Moves the entity to the table with this component more. Returns the new cell, which is not written
-    /// yet.
+    /// Moves the entity to the table that has this component as well. Returns the new cell, which is not
+    /// written yet.
     Cell extend(Entity entity, std::uint32_t component);
-    /// Calls the hook and moves the entity to the table with this component less. The caller must still fill
-    /// the hole in the component's column.
+    /// Calls the hook and moves the entity to the table that lacks only this component. The caller must still
+    /// fill the hole in the component's column.
     Hole narrow(Entity entity, std::uint32_t component);
     void mark(Entity entity, std::uint32_t tag);
     void unmark(Entity entity, std::uint32_t tag);
@@ -290,8 +290,8 @@ private:
     void note_pack(std::uint32_t type, std::span<const std::uint32_t> components);
 
     std::vector<ComponentInfo> infos_;
-    // Names of the resources. Their numbers go down from the greatest one, so that a resource changes no number
-    // of a component.
+    // Names of the resources. They are numbered downwards from the greatest number, so that a resource
+    // changes no number of a component.
     std::vector<std::string_view> resources_;
     // Maps a type number of this process to a component or a resource of this World.
     std::vector<std::uint32_t> id_of_type_;
@@ -300,11 +300,11 @@ private:
     std::array<std::uint32_t, max_components> counts_{};
     std::vector<Bytes> blobs_;  // bytes of each blob, by component number; empty for components
     TableMemory memory_{table_memory_bytes};
-    std::vector<Pooled<Table>> tables_;  // the first table has no components
+    std::vector<Pooled<Table>> tables_;  // tables; the first one has no components
     const TableEdge no_edge_{memory_};
-    // The edge that was used last. Things that spawn together get the same component one after another. Their
-    // edge is then known before their records are read, and such a change takes 21 ns instead of 26 (1,000
-    // loose things that get a Body, add_1 of `thaum bench ecs`).
+    // The edge that was used last. Entities that are spawned together get the same component one after
+    // another. Their edge is then known before their records are read. Such a change takes 21 ns instead of
+    // 26 (1,000 loose things that get a Body, add_1 of `thaum bench ecs`).
     const TableEdge* last_edge_ = &no_edge_;
     std::vector<Record, ArrayAllocator<Record>> records_;
     std::uint32_t free_ = none;
@@ -312,7 +312,7 @@ private:
     // Cache of queries, by the type number of the view. Each query keeps its address, since views refer to
     // it.
     mutable std::vector<std::unique_ptr<Query>> queries_;
-    std::vector<Pack> packs_;  // cache, by type number of a pack of components
+    std::vector<Pack> packs_;  // cache of packs, by the type number of the list of components
     mutable std::uint32_t locks_ = 0;
     const Access* access_ = nullptr;
 };
@@ -440,7 +440,8 @@ inline void World::unmark(Entity entity, std::uint32_t tag) {
     const auto row = record.row;
     const auto [to_row, last, filler] = edge.from->move(row, entity, edge);
     records_[filler.index].row = row;
-    record.table = edge.to_number;  // after the line above: the entity may itself have been the last
+    // Set after the line above, because the entity itself may have been the last.
+    record.table = edge.to_number;
     record.row = to_row;
     Table::move_cells(edge, row, last, to_row);
     return to_row;

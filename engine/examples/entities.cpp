@@ -11,12 +11,12 @@ namespace {
 using namespace thaum;
 
 struct Height {
-    double value{};  ///< above the floor (m)
+    double value{};  ///< height above the floor (m)
     THAUM_COMPONENT(Height, value);
 };
 
 struct Speed {
-    double value{};  ///< upwards (m/s)
+    double value{};  ///< vertical speed, positive upwards (m/s)
     THAUM_COMPONENT(Speed, value);
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 using namespace thaum;
 
-/// Figures of a common desktop arm.
+/// Values of a common desktop force feedback device.
 haptics::DeviceSpec desktop_arm() {
     haptics::DeviceSpec spec;
     spec.peak_force = 3.3, spec.continuous_force = 0.88;

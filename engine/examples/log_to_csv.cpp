@@ -1,5 +1,5 @@
-// log_to_csv LOG: the input of a recorded match as a table, a row for each device and tick. The header goes to
-// standard error, with every hash of the match's state folded into one.
+// log_to_csv LOG: the input of a recorded match as a table, a row for each device and tick. The log's header
+// is printed to standard error, together with one hash that combines all state hashes of the log.
 #include <iostream>
 
 #include "core/hash.h"

@@ -19,7 +19,8 @@ Waves waves_of(vec3 x) {
 vec3 random_unit(Random& random) {
     for (;;) {
         vec3 v;
-        // One after the other: compilers evaluate the arguments of a call in different orders.
+        // One component after the other, because compilers evaluate the arguments of a call in different
+        // orders.
         for (int axis = 2; axis >= 0; --axis) v[axis] = random.uniform(-1, 1);
         const double square = glm::dot(v, v);
         if (square > 0.01 && square <= 1) return v / std::sqrt(square);
@@ -53,12 +54,15 @@ Vector RankineVortex::operator()(vec3 place) const {
     const vec3 out = off - glm::dot(off, axis) * axis;
     const double square = glm::dot(out, out);
     const bool inside = square <= radius * radius;
-    // The velocity is `turn` times axis x out. `fall` is the derivative of `turn` by the squared distance.
+    // The velocity is `turn` times (axis x out). `fall` is the derivative of `turn` with respect to the
+    // squared distance.
     const double turn = inside ? speed / radius : speed * radius / square;
     const double fall = inside ? 0 : -turn / square;
     const vec3 round = glm::cross(axis, out);
-    const std::array<vec3, 3> across{
-        vec3{0, -axis.z, axis.y}, {axis.z, 0, -axis.x}, {-axis.y, axis.x, 0}};  // rows of axis x
+    const std::array<vec3, 3> across{// Rows of the matrix that takes `out` to axis x out.
+                                     vec3{0, -axis.z, axis.y},
+                                     {axis.z, 0, -axis.x},
+                                     {-axis.y, axis.x, 0}};
     Vector result{turn * round, {}};
     for (int i = 0; i < 3; ++i) {
         const auto row = static_cast<std::size_t>(i);

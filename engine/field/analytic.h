@@ -30,7 +30,7 @@ struct Sphere {
 
 /// Depth below a plane: positive on the side away from `normal` (m).
 struct Plane {
-    vec3 through{};        ///< any place on the plane
+    vec3 through{};        ///< any point on the plane
     vec3 normal{0, 1, 0};  ///< unit
 
     Scalar operator()(vec3 place) const;
@@ -47,10 +47,11 @@ struct Gyroid {
 /// A straight vortex. Its speed rises with the distance from the axis up to `radius` and falls as the inverse
 /// of the distance beyond.
 struct RankineVortex {
-    vec3 middle{};       ///< any place on the axis
-    vec3 axis{0, 1, 0};  ///< unit; the flow turns about it by the right-hand rule
-    double radius{1};    ///< radius of the core, > 0
-    double speed{1};     ///< speed at the edge of the core
+    vec3 middle{};  ///< any point on the axis
+    /// Axis of the flow, a unit vector; the flow turns about the axis by the right-hand rule.
+    vec3 axis{0, 1, 0};
+    double radius{1};  ///< radius of the core, > 0 (m)
+    double speed{1};   ///< speed at the edge of the core (m/s)
 
     Vector operator()(vec3 place) const;
 };
@@ -63,7 +64,7 @@ struct BeltramiFlow {
     Vector operator()(vec3 place) const;
 };
 
-/// A wave across its own direction, so that it has no divergence.
+/// A transverse wave: its velocity is at right angles to its direction, so it has no divergence.
 struct FlowWave {
     vec3 wave{};      ///< wave number along each axis (1/m)
     vec3 velocity{};  ///< velocity at a crest; at a right angle to `wave`
@@ -81,7 +82,8 @@ struct VortexFlow {
 };
 
 /// Makes a flow about the origin from a seed. The axes pass within 0.3 extents of the origin, and the first
-/// vortex is the strongest: 1 m/s at the edge of its core. `extent` is the length of the box it fills (m).
+/// vortex is the strongest: 1 m/s at the edge of its core. `extent` is the edge length of the box that the
+/// flow fills (m).
 VortexFlow make_vortex_flow(double extent, std::uint64_t seed);
 
 }  // namespace thaum::field

@@ -7,17 +7,17 @@
 namespace thaum::field {
 namespace {
 
-/// Values of the samples up to which an edge has coarse steps.
+/// Largest number of distinct sample values with which a body counts as having coarse steps.
 constexpr std::size_t few_values = 100;
 constexpr int widest_block = 16;
-/// Blocks along an axis from which on they serve: fewer show nothing of a body's shape.
+/// Fewest blocks along an axis for which averages are made. Fewer blocks would not show the shape of a body.
 constexpr int fewest_blocks = 4;
-/// Widest spacing from which on slices have steps of their own, in finest spacings.
+/// Ratio of the widest to the finest spacing from which on slices count as having steps of their own.
 constexpr double far_apart = 2;
-/// Widest spacings in a block of samples with steps.
+/// Edge of a block, in widest spacings, for samples with steps.
 constexpr double over_steps = 2;
 
-/// Average of the finite samples of a box; not a number if there are none.
+/// Average of the finite samples of a box; NaN if there are none.
 float average(const Grid& grid, const VoxelBox& box) {
     double sum = 0;
     int finite = 0;
@@ -34,10 +34,10 @@ float average(const Grid& grid, const VoxelBox& box) {
     return finite > 0 ? static_cast<float>(sum / finite) : std::numeric_limits<float>::quiet_NaN();
 }
 
-/// Blocks along x whose samples are added up together.
+/// Number of blocks along x that are summed together.
 constexpr int together = 64;
 
-/// Samples of a box of blocks.
+/// Samples that belong to a box of blocks.
 VoxelBox samples_of(const BlockAverages& averages, const Grid& grid, const VoxelBox& blocks) {
     VoxelBox box;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -47,7 +47,7 @@ VoxelBox samples_of(const BlockAverages& averages, const Grid& grid, const Voxel
     return box;
 }
 
-/// Adds each sample of a row to the sum of its block, in the row's order.
+/// Adds each sample of a row to the sum of its block, in the order of the row.
 void add_row(const float* row, std::ptrdiff_t stride, int samples, int block, double* sums) {
     for (int first = 0; first < samples; first += block, ++sums) {
         const int end = std::min(first + block, samples);
@@ -76,7 +76,7 @@ void fill_run(BlockAverages& averages, const Grid& grid, const VoxelBox& run) {
         one.high[0] = i + 1;
         const VoxelBox box = samples_of(averages, grid, one);
         const double sum = sums[static_cast<std::size_t>(i - run.low[0])];
-        // One sample that is not finite spreads through the sum.
+        // One sample that is not finite makes the sum so. Then only the finite samples are averaged.
         result[i] = std::isfinite(sum) ? static_cast<float>(sum / (rows * (box.high[0] - box.low[0])))
                                        : average(grid, box);
     }
@@ -92,7 +92,7 @@ void fill(BlockAverages& averages, const Grid& grid, const VoxelBox& blocks) {
     }
 }
 
-/// Whether the next samples, which follow each other in memory, are all equal to one. Most of a mask is.
+/// Whether the next `in_a_row` samples, which are adjacent in memory, all equal `value`. In a mask most do.
 constexpr int in_a_row = 16;
 bool all_equal(const float* samples, float value) {
     bool equal = true;
@@ -100,13 +100,13 @@ bool all_equal(const float* samples, float value) {
     return equal;
 }
 
-/// Distinct finite values, as long as there are few.
+/// Set of the distinct finite values seen so far, while they are few.
 struct FewValues {
     std::array<float, few_values> known{};
     std::size_t count = 0;
     float last = std::numeric_limits<float>::quiet_NaN();
 
-    /// Returns whether there are still few.
+    /// Adds a value. Returns false once there are too many.
     bool add(float sample) {
         if (sample == last || !std::isfinite(sample)) return true;
         last = sample;
@@ -118,7 +118,7 @@ struct FewValues {
     }
 };
 
-/// Whether the samples have few values only, as those of a mask and of numbered parts.
+/// Whether the samples take few values only, as in masks and in numbered segments.
 bool has_steps(const Grid& grid) {
     FewValues values;
     for (int k = 0; k < grid.count[2]; ++k) {

@@ -1,4 +1,5 @@
-// field/block_averages.h: averages of blocks of a body's samples, for directions that do not show its steps.
+// field/block_averages.h: averages of blocks of a body's samples, from which surface normals are computed
+// that do not show the body's steps.
 //
 // Two kinds of body have steps that are larger than a sample: one whose samples lie farther apart along one axis, as
 // slices of a scan do, and one whose samples have few values, as a mask's. Blocks are as wide along each axis as the
@@ -19,17 +20,18 @@ struct BlockAverages {
     std::array<int, 3> count{};         ///< number of blocks along each axis
     /// Averages of the finite samples of each block, x fastest. Empty: each block is a sample.
     std::vector<float> samples{};
-    std::uint32_t newest{};  ///< value of Bricks::newest that the averages know
+    std::uint32_t newest{};  ///< value of Bricks::newest up to which the averages are current
 
-    /// The averages of the blocks of a grid, in its frame; no samples if they are not needed. Valid until they are made
-    /// anew.
+    /// The averages of the blocks of a grid, in its frame; without samples if averages are not needed. Valid
+    /// until the averages are made again.
     Grid grid(const Grid& of) const;
 };
 
-/// Averages of a grid's samples; none if its samples need no averages. `bricks` are those of a body that changes.
+/// Averages of a grid's samples; empty if its samples need no averages. `bricks` belong to a body that
+/// changes; null otherwise.
 BlockAverages make_block_averages(const Grid& grid, const Bricks* bricks = nullptr);
 
-/// Computes anew what has changed in a body. No allocation.
+/// Recomputes the averages of the parts of a body that have changed. No allocation.
 void update(BlockAverages& averages, const Grid& grid, const Bricks& bricks);
 
 }  // namespace thaum::field

@@ -10,15 +10,16 @@
 namespace thaum::field {
 namespace {
 
-constexpr double close_enough = 0x1.0p-20;  // part of the range from empty to full
-constexpr double half_covered = 0.5;        // weight from which a constant sets colour and material
+// Distance from a constant at which a filter sets it exactly, as a share of the range from empty to full.
+constexpr double close_enough = 0x1.0p-20;
+constexpr double half_covered = 0.5;  // least weight at which a constant sets colour and material
 
-/// An operation at one place.
+/// An operation applied at one place.
 struct Cast {
     const Operation* operation;
     Footprint footprint;
-    double amount;       ///< rate of a filter times its time
-    std::uint64_t seed;  ///< for the rounding of colours
+    double amount;       ///< rate of a filter times its duration
+    std::uint64_t seed;  ///< random seed for the rounding of colours
 };
 
 struct Casts {
@@ -26,7 +27,8 @@ struct Casts {
     std::size_t count = 0;
 };
 
-/// Number of places along the motion, at most half the smallest half edge apart.
+/// Number of places along the motion at which the tool is applied; neighbours are at most half the smallest
+/// half edge apart.
 int places_along(const VoxelView& body, const Extent& extent, vec3 motion) {
     const vec3 way = extent.in_metres ? motion : motion / body.spacing;
     const double smallest = std::min({extent.half.x, extent.half.y, extent.half.z});
@@ -73,7 +75,8 @@ VoxelBox box_around(const Casts& casts) {
     return box;
 }
 
-/// The weight of a constant; for a filter the part by which the density moves towards the constant.
+/// Density of a voxel after an operation. `weight` is that of a constant; for a filter it is the fraction by
+/// which the density moves towards its target.
 float next_density(const VoxelView& body, const Cast& cast, float now, double weight) {
     const double range = static_cast<double>(body.full) - static_cast<double>(body.empty);
     const double empty = static_cast<double>(body.empty), target = empty + cast.operation->density * range;
@@ -82,14 +85,15 @@ float next_density(const VoxelView& body, const Cast& cast, float now, double we
         const double next = d + weight * (target - d);
         return static_cast<float>(std::abs(next - target) <= close_enough * range ? target : next);
     }
-    // The rim of the shape bounds the density from both sides, so that applying it again changes nothing.
+    // Bounds the density from both sides by the rim of the shape, so that applying the tool again changes
+    // nothing.
     const double solid = (d - empty) / range, constant = cast.operation->density;
     const double low = constant * weight, high = constant + (1 - weight) * (1 - constant);
     if (solid >= low && solid <= high) return static_cast<float>(d);
     return static_cast<float>(empty + std::clamp(solid, low, high) * range);
 }
 
-/// A step of `share` from a byte to another, rounded at random: `dice` in [0, 1).
+/// Moves a byte by `share` towards another one, rounded at random; `dice` is the random number, in [0, 1).
 std::uint8_t mixed(std::uint8_t from, std::uint8_t to, double share, double dice) {
     const double exact = from + share * (to - from);
     return static_cast<std::uint8_t>(std::clamp(exact + dice, 0.0, 255.0));
@@ -127,7 +131,7 @@ bool change(const VoxelView& body, const Cast& cast, std::size_t voxel, double w
     if (changes.density) {
         float& density = body.density[voxel];
         const float next = next_density(body, cast, density, weight);
-        if (next != density) {  // also if it was not a number
+        if (next != density) {  // also true if the old density is NaN
             const double was =
                 std::isfinite(density) ? static_cast<double>(density) : static_cast<double>(body.empty);
             const double more = static_cast<double>(next) - was;

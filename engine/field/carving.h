@@ -15,13 +15,14 @@
 
 namespace thaum::field {
 
-/// One use of a tool, in the body's frame.
+/// One application of a tool, in the body's frame.
 struct Dab {
-    vec3 place{};          ///< place of the tool (m)
-    vec3 motion{};         ///< way of the tool since the last dab (m)
-    mat3 turn{1.0};        ///< tool frame to body frame, for boxes, plates and stamps
-    double seconds{};      ///< time since the last dab (s): strength of filters
-    std::uint64_t seed{};  ///< differs from dab to dab, such as the tick: for the rounding of colours
+    vec3 place{};      ///< place of the tool (m)
+    vec3 motion{};     ///< motion of the tool since the last dab (m)
+    mat3 turn{1.0};    ///< tool frame to body frame, for boxes, plates and stamps
+    double seconds{};  ///< time since the last dab (s), by which a filter acts
+    /// Random seed for the rounding of colours; differs from dab to dab, such as the tick.
+    std::uint64_t seed{};
 };
 
 /// Changes that one edit made.
@@ -33,11 +34,11 @@ struct Edit {
     double added = 0;        ///< integral of the density brought in (density m^3)
 };
 
-/// Most places at which one dab is applied along its motion.
+/// Largest number of places at which one dab is applied along its motion.
 inline constexpr int most_places = 32;
 
-/// Voxels that the tool may change. A motion longer than half a radius is walked in steps of that length, as far
-/// as `most_places` allow, so that a quick stroke leaves no gaps.
+/// Voxels that the tool may change. A motion longer than half a radius is divided into steps of that length,
+/// at most `most_places`, so that a quick stroke leaves no gaps.
 VoxelBox reach(const VoxelView& body, const Tool& tool, const Dab& dab);
 
 /// Changes the body and the versions of its changed bricks. No allocation. A dab outside the body, or with a

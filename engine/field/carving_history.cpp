@@ -13,7 +13,8 @@ VoxelBox box_of(const VoxelView& body, std::uint32_t brick) {
     return brick_box(body.count, {n % count[0], n / count[0] % count[1], n / (count[0] * count[1])});
 }
 
-/// Calls visit(of the copy, of the body, number) for each row of each property of the brick.
+/// Calls visit(row in the copy, row in the body, number of elements) for each row of each property of the
+/// brick.
 template <class Copy, class Visit>
 void for_each_run(Copy& copy, const VoxelView& body, Visit visit) {
     const VoxelBox box = box_of(body, copy.brick);
@@ -47,7 +48,7 @@ void exchange(BrickCopy& copy, const VoxelView& body) {
                  [](auto* kept, auto* now, std::size_t n) { std::swap_ranges(kept, kept + n, now); });
 }
 
-/// Compares bits: a density that is not a number is equal to itself.
+/// Compares bits, so that a NaN density equals itself.
 bool is_unchanged(const BrickCopy& copy, const VoxelView& body) {
     bool same = true;
     for_each_run(copy, body, [&](const auto* kept, const auto* now, std::size_t n) {
@@ -62,7 +63,7 @@ void forget_all(CarvingHistory& history) {
     history.open = false;
 }
 
-/// Opens a step behind all others. Steps that can be redone stay until the new one has changed something.
+/// Opens a step after all others. Steps that can be redone are kept until the new step has changed something.
 void open_step(CarvingHistory& history) {
     history.next = history.steps.empty() ? 0 : history.steps.back().first + history.steps.back().count;
     history.steps.push_back({history.next, 0});
@@ -70,7 +71,7 @@ void open_step(CarvingHistory& history) {
     ++history.mark;
 }
 
-/// Forgets the steps that could be redone before the open one, which thereby counts as done.
+/// Forgets the steps before the open one that could be redone. The open step then counts as done.
 void forget_redo(CarvingHistory& history) {
     if (!history.open || history.done == history.steps.size()) return;
     const auto from = history.steps.begin() + static_cast<std::ptrdiff_t>(history.done);
@@ -90,8 +91,8 @@ std::uint64_t missing_copies(const CarvingHistory& history, const VoxelView& bod
     return missing;
 }
 
-/// Forgets steps until this many copies fit: those that could be redone, then the oldest ones. Returns false if that
-/// takes the open step itself.
+/// Forgets steps until this many copies fit: those that could be redone, then the oldest ones. Returns false
+/// if even the open step itself had to be forgotten.
 bool make_room(CarvingHistory& history, std::uint64_t copies) {
     const auto is_full = [&] {
         return history.next - history.steps.front().first + copies > history.capacity;
@@ -105,7 +106,7 @@ bool make_room(CarvingHistory& history, std::uint64_t copies) {
     return true;
 }
 
-/// Exchanges a step's copies with the body.
+/// Exchanges the contents of a step's copies with the bricks of the body.
 VoxelBox exchange(CarvingHistory& history, const CarvingStep& step, const VoxelView& body) {
     VoxelBox changed;
     Bricks& bricks = *body.bricks;

@@ -20,7 +20,7 @@
 
 namespace thaum::field {
 
-/// A brick's voxels, x fastest. A smaller brick at the far end leaves the rest unused.
+/// A brick's voxels, x fastest. A smaller brick at the far end uses only a part.
 struct BrickCopy {
     std::uint32_t brick{};
     std::array<float, voxels_of_brick> density{};
@@ -36,25 +36,26 @@ struct CarvingStep {
 
 /// History of one body. Only the functions below change it.
 struct CarvingHistory {
-    std::vector<BrickCopy> ring{};  ///< copy n stands at n modulo the capacity
+    std::vector<BrickCopy> ring{};  ///< ring buffer; copy n is at index n modulo the capacity
     std::uint64_t capacity{};       ///< number of copies that fit
     std::uint64_t next{};           ///< number of the next copy
     /// Steps that can be undone, then steps that can be redone, then an open step that has changed nothing yet.
     std::deque<CarvingStep> steps{};
     std::size_t done{};                    ///< number of steps that can be undone
-    bool open = false;                     ///< true while edits belong to the last step
-    std::uint32_t mark{};                  ///< differs from step to step
+    bool open = false;                     ///< true while new edits belong to the last step
+    std::uint32_t mark{};                  ///< number of the open step, to mark its bricks in kept_in
     std::vector<std::uint32_t> kept_in{};  ///< for each brick: mark of the last step that has a copy of it
 };
 
 inline constexpr std::size_t usual_history_bytes = std::size_t{64} << 20U;
 
-/// `bytes` limits the memory for copies. It is reserved at once, but used only as steps need it.
+/// `bytes` limits the memory for copies. Address space is reserved at once, but memory is used only as steps
+/// need it.
 CarvingHistory make_history(const VoxelView& body, std::size_t bytes = usual_history_bytes);
 
-/// Ends the open step, if there is one. Copies of bricks that did not change are dropped, and the step with them if
-/// none is left: a stroke in the air is no step. Steps that could be redone are forgotten once a stroke has changed
-/// something.
+/// Ends the open step, if there is one. Copies of bricks that did not change are dropped, and the step with
+/// them if none is left: a stroke that touched nothing is no step. Steps that could be redone are forgotten
+/// once a stroke has changed something.
 void end_step(CarvingHistory& history, const VoxelView& body);
 
 /// Copies the bricks of the box that the open step has not copied yet. Opens a step if none is open.
@@ -63,8 +64,8 @@ void keep(CarvingHistory& history, const VoxelView& body, const VoxelBox& box);
 /// Applies a tool (field/carving.h) within the open step.
 Edit edit(const VoxelView& body, const Tool& tool, const Dab& dab, CarvingHistory& history);
 
-/// Takes back or repeats a step. Returns a box around all changed voxels: empty if there is no such step. Ends an
-/// open step first.
+/// Undoes or redoes a step. Returns a box around all changed voxels, empty if there is no such step. An open
+/// step is ended first.
 VoxelBox undo(CarvingHistory& history, const VoxelView& body);
 VoxelBox redo(CarvingHistory& history, const VoxelView& body);
 

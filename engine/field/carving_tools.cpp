@@ -11,7 +11,7 @@
 namespace thaum::field {
 namespace {
 
-constexpr double most_extent = 1000;  // voxels or m
+constexpr double most_extent = 1000;  // largest extent (voxels or m)
 constexpr int most_stamp_edge = 64;   // cells
 constexpr double most_rate = 1e6;     // 1/s
 constexpr std::array<std::string_view, 3> property_names{"density", "colour", "material"};
@@ -40,7 +40,7 @@ Properties read_properties(const ConfigTable& table) {
     return found;
 }
 
-/// Adds one character of a stamp. Returns false if it is none of a stamp's characters.
+/// Adds the cell for one character of a stamp. Returns false for a character that is not allowed.
 bool add_cell(std::vector<float>& weights, char c) {
     if (c == ' ' || c == '\n' || c == '\t' || c == '\r') return true;
     if (c == '.') c = '0';
@@ -147,7 +147,7 @@ void check_properties(const ConfigTable& table, const std::vector<Operation>& ea
     }
 }
 
-/// Reports a tool that changes the surface and asks for it at the same time: the result would depend on the
+/// Reports a tool that changes the surface and is limited to the surface: the result would depend on the
 /// order of its operations.
 void check_surface(const ConfigTable& root, const std::vector<Operation>& operations) {
     const bool surface = std::ranges::any_of(operations, &Operation::surface_only);
@@ -166,7 +166,8 @@ Expected<Tool> read_tool(const Config& config, const Materials& materials) {
         const Operation next = read_operation(table, materials);
         check_properties(table, tool.operations, next);
         tool.operations.push_back(next);
-        if (tool.operations.size() > most_operations) break;  // two of them change one property
+        // More operations than properties: two of them change the same property.
+        if (tool.operations.size() > most_operations) break;
     }
     if (tool.operations.empty()) root.report("name", "the tool has no [[operation]]; add one");
     check_surface(root, tool.operations);

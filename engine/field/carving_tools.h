@@ -52,9 +52,10 @@ struct Stamp {
 /// Voxels that an operation reaches, and how strongly.
 struct Extent {
     ExtentShape shape{};
-    vec3 half{};             ///< half edges along the tool's axes; a radius three times (voxels or m)
-    bool in_metres = false;  ///< unit of `half`
-    Stamp stamp{};           ///< for ExtentShape::stamp
+    /// Half edges along the tool's axes; for a sphere three times its radius (voxels or m).
+    vec3 half{};
+    bool in_metres = false;  ///< true: `half` is in m; false: in voxels
+    Stamp stamp{};           ///< weights, used by ExtentShape::stamp
 };
 
 /// Properties of a voxel.
@@ -72,7 +73,7 @@ struct Operation {
     double density = 0;  ///< constant, from 0 (empty) to 1 (solid)
     Rgb8 colour{};
     std::uint8_t material = 0;
-    bool surface_only = false;  ///< change only voxels beside the body's surface
+    bool surface_only = false;  ///< true: change only voxels beside the body's surface
 };
 
 struct Tool {
@@ -81,14 +82,14 @@ struct Tool {
 };
 
 inline constexpr std::int64_t tool_file_version = 1;
-inline constexpr std::size_t most_operations = 3;  // as many as there are properties
+inline constexpr std::size_t most_operations = 3;  // one operation for each property
 inline constexpr std::size_t most_tool_bytes = std::size_t{1} << 20U;
 
-/// The error names file, line and fault. If two operations change one property, it names both.
+/// Reads a tool. The error names file, line and fault. If two operations change one property, it names both.
 Expected<Tool> read_tool(const Config& config, const Materials& materials);
 Expected<Tool> load_tool(const std::filesystem::path& path, const Materials& materials);
 
-/// A stamp of what lies in the box: weight 0 for empty voxels, 1 for solid ones.
+/// A stamp of the body in the box: weight 0 for empty voxels, 1 for solid ones.
 Stamp stamp_of(const VoxelView& body, const VoxelBox& box);
 
 }  // namespace thaum::field

@@ -37,8 +37,8 @@ Weights catmull_rom(double t) {
          0.5 * (3 * t2 - 2 * t)}};
 }
 
-/// Replaces the tap `from`, which is beyond the samples, by the parabola through the next three taps in the
-/// order `to`.
+/// Replaces the tap `from`, which lies outside the samples, by extrapolation: the parabola through the next
+/// three taps, given in the order `to`.
 void fold(Taps& taps, std::size_t from, std::array<std::size_t, 3> to) {
     constexpr std::array<double, 3> parabola{3, -3, 1};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -73,13 +73,13 @@ Taps taps_at(double x, int count, std::ptrdiff_t stride, double per_metre, Kerne
         taps.slope[i] = weights.slope[i] * per_metre;
     }
     const bool low_edge = low == 0, high_edge = low == count - 2;
-    // With three samples both edges may be near, but never in the same cell.
+    // With only three samples both ends may be near, but never in the same cell.
     if (low_edge) fold(taps, 0, {1, 2, 3});
     if (high_edge) fold(taps, 3, {2, 1, 0});
     return taps;
 }
 
-/// Value between the eight samples around `at`, which is counted in samples. In the order of additions of
+/// Value between the eight samples around `at`, which is counted in samples. Adds in the same order as
 /// Grid::operator(), so that both give the same bits. Needs two samples along each axis.
 double trilinear(const Grid& grid, vec3 at) {
     const Cell x = cell_at(at.x, grid.count[0]), y = cell_at(at.y, grid.count[1]);
@@ -97,8 +97,9 @@ double trilinear(const Grid& grid, vec3 at) {
     return base + ((1 - z.t) * across(low) + z.t * across(high));
 }
 
-/// A sample of the cell at these taps. Kernels act on differences from it. So where all samples are equal, the value is
-/// theirs and the gradient is zero, both exactly: rounding noise would give modes a direction that jumps.
+/// A reference sample of the cell. Kernels are applied to differences from it. Where all samples are equal,
+/// value and gradient are therefore exact; with rounding noise the gradient of a uniform region would have a
+/// direction that jumps, which haptic modes would show.
 double base_of(const float* first, const Taps& x, const Taps& y, const Taps& z) {
     return first[x.offset[x.count / 4] + y.offset[y.count / 4] + z.offset[z.count / 4]];
 }

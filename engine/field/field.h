@@ -47,14 +47,15 @@ inline vec3 curl(const Vector& v) {
             v.gradient[1].x - v.gradient[0].y};
 }
 
-struct SampleBox;  // field/placement.h
+struct SampleBox;  // defined in field/placement.h
 
 /// A quantity that can be read at any place. Refers to a sampled field or a formula, which must outlive it.
 template <class Sample>
 struct Field {
     const void* what{};
     Sample (*read)(const void* what, vec3 place){};
-    /// Gives the box in which the field has samples, in the frame of its reader. Null: it has no end, as a formula.
+    /// Gives the box in which the field has samples, in the frame of the caller. Null: the field has no
+    /// boundary, such as a formula.
     SampleBox (*box)(const void* what){};
 
     Sample operator()(vec3 place) const { return read(what, place); }
@@ -87,10 +88,11 @@ struct Grid {
     vec3 spacing{1};  ///< distance between samples along each axis, > 0 (m)
     Kernel kernel{Kernel::catmull_rom};
 
-    // Both pass the place on in registers. From memory, where the caller has just written it, clang reads two numbers
-    // at once, and the processor waits until both have arrived there: for half of the time that a value takes.
+    // Pass the place on in registers, component by component. If the caller has just written it to memory,
+    // clang loads two numbers at once, and the processor must wait until both are stored: half of the time of
+    // an evaluation.
     Scalar operator()(vec3 place) const { return scalar_at(place.x, place.y, place.z); }
-    /// The same value, to the last bit, without the gradient and in less time.
+    /// The same value as operator(), to the last bit, without the gradient and in less time.
     double value(vec3 place) const { return value_at(place.x, place.y, place.z); }
     /// Value at a place counted in samples from the first one, linear between samples and continued beyond them. Needs
     /// two samples along each axis and numbers that are finite.
@@ -107,7 +109,7 @@ struct StaggeredGrid {
     std::array<Grid, 3> component{};
 
     Vector operator()(vec3 place) const;
-    /// The same value without the gradient.
+    /// The same value as operator(), without the gradient.
     vec3 value(vec3 place) const {
         return {component[0].value(place), component[1].value(place), component[2].value(place)};
     }

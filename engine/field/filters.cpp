@@ -24,10 +24,11 @@ const AnyField& input_of(const FilterStage& stage) {
 
 // ---- reading ----------------------------------------------------------------------------------------------
 
-/// Places one sample before and behind a place along an axis. Near the outermost samples, the nearer of them.
+/// The places one sample before and after a given place along an axis. If the place is within the samples, so
+/// are both.
 struct Neighbours {
     vec3 low, high;
-    double per_metre;  ///< 1 / their distance
+    double per_metre;  ///< 1 / distance between the two (1/m)
 };
 
 Neighbours neighbours_of(const FilterStage& stage, vec3 place, int axis) {
@@ -44,7 +45,7 @@ Neighbours neighbours_of(const FilterStage& stage, vec3 place, int axis) {
     return n;
 }
 
-/// Derivatives of a vector that `value` computes at a place, by differences.
+/// Derivatives, by differences, of the vector that `value` computes at a place.
 template <class Value>
 std::array<vec3, 3> derivatives(const FilterStage& stage, vec3 place, Value value) {
     std::array<vec3, 3> result{};
@@ -123,7 +124,7 @@ Scalar read_clamped(const void* what, vec3 place) {
 Scalar read_smoothed(const void* what, vec3 place) { return stage_of(what).smoothed.component[0](place); }
 Vector read_smoothed_vector(const void* what, vec3 place) { return stage_of(what).smoothed(place); }
 
-/// The field that a stage gives, as if it had no end.
+/// Output field of a stage, without a bounding box.
 template <bool quick>
 AnyField endless_output_of(const FilterStage& stage) {
     const bool vector = stage.input.is_vector();
@@ -143,7 +144,7 @@ AnyField endless_output_of(const FilterStage& stage) {
     return {};
 }
 
-/// The box of the data, of which no picture shows the filtered values.
+/// The box of the input data. Its samples are not passed on, because they do not show the filtered values.
 SampleBox filtered_box(const void* what) {
     const AnyField& input = stage_of(what).input;
     SampleBox box = input.is_vector() ? sample_box_of(input.vector) : sample_box_of(input.scalar);
@@ -151,7 +152,7 @@ SampleBox filtered_box(const void* what) {
     return box;
 }
 
-/// The field that a stage gives.
+/// Output field of a stage, bounded if its input is.
 template <bool quick>
 AnyField output_of(const FilterStage& stage) {
     AnyField out = endless_output_of<quick>(stage);
@@ -162,7 +163,8 @@ AnyField output_of(const FilterStage& stage) {
 
 // ---- smoothing --------------------------------------------------------------------------------------------
 
-/// Weights of a sample and of those at 1, 2 ... samples to each side. Their sum over both sides is 1.
+/// Weights of the central sample and of those at 1, 2 ... samples to each side. Over both sides they add up
+/// to 1.
 std::vector<double> gaussian(double deviation) {
     std::vector<double> weights(static_cast<std::size_t>(std::ceil(4 * deviation)) + 1);
     double sum = 0;
@@ -175,17 +177,17 @@ std::vector<double> gaussian(double deviation) {
     return weights;
 }
 
-/// Number of lines that are smoothed at once. So the innermost loop runs across lines, over memory without gaps, and the
-/// sum of each sample keeps its order.
+/// Number of lines that are smoothed at once. The innermost loop runs across lines, over contiguous memory,
+/// and each sample's sum keeps its order.
 constexpr std::size_t lines_at_once = 16;
 
-/// Memory for lines: sample i of line l stands at lines_at_once * (margin + i) + l.
+/// Buffer for lines: sample i of line l is at lines_at_once * (margin + i) + l.
 struct Lines {
     std::vector<double> samples{};
     std::size_t margin{};
 };
 
-/// Copies lines with their margins, in which the outermost samples continue. Line l begins at first[l].
+/// Copies lines into the buffer, with margins that repeat the outermost samples. Line l begins at first[l].
 void take_lines(std::span<const float* const> first, std::ptrdiff_t stride, int count, Lines& lines) {
     const int margin = static_cast<int>(lines.margin);
     double* out = lines.samples.data();
@@ -225,7 +227,7 @@ std::uint64_t key_of(const FilterSource& source) {
     return hash_combine(key, source.field.is_vector() ? 1 : 0);
 }
 
-/// Points a stage at the smoothed samples of its input. Takes them from `old` if it has them.
+/// Makes a stage read the smoothed samples of its input. Reuses those of `old` if they are the same.
 void use_smoothed(FilterStage& stage, const FilterSource& source, std::uint64_t key,
                   std::vector<std::unique_ptr<SmoothedSamples>>& old, FilteredField& out) {
     const auto found =
@@ -249,7 +251,7 @@ void use_smoothed(FilterStage& stage, const FilterSource& source, std::uint64_t 
     }
 }
 
-/// What is wrong with the parameters of a filter; empty: nothing.
+/// Describes what is wrong with the parameters of a filter; empty: nothing.
 std::string fault_of(const Filter& filter, bool takes_vector) {
     switch (filter.kind) {
         case FilterKind::scale:

@@ -21,10 +21,10 @@
 // A difference takes 7 reads of the input; `FilteredField::quick` leaves it out where only the value is
 // wanted.
 //
-// Frame: that of the source, whatever scale it is shown in. So what a transfer function behind gradient, curl or
-// divergence reads is per metre of the data: a curl of 2 /s is one of the measured flow. The gradient that a mode reads
-// itself, without a filter, is per metre of the place where the field is put (field/placement.h), as the hand moves
-// there. Reading does not allocate.
+// Frame: that of the source, whatever scale it is shown in. The output of the filters gradient, curl and
+// divergence is therefore per metre of the data: a curl of 2 /s is that of the measured flow. The gradient
+// that a mode reads itself, without a filter, is per metre in the frame where the field is placed
+// (field/placement.h), because the hand moves in that frame. Reading does not allocate.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -59,22 +59,23 @@ struct AnyField {
     ScalarField scalar{};
     VectorField vector{};
     const Placement*
-        placement{};  ///< placement of the field in the frame of its reader; null: it is that frame
+        placement{};  ///< placement of the field in the frame of the caller; null: they are the same frame
 
     bool is_vector() const { return vector.read != nullptr; }
 };
 
-/// Data that are filtered: a field, and the samples at which it is smoothed and over which it is
-/// differentiated. They lie about the origin, as those of a Volume.
+/// Data to be filtered: a field, and the grid on which it is smoothed and differentiated. Both are centred on
+/// the origin, as in a Volume.
 struct FilterSource {
     AnyField field{};
     std::array<int, 3> count{};
     vec3 spacing{1};                     ///< distance between samples along each axis (m)
-    std::uint64_t version{};             ///< changes whenever the data change
-    Kernel kernel{Kernel::catmull_rom};  ///< between smoothed samples
+    std::uint64_t version{};             ///< version of the data: changes whenever they change
+    Kernel kernel{Kernel::catmull_rom};  ///< kernel between smoothed samples
 };
 
-/// A field of either kind, read in the parent's frame. `field` refers to the other members, so it must not be moved.
+/// A scalar or vector field, read in the parent's frame. `field` refers to the other members, so this object
+/// must not be moved.
 struct PlacedField {
     Placed<Scalar> scalar{};
     Placed<Vector> vector{};
@@ -88,35 +89,35 @@ struct PlacedField {
 /// Places a field that is given in its own frame.
 void place(PlacedField& out, const AnyField& own, const Placement& placement);
 
-/// One filter that is ready to be read.
+/// One filter with its input.
 struct FilterStage {
     Filter filter{};
     AnyField input{}, quick_input{};
-    vec3 step{}, reach{};      ///< spacing and half of the extent of the samples (m)
+    vec3 step{}, reach{};      ///< spacing, and half of the extent, of the samples (m)
     StaggeredGrid smoothed{};  ///< views of smoothed samples; a scalar uses the first
 };
 
 /// Samples that a filter has smoothed.
 struct SmoothedSamples {
-    std::uint64_t key{};  ///< hash of everything that they depend on
+    std::uint64_t key{};  ///< hash of everything that the samples depend on
     Volume volume{};
 };
 
-/// A source behind its filters. Fields refer to this object, which therefore stays where it is.
+/// A source and its filters. Fields refer to this object, so it must not be moved.
 struct FilteredField {
-    AnyField field{};  ///< value and gradient
+    AnyField field{};  ///< the output, with value and gradient
     AnyField quick{};  ///< the same value; gradients that would need differences are 0
     std::array<FilterStage, most_filters> stages{};
     std::vector<std::unique_ptr<SmoothedSamples>> smoothed{};
-    std::uint64_t smoothings{};  ///< number of times that samples were smoothed so far
+    std::uint64_t smoothings{};  ///< number of times that samples have been smoothed so far
 
     FilteredField() = default;
     FilteredField(const FilteredField&) = delete;
     FilteredField& operator=(const FilteredField&) = delete;
 };
 
-/// Checks that each filter can take what the one before gives. Returns whether the last one gives a vector.
-/// The error names the filter.
+/// Checks that each filter accepts the output of the previous one. Returns whether the last output is a
+/// vector. The error names the filter.
 Expected<bool> checked_filters(std::span<const Filter> filters, bool source_is_vector);
 
 /// Puts filters behind a source. Costs next to nothing unless something must be smoothed. The error is that of
@@ -124,7 +125,7 @@ Expected<bool> checked_filters(std::span<const Filter> filters, bool source_is_v
 Expected<void> set_filters(FilteredField& out, const FilterSource& source, std::span<const Filter> filters);
 
 /// Averages samples with Gaussian weights along each axis, up to 4 standard deviations (in samples) away.
-/// Beyond the samples the outermost ones continue. A sample that is not a number spreads as far.
+/// Outside the grid the outermost samples are repeated. A NaN spreads as far.
 void smooth(Volume& volume, double deviation);
 
 }  // namespace thaum::field

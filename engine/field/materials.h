@@ -25,7 +25,7 @@ struct Material {
     std::string name;
     double stiffness{};  ///< stiffness of the wall that a hand feels (N/m)
     double viscosity{};  ///< drag on a hand inside (N s/m)
-    double opacity{};    ///< from 0 to 1
+    double opacity{};    ///< opacity from 0 to 1
     Rgb8 colour{};
 };
 
@@ -34,7 +34,8 @@ using Materials = std::vector<Material>;
 
 inline constexpr std::int64_t materials_file_version = 1;
 
-/// The error names file, line and fault, such as two materials of one name.
+/// Reads a table of materials. The error names file, line and fault, such as two materials with the same
+/// name.
 Expected<Materials> read_materials(const Config& config);
 
 std::optional<std::uint8_t> material_index(const Materials& materials, std::string_view name);

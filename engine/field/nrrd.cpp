@@ -18,7 +18,8 @@
 namespace thaum::field {
 namespace {
 
-/// Share of an axis across the others from which on it counts as turned, and from which on as skewed.
+/// Sine of the angle from which an axis counts as turned; and cosine of the angle between two axes from which
+/// they count as skewed.
 constexpr double is_turned = 1e-6, is_skewed = 1e-3;
 
 using Path = std::filesystem::path;
@@ -29,15 +30,15 @@ Error fail_file(const Path& path, std::string_view message) {
 
 // ---- reading ----------------------------------------------------------------------------------------------
 
-/// How the axes of a file become those of a volume.
+/// How the axes of a file map to those of a volume.
 struct Arrangement {
-    std::array<std::size_t, 3> from{0, 1, 2};  ///< axis of the file for each axis of the volume
+    std::array<std::size_t, 3> from{0, 1, 2};  ///< index of the file's axis for each axis of the volume
     std::array<bool, 3> is_reversed{};
     vec3 spacing{};
     mat3 turn{1.0};
 };
 
-/// Arrangement of axes that lie along those of space; std::nullopt: they do not.
+/// Arrangement for axes that lie along those of space; std::nullopt: they do not.
 std::optional<Arrangement> along_space(const std::array<vec3, 3>& direction) {
     Arrangement a;
     std::array<bool, 3> used{};
@@ -56,7 +57,7 @@ std::optional<Arrangement> along_space(const std::array<vec3, 3>& direction) {
     return a;
 }
 
-/// Arrangement of axes at right angles; std::nullopt: they are not.
+/// Arrangement for axes that are turned but at right angles; std::nullopt: they are not at right angles.
 std::optional<Arrangement> turned(const std::array<vec3, 3>& direction) {
     Arrangement a;
     std::array<vec3, 3> unit{};
@@ -74,9 +75,9 @@ std::optional<Arrangement> turned(const std::array<vec3, 3>& direction) {
     return a;
 }
 
-/// Makes one number of each colour: what an eye sees of its light, or the V or Y that the file has.
+/// Reduces each colour to its luminance, or to the V or Y component if the file has one.
 void keep_luminance(NrrdColour colour, Volume& volume) {
-    // Shares of red, green and blue in the luminance are those of ITU-R BT.709.
+    // Shares of red, green and blue in the luminance, from ITU-R BT.709.
     constexpr std::array<std::array<double, 3>, 4> shares{
         {{1, 0, 0}, {0.2126, 0.7152, 0.0722}, {0, 0, 1}, {0, 1, 0}}};
     const auto& share = shares[static_cast<std::size_t>(colour)];
@@ -91,7 +92,7 @@ void keep_luminance(NrrdColour colour, Volume& volume) {
     if (colour == NrrdColour::red_green_blue) volume.stored_as = SampleType::float32;
 }
 
-/// Keeps colours as they are, or their luminance alone, with a note where none was made before.
+/// Keeps colours as they are or only their luminance, and adds a note unless there is one already.
 void take_colours(const NrrdHeader& header, const ReadChoice& choice, Volume& volume) {
     volume.is_colour = choice.colours_as_vectors;
     if (choice.colours_as_vectors) return;
@@ -100,8 +101,8 @@ void take_colours(const NrrdHeader& header, const ReadChoice& choice, Volume& vo
         volume.notes.emplace_back("the samples are colours, of which the luminance is read");
 }
 
-/// Turns vector values from the file's frame to the volume's. Values of the same frame keep their bits; turned
-/// integers are stored as floats from then on.
+/// Turns vector values from the file's frame to the volume's. Values that are already in the volume's frame
+/// keep their bits; turned integers are stored as floats from then on.
 void turn_values(const mat3& to_own, Volume& volume) {
     bool same = true;
     for (int i = 0; i < 3; ++i) same = same && glm::length(to_own[i] - mat3(1.0)[i]) < is_turned;
@@ -114,7 +115,7 @@ void turn_values(const mat3& to_own, Volume& volume) {
     }
 }
 
-/// The file's vectors for the axes of the volume.
+/// The file's direction vectors, in the order of the volume's axes.
 FileAxes axes_of(const NrrdHeader& header, const Arrangement& a, const Volume& volume) {
     FileAxes axes{.first = header.first, .spacing = volume.spacing, .placement = volume.placement};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -127,7 +128,7 @@ FileAxes axes_of(const NrrdHeader& header, const Arrangement& a, const Volume& v
     return axes;
 }
 
-/// Refuses samples that are clearly of the other byte order, and adds a note if they may be.
+/// Refuses samples that are clearly in the wrong byte order, and adds a note if they may be.
 Expected<void> check_order(const NrrdHeader& header, std::span<const std::byte> samples, Volume& volume) {
     if (header.encoding == NrrdEncoding::ascii) return {};
     const auto order = check_byte_order({samples, header.type, header.big_endian});
@@ -154,8 +155,8 @@ StoredOrder order_of(const NrrdHeader& header, const Arrangement& a, int frame) 
     return order;
 }
 
-/// Puts stored samples in the volume's order. `volume` has what was noted before. The error says what is wrong with the
-/// samples, without the path.
+/// Puts stored samples in the volume's order. `volume` already holds the notes of the header. The error says
+/// what is wrong with the samples, without the path.
 Expected<void> fill(const NrrdHeader& header, const Arrangement& a, std::span<const std::byte> samples,
                     const ReadChoice& choice, Volume& volume) {
     volume.spacing = a.spacing;
@@ -192,7 +193,7 @@ Expected<void> fill(const NrrdHeader& header, const Arrangement& a, std::span<co
 
 // ---- writing ----------------------------------------------------------------------------------------------
 
-/// Vectors of a header, in m.
+/// Direction vectors of a header to be written (m).
 struct WrittenSpace {
     std::array<vec3, 3> direction{};
     std::optional<vec3> first{};
@@ -216,12 +217,12 @@ WrittenSpace space_of(const Volume& volume) {
     return space;
 }
 
-/// True if spacings alone tell where the samples lie.
+/// True if spacings alone say where the samples are.
 bool needs_no_space(const Volume& volume, const WrittenSpace& space) {
     return !space.first && !volume.is_of_patient && volume.placement.turn == mat3(1.0);
 }
 
-/// The number of mm that reads as exactly this length; std::nullopt: there is none.
+/// The number of mm that reads back as exactly this length; std::nullopt: there is none.
 std::optional<double> mm_of(double metres) {
     const double mm = metres * 1000;
     for (const double one : {mm, std::nextafter(mm, HUGE_VAL), std::nextafter(mm, -HUGE_VAL)}) {
@@ -237,7 +238,7 @@ void append_vector(std::string& out, vec3 v, bool mm) {
     append_text(out, text('(', number(v.x), ',', number(v.y), ',', number(v.z), ')'));
 }
 
-/// Fields for the frame and the axes of space.
+/// Appends the fields for the frame and the axes of space.
 void append_space(std::string& out, const Volume& volume) {
     const WrittenSpace space = space_of(volume);
     const bool mm = (!space.first || is_exact_in_mm(*space.first)) &&
@@ -300,7 +301,7 @@ Expected<Volume> read_nrrd(const Path& path, const ReadChoice& choice) {
                           "the axes are not at right angles; resample the volume to a straight box");
     if (choice.colours_as_vectors && header->colour > NrrdColour::red_green_blue)
         return fail_field(*header, "kinds", "colours must be red, green and blue; convert to 'RGB-color'");
-    // A short file was read whole already.
+    // The file is read to its end now; a short one has been read already.
     if (header->data_files.empty() && file->size() > longest_header) file = read_file(path, most_bytes);
     if (!file) return Error{in_one_line(file.error().message)};
     Volume volume;

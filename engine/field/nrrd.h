@@ -42,13 +42,14 @@ namespace thaum::field {
 
 /// Choices for reading a file.
 struct ReadChoice {
-    std::size_t limit = most_samples;  ///< most samples times components, of all moments
-    int frame = 0;                     ///< moment of time, from 0 on
-    bool colours_as_vectors = false;   ///< false: the luminance of each
+    /// Largest number of samples times components that is accepted, over all moments of time.
+    std::size_t limit = most_samples;
+    int frame = 0;                    ///< moment of time to read, from 0 on
+    bool colours_as_vectors = false;  ///< true: keep colours as vectors; false: keep their luminance
 };
 
-/// Reads a volume. The error is one line with the path and, for a header, the line: nothing is allocated that the
-/// size of the file does not justify.
+/// Reads a volume. The error is one line with the path and, for a header, the line: a header that claims more
+/// samples than the file can hold allocates no memory.
 Expected<Volume> read_nrrd(const std::filesystem::path& path, const ReadChoice& choice = {});
 
 enum class Packing : std::uint8_t { raw, gzip };
@@ -59,8 +60,8 @@ enum class Packing : std::uint8_t { raw, gzip };
 Expected<void> write_nrrd(const std::filesystem::path& path, const Volume& volume,
                           Packing packing = Packing::gzip);
 
-/// Writes all bytes to the disk under a temporary name; FileWriter::close then puts the file at its path. So files that
-/// belong together are put there only after all of them could be written.
+/// Writes all bytes to the disk under a temporary name; FileWriter::close then puts the file at its path. So
+/// files that belong together replace the old ones only after all of them could be written.
 Expected<FileWriter> start_nrrd(const std::filesystem::path& path, const Volume& volume,
                                 Packing packing = Packing::gzip);
 

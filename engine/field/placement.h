@@ -1,4 +1,5 @@
-// field/placement.h: where a volume lies in its parent frame and ends there, and fields read through a placement.
+// field/placement.h: where a volume lies in its parent frame, the box in which it has samples, and fields
+// read through a placement.
 //
 //     place in the parent = origin + turn * (scale * place in the volume)
 //
@@ -25,10 +26,10 @@ struct Placement {
 
 inline vec3 to_parent(const Placement& p, vec3 place) { return p.origin + p.turn * (p.scale * place); }
 
-/// Inverse of `to_parent`.
+/// Inverse of `to_parent`: a place in the volume's own frame.
 inline vec3 to_own(const Placement& p, vec3 place) { return ((place - p.origin) * p.turn) / p.scale; }
 
-/// Placement of a part in the frame outside, if the part lies at `inner` in a frame that lies at `outer`.
+/// Placement in the outermost frame of a part that lies at `inner` in a frame that itself lies at `outer`.
 inline Placement combined(const Placement& outer, const Placement& inner) {
     return {to_parent(outer, inner.origin), outer.turn * inner.turn, outer.scale * inner.scale};
 }
@@ -48,35 +49,36 @@ inline Vector to_parent(const Placement& p, const Vector& own) {
     return result;
 }
 
-/// Range of samples as pictures show them: one that is not a number as the lowest, others limited to the range. The
-/// default leaves all as they are.
+/// Range to which pictures limit samples. A NaN is shown as the lowest value. The default changes nothing.
 struct ShownRange {
     float low = -HUGE_VALF, high = HUGE_VALF;
 
     float operator()(float sample) const { return sample > low ? std::min(sample, high) : low; }
 };
 
-/// Box that the samples behind a field span. Pictures show nothing of a volume outside of it, and its cut face where
-/// the body reaches it.
+/// Box that the samples behind a field span. Pictures show nothing of a volume outside the box, and a cut
+/// face where the body reaches the box.
 struct SampleBox {
-    bool bounded{};  ///< false: the field has no end, and the rest means nothing
-    /// Samples whose values, linear between them, a picture shows. None: the field is not what it shows.
+    bool bounded{};  ///< false: the field has no end, and the other members mean nothing
+    /// Samples that a picture shows, with linear interpolation. Empty: the field's values are not simply
+    /// samples.
     Grid drawn{};
-    /// Averages of blocks of samples, in which a direction is less rough (field/block_averages.h). May have none.
+    /// Averages of blocks of samples. Surface directions that are computed from them show fewer steps
+    /// (field/block_averages.h). May be empty.
     Grid averages{};
-    ShownRange shown{};     ///< applies to samples that are not finite
+    ShownRange shown{};     ///< range of shown values, used for samples that are not finite
     vec3 middle{}, half{};  ///< middle of the box and half of its extent (m, frame of the samples)
     vec3 spacing{1};        ///< distance between samples along each axis (m, frame of the samples)
-    Placement placement{};  ///< from the frame of the samples to the reader's
+    Placement placement{};  ///< placement of the samples' frame in the reader's frame
 };
 
-/// The box of a field's samples in the frame of its reader.
+/// The box of a field's samples, in the frame of the caller.
 template <class Sample>
 SampleBox sample_box_of(const Field<Sample>& field) {
     return field.box == nullptr ? SampleBox{} : field.box(field.what);
 }
 
-/// A field read in the parent's frame. Can be called, so `field_of<Sample>(placed)` makes a field of it.
+/// A field read in the parent's frame. It can be called, so `field_of<Sample>(placed)` makes a field from it.
 template <class Sample>
 struct Placed {
     Field<Sample> field{};  ///< field in the volume's frame

@@ -6,11 +6,11 @@
 namespace thaum::field {
 namespace {
 
-/// The field at a place, as a direction.
+/// The field at a place, as a direction and a speed.
 struct Flow {
     vec3 direction{};
     double speed{};
-    double twist{};  ///< turn of matter about the direction (rad/m)
+    double twist{};  ///< rotation of the matter about the direction, for each metre along the line (rad/m)
     bool moves{};
 };
 
@@ -21,14 +21,14 @@ struct Tracer {
     Flow at(vec3 place) const {
         const Vector v = field(place);
         const double speed = glm::length(v.value);
-        // Written so that NaN does not move.
+        // This form of the comparison also treats NaN as standing still.
         if (!(speed > settings.least_speed) || !std::isfinite(speed)) return {};
         const vec3 direction = (settings.upstream ? -1.0 : 1.0) * v.value / speed;
         const double turn = glm::dot(curl(v), direction) / (2 * speed);
         return {direction, speed, std::isfinite(turn) ? turn : 0.0, true};
     }
 
-    /// One step of length h. `moves` becomes false if the field is still on the way.
+    /// One step of length h. `moves` becomes false if the field vanishes anywhere in the step.
     vec3 stepped(vec3 from, const Flow& there, double h, bool& moves) const {
         const Flow b = at(from + h / 2 * there.direction);
         const Flow c = at(from + h / 2 * b.direction);
@@ -54,8 +54,8 @@ struct Tracer {
         return step;
     }
 
-    /// A step within the tolerance, or the shortest. Updates h to the length for the next step; `done` is the
-    /// length of this one.
+    /// Makes steps shorter until one is within the tolerance or has the shortest length. Updates h to the
+    /// length for the next step; `done` is the length of this one.
     Step controlled(vec3 from, const Flow& there, double left, double& h, double& done) const {
         while (true) {
             done = std::min(h, left);
@@ -66,7 +66,8 @@ struct Tracer {
             const double next = std::clamp(done * std::clamp(factor, 0.2, 2.0), settings.shortest_step,
                                            settings.longest_step);
             const bool shortest = done <= settings.shortest_step;
-            // A step cut by the end of the line says nothing about longer ones.
+            // After a step that was cut short by the end of the line, h may only become shorter: nothing is
+            // known of longer steps.
             if (share <= 1 || shortest) {
                 if (done == h || next < h) h = next;
                 return step;
@@ -83,7 +84,7 @@ vec3 any_across(vec3 along) {
     return glm::normalize(glm::cross(along, axis));
 }
 
-/// Keeps `across` perpendicular to the new direction and turns it about it.
+/// Keeps `across` perpendicular to the new direction `along`, and turns it by `angle` about `along`.
 vec3 carried(vec3 across, vec3 along, double angle) {
     const vec3 flat = across - glm::dot(across, along) * along;
     const double length = glm::length(flat);

@@ -18,10 +18,11 @@ namespace thaum::field {
 
 struct StreamlineSettings {
     double length = 1;        ///< length of the line (m)
-    bool upstream = false;    ///< true: against the field
-    double tolerance = 1e-6;  ///< greatest error of a step (m); 0: every step has the longest length
-    double longest_step = 0.02, shortest_step = 1e-5;  ///< > 0 (m); the shortest is kept whatever its error
-    double least_speed = 1e-9;                         ///< a line ends where the field is slower (m/s)
+    bool upstream = false;    ///< true: follows the line against the field
+    double tolerance = 1e-6;  ///< greatest error of a step (m); 0: every step has the longest allowed length
+    /// Limits of the step length, > 0 (m); a step of the shortest length is kept whatever its error.
+    double longest_step = 0.02, shortest_step = 1e-5;
+    double least_speed = 1e-9;  ///< speed of the field below which a line ends (m/s)
     int most_points = 4096;
     /// A line ends where it leaves this box (m).
     vec3 low{-std::numeric_limits<double>::infinity()}, high{std::numeric_limits<double>::infinity()};
@@ -29,17 +30,17 @@ struct StreamlineSettings {
 
 struct StreamPoint {
     vec3 place{};    ///< (m)
-    vec3 along{};    ///< unit direction of the line
-    vec3 across{};   ///< unit, perpendicular to `along`
+    vec3 along{};    ///< direction of the line (unit)
+    vec3 across{};   ///< direction across the line (unit), perpendicular to `along`
     double speed{};  ///< length of the field's vector (m/s)
     double way{};    ///< length of the line from the seed (m)
 };
 
-/// Reason why a line ends. The field is not finite: `still`.
+/// Reason why a line ends. A field that is not finite counts as `still`.
 enum class StreamEnd : std::uint8_t { length, still, outside, points };
 
 /// Traces a line from `seed` into `out`, whose memory is kept between calls. The first point is the seed. No
-/// points if the line ends there.
+/// points if the field is still at the seed or the seed is outside the box.
 StreamEnd trace(const VectorField& field, vec3 seed, const StreamlineSettings& settings,
                 std::vector<StreamPoint>& out);
 

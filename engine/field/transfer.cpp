@@ -9,7 +9,7 @@ namespace thaum::field {
 namespace {
 
 constexpr double most_coordinate = 1e100;
-/// Largest number of columns of one stroke. A longer stroke draws this many, evenly spread.
+/// Largest number of columns of one stroke. A longer stroke draws this many, evenly spaced.
 constexpr double most_columns = 512;
 
 double limited_coordinate(double v) {
@@ -22,7 +22,7 @@ std::size_t used(const TransferFunction& f) {
 
 std::span<const vec2> points_of(const TransferFunction& f) { return std::span(f.points).first(used(f)); }
 
-/// Points while a function is edited: room for one more column and its neighbours.
+/// Points of a function while it is edited, with room for one more column and its neighbours.
 struct Draft {
     std::array<vec2, most_transfer_points + 3> points{};
     std::size_t count{};
@@ -30,13 +30,14 @@ struct Draft {
     void add(vec2 point) { points[count++] = point; }
 };
 
-/// Twice the area between a point and the line of its neighbours: how much the shape changes without it.
+/// Twice the area of the triangle that a point forms with its neighbours: how much the shape changes if the
+/// point is removed.
 double bend(vec2 before, vec2 here, vec2 after) {
     const vec2 a = here - before, b = after - before;
     return std::abs(a.x * b.y - a.y * b.x);
 }
 
-/// Removes points until the rest fits, never the first, the last or the one at x = kept.
+/// Removes points until the others fit, but never the first, the last, or the point at x = kept.
 void thin_out(Draft& draft, double kept) {
     while (draft.count > most_transfer_points) {
         std::size_t least = 0;
@@ -53,7 +54,7 @@ void thin_out(Draft& draft, double kept) {
     }
 }
 
-/// Sets the column at x, with the columns beside it at left and right.
+/// Sets the column at x. `left` and `right` are the positions of its neighbours.
 void set_column(TransferFunction& f, double left, double x, double right, double y) {
     const auto old = points_of(f);
     const auto has = [&](double at) { return std::ranges::any_of(old, [&](vec2 p) { return p.x == at; }); };
@@ -84,7 +85,7 @@ double TransferFunction::operator()(double x) const {
     if (next == p.end()) return p.back().y;
     const vec2 a = *(next - 1), b = *next;
     const double y = a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x));
-    // Rounding may pass b by a unit in the last place, and must not.
+    // Without the limit, rounding could pass b by a unit in the last place.
     return std::clamp(y, std::min(a.y, b.y), std::max(a.y, b.y));
 }
 
@@ -129,7 +130,7 @@ void draw(TransferFunction& f, double x, double y, double width) {
     if (!(width > 0) || !std::isfinite(x) || !std::isfinite(width) || std::isnan(y)) return;
     const double column = std::round(limited_coordinate(x) / width);
     const double left = (column - 1) * width, middle = column * width, right = (column + 1) * width;
-    // Far from 0 neighbouring columns may be the same number.
+    // So far from 0, neighbouring columns may round to the same number.
     if (!(left < middle && middle < right && -most_coordinate <= left && right <= most_coordinate)) return;
     set_column(f, left, middle, right, limited_coordinate(y));
 }

@@ -26,7 +26,7 @@ namespace thaum::field {
 inline constexpr std::size_t most_transfer_points = 32;
 
 struct TransferFunction {
-    std::array<vec2, most_transfer_points> points{};  ///< (x, y), sorted by x; unused ones are zero
+    std::array<vec2, most_transfer_points> points{};  ///< points (x, y), sorted by x; unused entries are zero
     std::uint64_t count{};                            ///< number of points in use; 0: the function is 0
 
     /// Value at x. NaN gives the y of the first point.
@@ -49,7 +49,7 @@ Expected<TransferFunction> transfer_function(std::span<const vec2> points);
 
 /// Draws one column of a freehand curve. Columns are `width` apart, at its multiples. The column nearest to x
 /// gets the value y. The function stays as it was at all other columns and beyond, and becomes linear between
-/// columns next to this one. If all 32 points are in use, points that change the shape least go.
+/// columns next to this one. If all 32 points are in use, the points that change the shape least are removed.
 /// A `width` that is not above 0, an x that is not finite and a y that is NaN change nothing.
 void draw(TransferFunction& f, double x, double y, double width);
 

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t classes = 256;
 constexpr double nearly_best = 1 - 1e-3;
 
-/// Calls use(value) for each finite sample, or length of a vector.
+/// Calls use(value) for each finite sample, or for the length of each vector.
 template <class Use>
 void for_each_value(const Volume& volume, Use use) {
     const auto step = static_cast<std::size_t>(volume.components);
@@ -21,8 +21,8 @@ void for_each_value(const Volume& volume, Use use) {
     }
 }
 
-/// Variance between the samples of the classes up to and including `last` and those above, for each `last`, up to a
-/// factor. A class counts as its number.
+/// Variance between two groups of classes: those up to and including `last`, and those above, for each `last`
+/// (up to a constant factor). A class counts with its index.
 std::array<double, classes> variances(const std::array<double, classes>& counts) {
     double all = 0, sum = 0;
     for (std::size_t i = 0; i < classes; ++i) {

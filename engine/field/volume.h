@@ -41,47 +41,50 @@ enum class SampleType : std::uint8_t {
 /// Largest number of samples times components of a volume that is read or made: 512 along each axis.
 inline constexpr std::size_t most_samples = std::size_t{1} << 27U;
 
-/// Vectors of the file that a volume was read from, for the axes of the volume (m, frame of the file). A writer repeats
-/// them as long as the volume still lies there, because vectors computed from spacing and turn round.
+/// Vectors of the file that a volume was read from, for the axes of the volume (m, frame of the file). A
+/// writer writes these again if the volume was not moved, because vectors computed from spacing and turn
+/// would contain rounding errors.
 struct FileAxes {
-    std::array<vec3, 3> direction{};  ///< from one sample to the next
+    std::array<vec3, 3> direction{};  ///< vector from one sample to the next along each axis
     std::optional<vec3> first{};      ///< place of sample (0, 0, 0)
-    /// Place of the volume's middle. Without an origin, a file with a frame of space has its first sample at 0, as other
-    /// programs take it; std::nullopt: the file has no frame.
+    /// Place of the volume's middle. Without an origin in the file, the first sample of a file with a frame
+    /// of space is at 0, as other programs assume. std::nullopt: the file has no frame.
     std::optional<vec3> middle{};
-    vec3 spacing{};  ///< the volume's, computed from these vectors; the placement too
+    vec3 spacing{};  ///< the volume's spacing and placement as computed from these vectors
     Placement placement{};
 };
 
-/// How floats round samples that they do not hold exactly.
+/// Error of converting samples to float.
 struct Rounding {
     double low{}, high{};  ///< smallest and largest finite sample of the file
-    double width{};        ///< their difference, computed in the file's type
-    double step{};  ///< distance between floats about the largest sample by size; 0: no sample was rounded
-    std::size_t beyond{};  ///< finite samples beyond what a float holds
+    double width{};        ///< high - low, computed in the file's number type
+    /// Distance between neighbouring floats at the largest sample by size; 0: no sample was rounded.
+    double step{};
+    std::size_t beyond{};  ///< number of finite samples that are too large for a float
 };
 
 struct Volume {
     std::array<int, 3> count{};                 ///< samples along each axis
     vec3 spacing{1e-3};                         ///< distance between samples along each axis, > 0 (m)
-    Placement placement{};                      ///< from the volume's frame to the parent's
-    int components{1};                          ///< 1: scalar; 3: vector, or colour
-    bool is_colour{false};                      ///< the components are red, green and blue
+    Placement placement{};                      ///< placement of the volume in its parent's frame
+    int components{1};                          ///< components of a sample. 1: scalar; 3: vector, or colour
+    bool is_colour{false};                      ///< true: the components are red, green and blue
     SampleType stored_as{SampleType::float32};  ///< type in which a file stores the samples
     /// Component c of sample (i, j, k) is samples[c + components (i + count[0] (j + count[1] k))].
     std::vector<float> samples{};
-    std::string name{};   ///< what the volume shows, for lists; may be empty
+    std::string name{};   ///< name of what the volume shows, for lists; may be empty
     std::string units{};  ///< unit of the samples, such as "HU"; may be empty
-    /// The axes of the parent frame point to a patient's left, back and head, as a medical file says.
+    /// True: the axes of the parent frame point to a patient's left, back and head, as a medical file says.
     bool is_of_patient{false};
-    /// The file says where the samples lie. Without that, only spacings and turn mean something.
+    /// True: the file says where the samples are. If false, only the spacings and the turn mean something.
     bool has_place{false};
     std::optional<FileAxes> file_axes{};
-    /// Name of the save that this file and others belong to, for properties of one body; may be empty.
+    /// Name that this file shares with the files of the other properties of one saved body; may be empty.
     std::string save_name{};
     std::vector<std::filesystem::path> files{};  ///< files that the volume was read from
     Rounding rounding{};                         ///< how reading has rounded the samples
-    int frames{1};                               ///< moments of time in the file, of which one was read
+    /// Number of moments of time in the file, of which one was read.
+    int frames{1};
     std::vector<std::string> notes{};  ///< messages of the file's reader for the user, one line each
 
     /// View of one component as a field in the volume's frame. Valid while `samples` is not resized.
@@ -94,7 +97,7 @@ struct Volume {
     vec3 place(int i, int j, int k) const { return spacing * vec3(i, j, k) - 0.5 * extent(); }
 };
 
-/// Lets a volume of the same samples lie where the other one does, in files too.
+/// Gives `volume` the place of another volume with the same number of samples, also for files.
 void lie_as(Volume& volume, const Volume& other);
 
 /// Smallest and largest finite sample of a volume; (0, 0) if there is none.
@@ -103,12 +106,12 @@ struct SampleRange {
 };
 SampleRange range_of(const Volume& volume);
 
-/// Number of samples that are not finite: not a number, or beyond what a float holds.
+/// Number of samples that are not finite: NaN, or too large for a float.
 std::size_t not_finite(const Volume& volume);
 
-/// Level at which the samples fall apart best into two classes, such as air and tissue (N. Otsu, A threshold selection
-/// method from gray-level histograms, 1979): of 255 levels, the middle of those at most 0.1 % worse than the best. For
-/// vectors, the level of their lengths. The middle of the range if all samples are equal.
+/// Level that separates the samples best into two classes, such as air and tissue (N. Otsu, A threshold
+/// selection method from gray-level histograms, 1979): of 255 levels, the middle of those at most 0.1 % worse
+/// than the best. For vectors, the level of their lengths. The middle of the range if all samples are equal.
 double usual_level(const Volume& volume);
 
 /// Samples a field at count[0] x count[1] x count[2] places about its origin.
@@ -123,7 +126,7 @@ Volume scanned(const ScalarField& depth, std::array<int, 3> count, vec3 spacing)
 /// Length of the longest side of a volume that `make_volume` makes (m).
 inline constexpr double made_extent = 0.2;
 
-/// Names of all volumes that `make_volume` makes.
+/// Names of all volumes that `make_volume` can make.
 std::span<const std::string_view> volume_names();
 
 /// Makes a volume of `count` samples along each axis, 2 to 512. Names:

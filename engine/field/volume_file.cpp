@@ -16,16 +16,16 @@
 namespace thaum::field {
 namespace {
 
-constexpr std::size_t most_description = 1U << 16U;  ///< largest TOML file (bytes)
+constexpr std::size_t most_description = 1U << 16U;  ///< largest TOML file that is accepted (bytes)
 
 struct RawDescription {
     Volume volume;
     std::string file;
     bool big_endian{};
-    std::size_t bytes{};  ///< size of the file of samples
+    std::size_t bytes{};  ///< size of the file of samples (bytes)
 };
 
-/// Reads sizes and returns their product with the components, or reports that they are wrong.
+/// Reads the sizes and returns the product of sizes and components, or reports that the sizes are wrong.
 std::size_t read_sizes(const ConfigTable& root, std::size_t limit, Volume& volume) {
     const vec3 sizes = root.vector("sizes", {1, 1e6});
     auto product = static_cast<std::size_t>(volume.components);
@@ -61,7 +61,7 @@ Expected<RawDescription> parse_raw(std::string_view toml, const std::string& nam
     return raw;
 }
 
-/// A format that is not read, by the ending of its files.
+/// A format that cannot be read, recognised by the extension of its files.
 struct OtherFormat {
     std::string_view ending, name;
     std::string_view conversion{"convert it to .nrrd, for example with 3D Slicer"};
@@ -95,7 +95,7 @@ constexpr std::array other_formats{
     OtherFormat{".zip", "packed files", "unpack it"},
 };
 
-/// What a file of another ending is, and what to do with it.
+/// Says what a file with another extension is, and what to do with it.
 std::string advice_for(std::string_view ending) {
     const auto found = std::ranges::find(other_formats, ending, &OtherFormat::ending);
     if (found == other_formats.end()) return "volumes are files that end in .nrrd, .nhdr or .toml";

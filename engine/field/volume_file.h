@@ -1,4 +1,4 @@
-// field/volume_file.h: reads volumes from files of any format that is known.
+// field/volume_file.h: reads volumes from files of any supported format.
 #pragma once
 #include <filesystem>
 
@@ -8,8 +8,9 @@
 
 namespace thaum::field {
 
-/// Reads a volume; the ending of the name, in any case, tells the format: .nrrd and .nhdr (field/nrrd.h), .toml
-/// (read_raw). A volume without any finite sample is refused, and so are other formats, by name.
+/// Reads a volume. The extension of the file name, in upper or lower case, gives the format: .nrrd and .nhdr
+/// (field/nrrd.h), .toml (read_raw). A volume without any finite sample is an error, and so is any other
+/// format, which the error names.
 Expected<Volume> read_volume(const std::filesystem::path& path, const ReadChoice& choice = {});
 
 /// Reads plain samples described by a TOML file:

@@ -1,8 +1,8 @@
 // field/voxel_state.h: hash and snapshots of a body of voxels.
 //
-// Both go brick by brick. The hash of the whole body combines a hash for each brick, so after an edit only the
-// changed bricks are read again. In a snapshot a brick of equal voxels takes 9 bytes instead of 4 KB; most
-// bricks are so: empty, or solid.
+// Both go brick by brick. The hash of the whole body combines a hash for each brick, so after an edit only
+// the changed bricks are read again. In a snapshot a brick of equal voxels takes 9 bytes instead of 4 KB.
+// Most bricks are like that, either empty or solid.
 #pragma once
 #include "core/bytes.h"
 #include "core/error.h"
@@ -10,7 +10,7 @@
 
 namespace thaum::field {
 
-/// Hashes of the bricks: a cache. A new one gives the same hash of the body.
+/// Hashes of the bricks, as a cache. An empty cache gives the same hash of the body.
 struct BrickHashes {
     std::vector<std::uint64_t> hash{};
     std::uint32_t seen = 0;  ///< value of Bricks::newest when the hashes were made
@@ -22,8 +22,8 @@ std::uint64_t voxel_hash(const VoxelView& body, BrickHashes& hashes);
 /// Appends all voxels to `out`.
 void save(const VoxelView& body, Bytes& out);
 
-/// Restores saved voxels. The body must have the same count. Bricks that differ get a new version. On an error,
-/// such as bytes that end too early, the body may hold part of the snapshot.
+/// Restores saved voxels. The body must have the same count. Bricks that change get a new version. On an
+/// error, such as bytes that end too early, the body may hold part of the snapshot.
 Expected<void> restore(const VoxelView& body, ByteReader& saved);
 
 }  // namespace thaum::field

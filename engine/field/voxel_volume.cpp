@@ -19,7 +19,7 @@ Volume volume_for(const Voxels& body, std::string_view name, int components, Sam
 
 DensityRange usual_range(const Volume& volume) {
     const SampleRange range = range_of(volume);
-    // One more than a large number may be the same float.
+    // For a large number, adding 1 may give the same float.
     const float above = std::max(range.low + 1, std::nextafter(range.low, HUGE_VALF));
     return {range.low, range.high > range.low ? range.high : above};
 }
@@ -61,7 +61,7 @@ Expected<Voxels> voxels_of(const Volume& volume, std::optional<DensityRange> ran
     body.placement = volume.placement;
     body.empty = used.empty;
     body.full = used.full;
-    // In double precision, because the difference of two floats may be beyond the largest one.
+    // In double precision, because the sum of two floats may be too large for a float.
     body.surface = static_cast<float>(0.5 * (double{used.empty} + double{used.full}));
     body.density = volume.samples;
     return body;

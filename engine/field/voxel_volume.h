@@ -11,21 +11,21 @@
 
 namespace thaum::field {
 
-/// Densities of nothing and of solid material.
+/// Densities of empty and of solid material.
 struct DensityRange {
     float empty = 0, full = 1;
 };
 
-/// A body with the samples of a scalar volume as its densities, white and of material 0. Without a range, its
-/// least and greatest finite samples are the densities of nothing and of solid material. The surface is half-way
-/// between them. The error says what is wrong with the volume or the range.
+/// Makes a body whose densities are the samples of a scalar volume; it is white and of material 0. Without a
+/// range, its least and greatest finite samples are the densities of empty and of solid material. The surface
+/// is half-way between them. The error says what is wrong with the volume or the range.
 Expected<Voxels> voxels_of(const Volume& volume, std::optional<DensityRange> range = std::nullopt);
 
-/// The densities, stored as float32.
+/// Volume of the densities, stored as float32.
 Volume density_volume(const Voxels& body);
-/// The colours: three components of 8 bits.
+/// Volume of the colours: three components of 8 bits.
 Volume colour_volume(const Voxels& body);
-/// The indices of the materials, in 8 bits.
+/// Volume of the material indices, in 8 bits.
 Volume material_volume(const Voxels& body);
 
 /// Takes colours or materials from a volume of the same count. The samples must be whole numbers from 0 to 255. On

@@ -5,9 +5,9 @@
 //        |                          '-- Bricks: which parts have changed, for readers that keep copies
 //        '-- density_grid --> Grid --> Placed --> value and gradient at any place of the world
 //
-// Each property is an array of its own, because feel reads only the density and pictures mostly do. Voxel
-// (i, j, k) is element i + count[0] (j + count[1] k) of each array. The arrays may also be blobs of a World: a
-// VoxelView refers to them in the same way.
+// Each property is an array of its own, because haptics read only the density, and pictures read mostly the
+// density. Voxel (i, j, k) is element i + count[0] (j + count[1] k) of each array. The arrays may also be
+// blobs of a World: a VoxelView refers to them in the same way.
 //
 // The paper stores a gradient in each voxel, too: 3 bytes of magnitude and direction. Here Grid computes it
 // from the density. A stored gradient would have to be recomputed around each edit, in every undo and in every
@@ -35,7 +35,7 @@ struct Rgb8 {
     bool operator==(const Rgb8&) const = default;
 };
 
-/// Voxels low <= (i, j, k) < high. The default has none.
+/// Voxels with low <= (i, j, k) < high. By default there are none.
 struct VoxelBox {
     std::array<int, 3> low{}, high{};
 
@@ -43,9 +43,9 @@ struct VoxelBox {
     bool operator==(const VoxelBox&) const = default;
 };
 
-/// Smallest box around both boxes.
+/// Smallest box that contains both boxes.
 VoxelBox around(const VoxelBox& a, const VoxelBox& b);
-/// Voxels in both boxes.
+/// Voxels that lie in both boxes.
 VoxelBox overlap(const VoxelBox& a, const VoxelBox& b);
 
 /// Voxels along each edge of a brick.
@@ -59,8 +59,9 @@ inline constexpr int voxels_of_brick = brick_size * brick_size * brick_size;
 /// Otherwise a reader could not tell two futures of one state apart.
 struct Bricks {
     std::array<int, 3> count{};
-    std::vector<std::uint32_t> version{};  ///< value of `newest` at the last change of each brick
-    std::uint32_t newest = 1;              ///< 1 after the body was made: every brick is new to a reader at 0
+    std::vector<std::uint32_t> version{};  ///< value of `newest` when each brick last changed
+    /// 1 after the body was made: a reader that has seen 0 reads every brick.
+    std::uint32_t newest = 1;
 
     std::size_t at(int i, int j, int k) const {
         return static_cast<std::size_t>(i) +
@@ -73,11 +74,11 @@ struct Bricks {
 /// Bricks for this many voxels. All of them have version 1.
 Bricks make_bricks(std::array<int, 3> voxels);
 
-/// A body whose arrays belong to someone else.
+/// A body whose arrays belong to another object.
 struct VoxelView {
     std::array<int, 3> count{};
     vec3 spacing{1};            ///< distance between voxels along each axis (m)
-    float empty = 0, full = 1;  ///< densities of nothing and of solid material; full > empty
+    float empty = 0, full = 1;  ///< densities of empty and of solid material; full > empty
     float surface = 0.5F;       ///< density at the body's surface, for tools that draw on it
     std::span<float> density{};
     std::span<Rgb8> colour{};
@@ -102,13 +103,13 @@ struct VoxelView {
 struct Voxels {
     std::array<int, 3> count{};
     vec3 spacing{1};            ///< distance between voxels along each axis (m)
-    float empty = 0, full = 1;  ///< densities of nothing and of solid material; full > empty
+    float empty = 0, full = 1;  ///< densities of empty and of solid material; full > empty
     float surface = 0.5F;       ///< density at the body's surface, for tools that draw on it
     std::vector<float> density{};
     std::vector<Rgb8> colour{};
     std::vector<std::uint8_t> material{};
     Bricks bricks{};
-    Placement placement{};  ///< from the body's frame to the parent's
+    Placement placement{};  ///< placement of the body in its parent's frame
 
     VoxelView view() { return {count, spacing, empty, full, surface, density, colour, material, &bricks}; }
     /// The density at any place of the body's frame. Valid until the body is destroyed or moved.

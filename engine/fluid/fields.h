@@ -1,7 +1,7 @@
 // fluid/fields.h: samples of a fluid as fields (field/field.h) for haptics and pictures.
 //
-// The ghosts belong to the field, so they must be filled. Near a wall a kernel then reads the mirror
-// image.
+// The ghost samples outside the walls belong to such a field, so they must be filled. Near a wall,
+// interpolation then reads the mirror image of the flow.
 #pragma once
 #include <span>
 
@@ -11,8 +11,8 @@
 
 namespace thaum::fluid {
 
-/// A field of samples. `first` is the position of the sample of cell (0, 0, 0) (cells): the centre of
-/// the cell, or of its low face across an axis.
+/// A field of samples. `first` is the position of the sample of cell (0, 0, 0), in cells: the centre of the
+/// cell, or the centre of its low face across an axis.
 inline field::Grid grid_of(const Lattice& lattice, std::span<const float> samples, vec3 first,
                            field::Kernel kernel = field::Kernel::catmull_rom) {
     field::Grid grid{.first = samples.data() + lattice.at(-ghosts, -ghosts, -ghosts),

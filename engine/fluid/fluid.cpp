@@ -32,7 +32,7 @@ constexpr double lid_most = 1e3;      // m/s
 constexpr double gravity_most = 1e3;  // m/s^2
 constexpr double weight_most = 1e3;
 constexpr double diffusion_most = 1e3;  // m^2/s
-constexpr double density_most = 1e6;    // density in one cell
+constexpr double density_most = 1e6;    // largest density of one cell
 constexpr int sweeps_most = 1000;
 
 bool within(double value, double low, double high) { return value >= low && value <= high; }
@@ -71,7 +71,7 @@ std::optional<std::string> fault_of(const Settings& settings) {
     return {};
 }
 
-/// Whether a velocity sample can differ from 0. It cannot on a wall or on a closed face.
+/// Whether a velocity sample can differ from 0. On a wall or a closed face it is always 0.
 bool is_free(const Fluid& fluid, std::size_t axis, vec3 cell, std::size_t at) {
     if (fluid.settings.solver != Solver::thaum) return true;
     if (fluid.lattice.edges[axis] != Edge::periodic && cell[static_cast<int>(axis)] <= 0) return false;
@@ -84,7 +84,7 @@ bool holds_fluid(const Fluid& fluid, std::size_t at) {
     return solids == nullptr || solids->holds_fluid(at);
 }
 
-/// Kernel of pushes: smooth up to `radius`, 0 beyond.
+/// Weight of a cell in a push: a smooth function of the distance up to `radius`, 0 beyond.
 double kernel(const Fluid& fluid, vec3 place, vec3 at, double radius) {
     vec3 apart = at - place;
     for (int axis = 0; axis < 3; ++axis) {
@@ -96,7 +96,7 @@ double kernel(const Fluid& fluid, vec3 place, vec3 at, double radius) {
     return part > 0 ? part * part : 0;
 }
 
-/// Cells along one axis that a kernel may reach, [low, high). They wrap where the edge is periodic.
+/// Cells along one axis that a kernel may reach: [low, high). Indices wrap where the edge is periodic.
 std::array<int, 2> kernel_range(const Fluid& fluid, std::size_t axis, vec3 place, double radius) {
     const int n = fluid.lattice.cells[axis];
     const double wide = radius / fluid.lattice.h + 1;
@@ -114,8 +114,8 @@ std::array<int, 2> kernel_range(const Fluid& fluid, std::size_t axis, vec3 place
     return {inside(at - wide), inside(at + wide + 1)};
 }
 
-/// Distributes `total` over the samples within `radius` for which `counts` is true. `first` is the
-/// position of the sample of cell (0, 0, 0) (cells). False if there is no such sample.
+/// Distributes `total` over those samples within `radius` for which `counts` returns true. `first` is the
+/// position of the sample of cell (0, 0, 0) (cells). Returns false if there is no such sample.
 template <class Counts>
 bool distribute(const Fluid& fluid, vec3 place, double radius, double total, vec3 first, Samples& samples,
                 Counts&& counts) {

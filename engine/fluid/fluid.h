@@ -40,10 +40,11 @@ inline constexpr double speed_most = 1e6;
 /// remaining time.
 inline constexpr int substeps_most = 3;
 
-/// One substance carried by the fluid; its properties are in proportion to its density.
+/// One substance carried by the fluid. Its effects are proportional to its density.
 struct Substance {
-    double viscosity{};  ///< kinematic viscosity added where its density is 1 (m^2/s)
-    double weight{};     ///< weight added where its density is 1, relative to the weight of the base fluid
+    double viscosity{};  ///< kinematic viscosity that the substance adds where its density is 1 (m^2/s)
+    /// Weight that the substance adds where its density is 1, relative to the weight of the base fluid.
+    double weight{};
     double diffusion{};  ///< diffusion coefficient (m^2/s)
 };
 
@@ -58,10 +59,10 @@ struct Settings {
     int sweeps = 20;            ///< Gauss-Seidel sweeps in each solve of `classic`
     double viscosity{};         ///< kinematic viscosity of the base fluid (m^2/s)
     vec3 gravity{0, -9.81, 0};  ///< acts on substances heavier or lighter than the base fluid (m/s^2)
-    double lid{};               ///< speed along x of a no-slip wall at the top of y (m/s)
+    double lid{};               ///< speed along x of the no-slip wall at the top of y (m/s)
     std::vector<Substance> substances{};
-    /// Share of the place that is solid, 0 to 1, for a place (m). The wall is the surface where it is
-    /// 0.5. Null means no solids inside the box.
+    /// Solid share at a place (m), 0 to 1. The wall is the surface where it is 0.5. Null: no solids inside
+    /// the box.
     std::function<double(vec3)> solid{};
     bool no_slip_at_solids = true;  ///< true: no slip at solids; false: free slip
 };
@@ -71,10 +72,11 @@ struct State {
     /// Velocity (m/s). Ghosts follow the edges; Fluid::place has the positions of the samples.
     std::array<Samples, 3> velocity;
     std::array<Samples, 3> push;  ///< velocity that the next step adds (m/s)
-    Samples pressure;             ///< pressure of the last step, with solids; room of `classic` (m^2/s^2)
+    /// Pressure of the last step with solids; scratch memory of `classic` (m^2/s^2).
+    Samples pressure;
     /// Potential whose gradient the last projection subtracted; used only with solids (m^2/s).
     Samples projected;
-    std::vector<Samples> substances;  ///< densities, >= 0
+    std::vector<Samples> substances;  ///< densities of each substance, >= 0
     bool pushed = false;              ///< true: `push` is not all zero
     bool asleep = true;               ///< true: nothing moves and nothing can start to move
 };
@@ -84,9 +86,8 @@ struct DeleteWorkspace {
     void operator()(Workspace* workspace) const;
 };
 
-/// A fluid: settings, grid, state, and memory for computing steps.
-/// It moves, but cannot be copied: a copy would share the workspace. To repeat a step, keep `now` and put it
-/// back.
+/// A fluid: settings, grid, state, and memory for computing steps. It moves, but cannot be copied: a copy
+/// would share the workspace. To repeat a step, keep a copy of `now` and assign it back.
 struct Fluid {
     Settings settings;
     Lattice lattice;
@@ -123,18 +124,19 @@ struct Push {
 /// integral of the kernel (1 - r^2 / radius^2)^2.
 constexpr double pushed_volume(double radius) { return 32 * pi / 105 * radius * radius * radius; }
 
-/// Queues a push for the next step. False if it was refused: it is not finite, too strong, or reaches
-/// only solid cells. Momentum that walls absorb is removed later, in `advance`.
+/// Queues a push for the next step. Returns false if the push was refused: it is not finite, too strong, or
+/// reaches only solid cells. Momentum that walls absorb is removed later, in `advance`.
 bool push(Fluid& fluid, const Push& push);
 
-/// Adds `amount` (m^3) of a substance within `radius` (m) of a place (m). False if nothing was added.
+/// Adds `amount` (m^3) of a substance within `radius` (m) of a place (m). Returns false if nothing was added.
 bool pour(Fluid& fluid, std::size_t substance, vec3 place, double radius, double amount);
 
 /// Result of one step.
 struct StepReport {
-    int substeps{};    ///< number of Runge-Kutta sub-steps
-    bool fell_back{};  ///< true: `substeps_most` was not enough, so a semi-Lagrangian step covered the rest
-    int pressure_iterations{};  ///< over all sub-steps; a direct solve counts as one
+    int substeps{};  ///< number of Runge-Kutta sub-steps
+    /// true: `substeps_most` was not enough, so a semi-Lagrangian step covered the remaining time.
+    bool fell_back{};
+    int pressure_iterations{};  ///< number of iterations over all sub-steps; a direct solve counts as one
     double divergence{};        ///< largest divergence times h, divided by the largest speed
     double energy{};            ///< kinetic energy per unit of density (m^5/s^2)
     double rescaled{};          ///< kinetic energy removed because no force had done that work (m^5/s^2)
@@ -163,8 +165,7 @@ void set_substance(Fluid& fluid, std::size_t substance, const std::function<doub
 void refresh_after_edit(Fluid& fluid);
 
 /// Total momentum (m^4/s) and kinetic energy (m^5/s^2) per unit of density, summed in double in a fixed
-/// order. In the energy, a face at a solid along which the fluid slips counts by its
-/// open share.
+/// order. In the energy, a face at a solid along which the fluid slips is weighted by its open share.
 vec3 momentum(const Fluid& fluid);
 double energy(const Fluid& fluid);
 /// Total amount of a substance (m^3).
@@ -172,9 +173,9 @@ double amount(const Fluid& fluid, std::size_t substance);
 /// Evenness of a substance over the cells that hold fluid, 0 to 1: one minus the standard deviation of
 /// its density divided by the mean. 0 if there is none of it.
 double mixing(const Fluid& fluid, std::size_t substance);
-/// Share of the cells that hold fluid which a substance of these densities fills, 0 to 1: the square of the mean over the
-/// mean of the squares. Unlike `mixing` it tells a small blob from a larger one; where mixing is above 0, it is
-/// 1 / (1 + (1 - mixing)^2). 0 if there is none of the substance.
+/// Share of the cells that hold fluid which a substance of these densities fills, 0 to 1: the square of the
+/// mean over the mean of the squares. Unlike `mixing`, it distinguishes a small blob from a larger one. Where
+/// mixing is above 0, the share is 1 / (1 + (1 - mixing)^2). 0 if there is none of the substance.
 double filled_share(const Fluid& fluid, const Samples& density);
 
 }  // namespace thaum::fluid

@@ -41,7 +41,7 @@ Mirrors wall_mirrors(int n, float factor, int depth) {
     return result;
 }
 
-/// Layers 0 and n are the walls themselves.
+/// In these rules, layers 0 and n are the walls themselves.
 Mirrors face_mirrors(int n, int depth) {
     Mirrors result;
     result.add({0, 0, 0});
@@ -71,7 +71,7 @@ void copy_scaled(const float* from, float* to, std::ptrdiff_t count, float facto
 }
 
 void fill_row(const Lattice& lattice, const Mirrors& all, float* row) {
-    // Rows are written in multiples of eight, so the values after the last cell are arbitrary.
+    // Rows are written in multiples of eight, so the values beyond the last cell are still arbitrary here.
     for (const Mirror& m : all) row[m.to] = m.factor == 0 ? 0 : m.factor * row[m.from];
     for (std::ptrdiff_t i = lattice.cells[0] + ghosts; i < round_up_to_8(lattice.cells[0]); ++i) row[i] = 0;
 }
@@ -119,7 +119,8 @@ void fill_z(const Rows& rows, const Mirrors& all, float* cells) {
     for (const Mirror& m : all) {
         if (m.from >= nz) continue;
         const auto copy = [&](int j) { copy_row(rows.lattice, j, m.from, j, m.to, m.factor, cells); };
-        // The ghosts across y mirror the rows next to the sides, so they are copied with those rows.
+        // Rows next to the two sides across y are mirrored into the ghosts, so those ghosts are copied
+        // together with the rows.
         bool low = false, high = false;
         for (int j = 0; j < ny; ++j) {
             if (!holds_fluid(rows, j, m.from)) continue;

@@ -6,9 +6,11 @@ namespace thaum::fluid {
 
 /// Continuation of a quantity beyond a wall across one axis.
 enum class GhostRule : std::uint8_t {
-    even,          ///< cell-centred across this axis; mirrored
-    odd,           ///< cell-centred across this axis; mirrored with the opposite sign, so zero on the wall
-    through_wall,  ///< sampled on the faces across this axis; set to zero on both walls, odd beyond them
+    even,  ///< the quantity is cell-centred across this axis and mirrored
+    /// The quantity is cell-centred across this axis and mirrored with the opposite sign: zero on the wall.
+    odd,
+    /// The quantity is sampled on the faces across this axis: zero on both walls, and odd beyond them.
+    through_wall,
 };
 
 inline constexpr std::array all_even{GhostRule::even, GhostRule::even, GhostRule::even};
@@ -17,8 +19,8 @@ inline constexpr std::array all_even{GhostRule::even, GhostRule::even, GhostRule
 /// the two sides across one axis, without the corners.
 void fill_ghosts_across(const Lattice& lattice, std::size_t axis, GhostRule rule, Samples& samples);
 void fill_ghosts(const Lattice& lattice, const std::array<GhostRule, 3>& rule, Samples& samples);
-/// The same, `depth` layers deep, for samples that exist only in `rows`. Outside the rows they must
-/// always have been 0, or are never read.
+/// Like the functions above, for samples that exist only in `rows`, `depth` layers deep. Outside the rows the
+/// samples must always have been 0, or are never read.
 void fill_ghosts_across(const Rows& rows, std::size_t axis, GhostRule rule, Samples& samples,
                         int depth = ghosts);
 void fill_ghosts(const Rows& rows, const std::array<GhostRule, 3>& rule, Samples& samples,

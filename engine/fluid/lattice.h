@@ -35,7 +35,7 @@ struct Lattice {
     Cells cells{};  ///< number of cells along x, y, z
     Edges edges{};  ///< kind of the two sides across x, y, z
     double h{};     ///< edge length of a cell (m)
-    /// index distance from a cell to the next along x (always 1), y, z
+    /// index distance from a cell to the next along x (always 1), y and z
     std::array<std::ptrdiff_t, 3> stride{};
     std::ptrdiff_t first{};  ///< index of cell (0, 0, 0)
     std::size_t size{};      ///< length of an array, including ghosts

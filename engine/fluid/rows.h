@@ -7,17 +7,18 @@ namespace thaum::fluid {
 
 /// Part of a lattice row between its first and its last group of eight cells with fluid.
 struct Row {
-    /// Index of its first cell, a multiple of eight cells after the start of the lattice row.
+    /// Index of the row's first cell, a multiple of eight cells after the start of the lattice row.
     std::ptrdiff_t at{};
-    /// number of cells: a multiple of eight, or up to the end of the lattice; 0 if all cells are solid.
+    /// Number of cells: a multiple of eight, or as many as reach the end of the lattice row; 0 if all cells
+    /// are solid.
     std::ptrdiff_t count{};
 };
 
 /// The rows of a lattice that hold fluid.
 struct Rows {
     Lattice lattice{};
-    std::vector<Row> rows{};  ///< row j of layer k at k * lattice.cells[1] + j
-    /// Starts of the lattice rows whose fluid is so close to an end that ghosts mirror it.
+    std::vector<Row> rows{};  ///< row j of layer k has the index k * lattice.cells[1] + j
+    /// Starts of the lattice rows that have fluid close enough to an end for ghosts to mirror it.
     std::vector<std::ptrdiff_t> rows_near_sides{};
     bool complete{};  ///< true: every row is complete
 

@@ -7,7 +7,7 @@ namespace thaum::fluid {
 
 namespace {
 
-/// The same along one axis.
+/// Wraps or clamps one coordinate in the same way as into_box.
 template <class T>
 T into_box(const Lattice& lattice, std::size_t axis, T place) {
     const auto n = static_cast<T>(lattice.cells[axis]);
@@ -36,7 +36,8 @@ inline float between(const float* first, const std::array<std::ptrdiff_t, 3>& st
     return low + part[2] * (along_y(p + stride[2]) - low);
 }
 
-/// Another component at the position of this one: the mean of the four nearest samples.
+/// One component of the velocity at the position of another component's sample: the mean of the four nearest
+/// samples.
 inline float mean_of_four(const float* u, std::ptrdiff_t own, std::ptrdiff_t other) {
     return 0.25F * ((u[0] + u[other]) + (u[-own] + u[other - own]));
 }

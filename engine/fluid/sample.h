@@ -1,5 +1,5 @@
-// fluid/sample.h: semi-Lagrangian advection: each sample takes the value from the place its fluid came
-// from (Stam 1999).
+// fluid/sample.h: semi-Lagrangian advection: each sample takes the value from the place where its fluid was
+// before (Stam 1999).
 #pragma once
 #include "core/maths.h"
 #include "fluid/lattice.h"

@@ -1,9 +1,9 @@
 // fluid/samples.h: memory for the samples of one quantity on a lattice.
 //
-// The first cell of each row is aligned to a vector and to a cache line, so no vector of the row's
-// cells crosses a line. The heap returns large arrays at the start of a page. If all arrays had the
-// same offset in their pages, those of one step could evict each other from the first-level cache. Each
-// array therefore starts at another offset, computed from its page number.
+// The first cell of each row is aligned to a vector and to a cache line, so no vector of the row's cells
+// crosses a line. The heap returns large arrays at the start of a page. If all arrays had the same offset in
+// their pages, the arrays of one step could evict each other from the first-level cache. Each array therefore
+// starts at another offset, computed from its page number.
 #pragma once
 #include <bit>
 #include <cstddef>
@@ -51,5 +51,5 @@ using Samples = std::vector<float, SamplesAllocator<float>>;
 
 }  // namespace thaum::fluid
 
-// Compiled once, in samples.cpp.
+// Instantiated once, in samples.cpp.
 extern template class std::vector<float, thaum::fluid::SamplesAllocator<float>>;

@@ -10,7 +10,7 @@ namespace thaum::fluid {
 namespace {
 
 constexpr std::uint64_t magic = 0x756c666d75616874;  // the bytes "thaumflu" in the file
-constexpr std::size_t head_size = 20;                // magic, version, length
+constexpr std::size_t head_size = 20;                // bytes of magic, version and length
 constexpr std::size_t hash_size = 8;
 constexpr std::size_t shape_numbers_most = 16;
 constexpr std::size_t shape_name_most = 32;
@@ -43,7 +43,7 @@ void each_surface_setting(S& s, F&& f) {
     f(s.contact), f(s.pop_through), f(s.cling), f(s.reach), f(s.still), f(s.most_steps);
 }
 
-/// Calls `f` with each array of samples of a state and its name.
+/// Calls `f` with each array of samples in a state, and with its name.
 template <class S, class F>
 void each_samples(S& now, F&& f) {
     constexpr std::array along{"x", "y", "z"};
@@ -99,7 +99,7 @@ void put_surface(const SpringSurface& surface, ByteWriter& out) {
 Error wrong(std::string_view what) { return fail(text("saved fluid: ", what)); }
 Error ends_within(std::string_view what) { return wrong(text("it ends in the middle of ", what)); }
 
-/// Checks everything around the body and returns the body.
+/// Checks everything around the body of the file (magic, version, length, hash) and returns the body.
 Expected<std::span<const std::byte>> opened(std::span<const std::byte> bytes) {
     ByteReader in(bytes);
     const auto begins = in.get<std::uint64_t>();
@@ -151,12 +151,13 @@ Expected<Settings> get_settings(ByteReader& in) {
     return settings;
 }
 
-/// Whether enough bytes are left for the samples that the settings ask for. Checked before memory is
+/// Whether enough bytes are left for the samples that the settings require. Checked before memory is
 /// allocated.
 bool fits(const Settings& settings, std::size_t left) {
     std::size_t values = 7 + settings.substances.size();
     for (const int cells : settings.cells) {
-        if (cells < 1 || cells > cells_most) return true;  // make_fluid reports the error
+        // An invalid number of cells is reported later, by make_fluid.
+        if (cells < 1 || cells > cells_most) return true;
         values *= static_cast<std::size_t>(cells);
     }
     return values * sizeof(float) <= left;

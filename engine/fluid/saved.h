@@ -5,8 +5,8 @@
 //     body: shape of the solids, data of the caller, fluid (settings, flags, samples),
 //           spring surface (settings, flags, nodes)
 //
-// All numbers are little-endian. Only samples in the box and nodes of the surface are saved; the others
-// follow from them.
+// All numbers are little-endian. Only samples in the box and nodes of the surface are saved; ghosts and
+// mirror images are computed from them.
 #pragma once
 #include <functional>
 #include <span>
@@ -23,8 +23,8 @@ namespace thaum::fluid {
 /// Description of the solids by name, because bytes cannot hold a function. The name has up to 32
 /// characters from a to z and _. There are up to 16 numbers.
 struct NamedShape {
-    std::string name{};             ///< empty: no solids inside the box
-    std::vector<double> numbers{};  ///< parameters; the caller defines their meaning and units
+    std::string name{};             ///< name of the shape; empty: no solids inside the box
+    std::vector<double> numbers{};  ///< parameters of the shape; the caller defines their meaning and units
     bool operator==(const NamedShape&) const = default;
 };
 

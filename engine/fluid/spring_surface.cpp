@@ -16,9 +16,9 @@
 namespace thaum::fluid {
 namespace {
 
-/// Largest phase of the stiffest mode in a sub-step (rad). Up to 2, for frequency and for damping, no
-/// step can add energy. At 1 the stiffest mode loses less than 1.4 % of its energy, and all modes five
-/// times slower less than 1e-6.
+/// Largest phase of the stiffest mode in a sub-step (rad). As long as the phase is at most 2, for frequency
+/// and for damping, no step can add energy. At 1 the stiffest mode loses less than 1.4 % of its energy, and
+/// all modes that are five times slower lose less than 1e-6.
 constexpr double max_phase = 1;
 
 /// The springs, divided by the mass of a node.
@@ -59,7 +59,7 @@ Span row(const SpringNetwork& net, std::size_t z) {
     return {at + net.first, at + net.end};
 }
 
-/// The same range, extended to whole vectors. close_rows resets the up to three extra values to zero.
+/// The indices of row(), extended to whole vectors. close_rows resets the extra values, up to three, to zero.
 Span vectors(const SpringNetwork& net, std::size_t z) {
     const auto [begin, end] = row(net, z);
     return {begin, begin + (end - begin + 3) / 4 * 4};
@@ -100,8 +100,8 @@ void mirror(const SpringNetwork& net, double* h) {
 
 /// Rectangle of nodes under a probe and the weight of each; the weights add up to 1.
 struct Footprint {
-    std::size_t x0{}, x1{}, z0{}, z1{};  ///< empty if x0 == x1
-    const double* weights{};             ///< row by row
+    std::size_t x0{}, x1{}, z0{}, z1{};  ///< nodes from (x0, z0) to before (x1, z1); empty if x0 == x1
+    const double* weights{};             ///< weights, row by row
     double squares{};                    ///< sum of the squared weights
     double height{};                     ///< height of the probe (m)
 };
@@ -161,20 +161,20 @@ double height_under(const SpringNetwork& net, const Footprint& print, const doub
     return sum;
 }
 
-/// Force up on the probe (N): from outside the surface only pushes, from inside it only pulls.
+/// Upward force on the probe (N): from outside the surface only pushes, from inside it only pulls.
 double contact_force(const SpringSurfaceSettings& s, const Footprint& print, bool inside, double height) {
     const double gap = s.contact * (height - print.height);
     return inside ? std::clamp(gap, -s.cling, 0.0) : std::clamp(gap, 0.0, s.pop_through);
 }
 
-/// Lets the probe break through or tear off when its force reaches the limit.
+/// Lets the probe break through the surface or tear off it when its force reaches the limit.
 void update_inside(const SpringSurfaceSettings& s, const Footprint& print, std::uint32_t& inside,
                    double height) {
     const double gap = s.contact * (height - print.height);
     if (inside != 0 ? gap <= -s.cling && gap < 0 : gap >= s.pop_through && gap > 0) inside = 1 - inside;
 }
 
-// ---- a step -----------------------------------------------------------------------------------------------------
+// ---- one step ---------------------------------------------------------------------------------------------------
 
 /// Arrays, constants and probes of one call.
 struct SurfaceStepContext {
@@ -184,12 +184,12 @@ struct SurfaceStepContext {
     std::array<std::uint32_t, surface_probe_capacity>& inside;
     double* h;
     double* v;
-    double* stage;  ///< heights of a stage
+    double* stage;  ///< heights of one Runge-Kutta stage
     std::array<double*, 4> a;
-    std::array<double, surface_probe_capacity> impulse{};  ///< impulse up on each probe (N s)
+    std::array<double, surface_probe_capacity> impulse{};  ///< upward impulse on each probe (N s)
 };
 
-/// Adds the probes' forces to the accelerations of a stage, and force times `share` (s) to the
+/// Adds the probes' forces to the accelerations of a stage, and force times `share` (s) to the probes'
 /// impulses.
 void add_probes(SurfaceStepContext& m, const double* h, double* a, double share) {
     for (std::size_t p = 0; p < m.footprints.count; ++p) {
@@ -207,7 +207,7 @@ void add_probes(SurfaceStepContext& m, const double* h, double* a, double share)
 
 using Values = const double* __restrict;
 
-/// a = springs of h - drag v
+/// Accelerations `a` of the nodes: those by the springs at the heights h, minus drag v.
 void accelerate(const SpringNetwork& net, Values h, Values v, double* __restrict a) {
     for (std::size_t z = net.first; z < net.end; ++z) {
         const auto [begin, end] = vectors(net, z);
@@ -215,7 +215,7 @@ void accelerate(const SpringNetwork& net, Values h, Values v, double* __restrict
     }
 }
 
-/// a = springs of h - drag (v + t before)
+/// As above, but with the drag of a later velocity: drag (v + t before).
 void accelerate(const SpringNetwork& net, Values h, Values v, Values before, double t, double* __restrict a) {
     for (std::size_t z = net.first; z < net.end; ++z) {
         const auto [begin, end] = vectors(net, z);
@@ -229,7 +229,7 @@ void close_array(const SpringNetwork& net, double* values) {
     mirror(net, values);
 }
 
-/// stage = h + t v
+/// Heights of a stage: h + t v.
 void place_stage(const SpringNetwork& net, Values h, Values v, double t, double* __restrict stage) {
     for (std::size_t z = net.first; z < net.end; ++z) {
         const auto [begin, end] = vectors(net, z);
@@ -238,7 +238,7 @@ void place_stage(const SpringNetwork& net, Values h, Values v, double t, double*
     close_array(net, stage);
 }
 
-/// stage = h + t v + t2 a
+/// Heights of a stage: h + t v + t2 a.
 void place_stage(const SpringNetwork& net, Values h, Values v, double t, Values a, double t2,
                  double* __restrict stage) {
     for (std::size_t z = net.first; z < net.end; ++z) {
@@ -331,8 +331,8 @@ bool touches_level(const SpringSurface& surface, const ProbeFootprints& footprin
     return false;
 }
 
-/// Footprints of the probes on the surface; their weights are written from `weights` on. An absent
-/// probe is marked as outside.
+/// Footprints of the probes that are not absent (see `advance`); their weights are written from `weights` on.
+/// An absent probe is marked as outside.
 ProbeFootprints probe_footprints(SpringSurface& surface, std::span<const SurfaceProbe> probes,
                                  double* weights) {
     ProbeFootprints footprints{.count = std::min(probes.size(), surface_probe_capacity)};
@@ -447,7 +447,7 @@ double mode_frequency(const SpringSurfaceSettings& settings, std::uint32_t p, st
     const double parts = net.mirrored ? settings.nodes : settings.nodes - 1;
     const double x = pi * p / parts, z = pi * q / parts;
     const double sx = det::sin(x / 2), sz = det::sin(z / 2);
-    // 1 - cos x cos z, in a form that keeps its digits for slow modes.
+    // 1 - cos x cos z, in a form that loses no digits for slow modes.
     const double corners = 2 * (sx * sx + sz * sz) - 4 * sx * sx * sz * sz;
     return std::sqrt(4 * net.structural * (sx * sx + sz * sz) + 4 * net.shear * corners + net.level);
 }

@@ -12,15 +12,15 @@
 // equally fast up to fourth order in their wave number. The stiffest mode is also softer than with
 // structural springs alone.
 //
-// A spring connects the probe to the surface. Its end at the surface is the mean height under the
-// probe, weighted by its footprint. If the force reaches `pop_through`, the probe breaks through and
-// feels the surface no more. When the probe rises through it again, the surface clings to it and is
-// pulled up. A smaller force, `cling`, tears it off: the last ripple.
+// A spring connects the probe to the surface. Its end at the surface is the mean height under the probe,
+// weighted by its footprint. If the force reaches `pop_through`, the probe breaks through and feels the
+// surface no more. When the probe rises through it again, the surface clings to it and is pulled up. A
+// smaller force, `cling`, tears the surface off the probe.
 //
-// Time stepping is classical Runge-Kutta of fourth order, in equal sub-steps of at most `max_phase`
-// rad of the stiffest mode. The energy then never grows. The number of sub-steps of a call is bounded.
-// If more are needed, the surface advances by less than the given time and reports it. This slow motion
-// keeps forces and energy right, where longer steps would be unstable.
+// Time stepping is classical Runge-Kutta of fourth order, in equal sub-steps of at most `max_phase` rad of
+// the stiffest mode. The energy then never grows. The number of sub-steps of a call is bounded. If more are
+// needed, the surface advances by less than the given time and reports that time. The surface is then in slow
+// motion, but forces and energy stay right, whereas longer steps would be unstable.
 //
 // Frame: x and z from the centre of the square, y up from the level surface. All is plain data, without
 // clocks, and without allocation after the first call. A surface with eightfold mirror symmetry keeps
@@ -40,30 +40,34 @@ namespace thaum::fluid {
 /// Behaviour of the outermost nodes.
 enum class Rim : std::uint32_t {
     pinned,  ///< the outermost nodes stay level
-    free,    ///< waves are reflected without inversion; only the setting `level` brings the surface back
+    /// Waves are reflected without inversion; only gravity (`level`) brings the surface back to level.
+    free,
 };
 
 /// Settings of a spring surface; the defaults are valid.
 struct SpringSurfaceSettings {
-    std::uint32_t nodes{33};       ///< number of nodes on a side, 3 to 129; the paper has `classic_nodes`
-    Rim rim{};                     // rule for the outermost nodes
-    double side{2};                ///< side length of the square, > 0 (m)
-    double tension{600};           ///< total tension of the springs, >= 0 (N/m)
-    double shear{1.0 / 3};         ///< share of the tension in the shear springs, 0 to 1
-    double areal_mass{250};        ///< mass per area, > 0 (kg/m^2)
-    double level{};                ///< stiffness of gravity per area, density times g, >= 0 (N/m^3)
-    double damping{1};             ///< decay rate: velocity falls by e^-1 in 1 / damping, >= 0 (1/s)
-    double contact{5000};          ///< stiffness of the spring to the probe, >= 0 (N/m)
-    double pop_through{200};       ///< force at which a probe breaks through, >= 0 (N)
-    double cling{40};              ///< pull that tears the surface off a leaving probe, >= 0 (N)
-    double reach{0.3};             ///< depth scale at which a push is still felt, see transmitted(), > 0 (m)
-    double still{1e-5};            ///< falls asleep below an energy of tension times this squared, >= 0 (m)
+    std::uint32_t nodes{33};  ///< number of nodes on a side, 3 to 129; the paper has `classic_nodes`
+    Rim rim{};                // rule for the outermost nodes
+    double side{2};           ///< side length of the square, > 0 (m)
+    double tension{600};      ///< total tension of the springs, >= 0 (N/m)
+    double shear{1.0 / 3};    ///< share of the tension in the shear springs, 0 to 1
+    double areal_mass{250};   ///< mass per area, > 0 (kg/m^2)
+    /// Stiffness by gravity for each unit of area: density times g, >= 0 (N/m^3).
+    double level{};
+    double damping{1};        ///< decay rate: velocity falls to 1/e in 1 / damping, >= 0 (1/s)
+    double contact{5000};     ///< stiffness of the spring to the probe, >= 0 (N/m)
+    double pop_through{200};  ///< force at which a probe breaks through, >= 0 (N)
+    double cling{40};         ///< pull that tears the surface off a leaving probe, >= 0 (N)
+    /// Depth over which a push decays by a factor of e, see transmitted(), > 0 (m).
+    double reach{0.3};
+    /// The surface falls asleep below an energy of tension times the square of this, >= 0 (m).
+    double still{1e-5};
     std::uint32_t most_steps{32};  ///< largest number of sub-steps of a call, 1 to 1000
 };
 
 inline constexpr std::uint32_t classic_nodes = 15;        ///< number of nodes on a side in the paper
 inline constexpr std::size_t surface_probe_capacity = 4;  ///< largest number of probes
-/// Largest time of one call; longer times are cut to this (s).
+/// Longest time by which one call advances; longer times are cut to this (s).
 inline constexpr double longest_surface_call = 0.1;
 
 /// Checks settings. The error names the setting that is out of range or not finite.
@@ -72,7 +76,7 @@ Expected<SpringSurfaceSettings> checked(const SpringSurfaceSettings& settings);
 /// A probe that touches the surface.
 struct SurfaceProbe {
     vec2 place{};     ///< position, x and z (m)
-    double height{};  ///< height of its lowest point above the level surface (m)
+    double height{};  ///< height of the probe's lowest point above the level surface (m)
     double radius{};  ///< radius, raised to at least 1.5 node spacings (m)
 };
 
@@ -82,8 +86,9 @@ struct SpringSurface {
     /// Heights (m) and velocities (m/s): nodes + 2 rows of surface_row_stride values. Node (x, z) is at
     /// surface_node_index. The values around the nodes are mirror images at the rim.
     std::vector<double> height{}, velocity{};
-    std::array<std::uint32_t, surface_probe_capacity> inside{};  ///< 1: this probe has broken through
-    std::uint32_t asleep{1};  ///< 1: every height and velocity is exactly 0
+    /// 1: the probe of this index has broken through.
+    std::array<std::uint32_t, surface_probe_capacity> inside{};
+    std::uint32_t asleep{1};  ///< 1: the surface sleeps, since every height and velocity is exactly 0
 };
 
 /// Length of a row: the nodes, one value on each side, and padding so that rows divide into whole
@@ -104,15 +109,15 @@ SpringSurface make_spring_surface(const SpringSurfaceSettings& settings);
 /// again, renews the mirror images and wakes the surface.
 void refresh_after_edit(SpringSurface& surface);
 
-/// Memory to be kept from call to call; its contents have no meaning.
+/// Memory to be kept from call to call. Its contents have no meaning between calls.
 struct SpringSurfaceScratch {
     std::vector<double> values{};
 };
 
 /// Effect of the surface on one probe during a call.
 struct ProbeReaction {
-    /// Force up on the probe, at least -cling and at most pop_through (N). It is the mean over the
-    /// call, so force times seconds is the impulse on the surface.
+    /// Upward force on the probe, at least -cling and at most pop_through (N). It is the mean over the call,
+    /// so force times seconds is the impulse on the surface.
     double force{};
     double height{};  ///< height of the surface under the probe at the end (m)
     bool inside{};    ///< true: the probe has broken through the surface
@@ -136,7 +141,7 @@ SpringSurfaceStep advance(SpringSurface& surface, SpringSurfaceScratch& scratch,
 /// Energy of motion, springs and level (J).
 double energy(const SpringSurface& surface);
 
-/// Upper bound of all frequencies of the free surface (rad/s).
+/// Upper bound for all frequencies of the surface without probes (rad/s).
 double stiffest_frequency(const SpringSurfaceSettings& settings);
 
 /// Frequency of the lattice's undamped mode (p, q), in closed form (rad/s). Shapes at node (x, z):
@@ -148,8 +153,8 @@ double mode_frequency(const SpringSurfaceSettings& settings, std::uint32_t p, st
 /// Height above level (m), linear between nodes; 0 beside the surface.
 double height_at(const SpringSurface& surface, vec2 place);
 
-/// Share of the surface's displacement that reaches a layer at `depth` (m), with `density` relative to
-/// the base fluid: e^(-depth density / reach). 1 above the surface, 0 if an argument is not finite.
+/// Share of the surface's displacement that reaches `depth` (m) in a fluid with `density` relative to the
+/// base fluid: e^(-depth density / reach). 1 above the surface, 0 if an argument is not finite.
 double transmitted(const SpringSurfaceSettings& settings, double depth, double density);
 
 }  // namespace thaum::fluid

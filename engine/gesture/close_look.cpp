@@ -5,17 +5,18 @@
 namespace thaum::gesture {
 namespace {
 
-/// How far start and end are moved in each round, as shares of the length of the window.
+/// Distances by which start and end are moved in each round, as shares of the window's length.
 constexpr std::array look_steps{0.08F, 0.04F, 0.02F};
 constexpr std::size_t shapes_per_step = 4;
-constexpr std::size_t fewest_points = 4;  // fewest points of a window that is looked at
+constexpr std::size_t fewest_points = 4;  // fewest points that a window must have
 constexpr float not_compared = 1e9F;
 
-/// Directions of the eight neighbours: of the start and of the end.
+/// Moves to the eight neighbours of a window: the direction of the start and of the end.
 constexpr std::array<std::pair<int, int>, lanes> neighbours{
     {{-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 1}, {1, -1}, {1, 0}, {1, 1}}};
 
-/// The first point at least `by` farther along than `from`, or before it if `by` is negative.
+/// The first point at least `by` farther along than `from`; if `by` is negative, the first such point before
+/// it.
 std::size_t point_at(const ShapeSpace& points, std::size_t from, float by) {
     const auto begin = points.length.begin(), end = begin + static_cast<std::ptrdiff_t>(points.count);
     const auto found = std::lower_bound(begin, end, points.length[from] + by);
@@ -53,7 +54,7 @@ void CloseLook::make_neighbour(ShapeSpace& points) {
     ++made_;
 }
 
-/// Moves to the nearest of the eight neighbours if it is nearer.
+/// Moves the window to the best of its eight neighbours if that one is nearer to the template.
 void CloseLook::compare() {
     const std::size_t channels = kind_.channels.depth ? solid_channels : planar_channels;
     std::array<const float*, lanes> values;

@@ -1,4 +1,5 @@
-// gesture/close_look.h: where exactly a stroke within continuous motion starts and ends, and how near it then is.
+// gesture/close_look.h: finds exactly where a stroke within continuous motion starts and ends, and its
+// distance to a template there.
 //
 // The windows of the spotter are coarse: their starts are a ninth of their length apart. A close look moves start and
 // end of a window by 8, 4 and at last 2 % of its length, each time to the best of the eight neighbours, by the elastic
@@ -10,7 +11,7 @@ namespace thaum::gesture {
 
 class CloseLook {
 public:
-    /// The recogniser must live as long as the look.
+    /// The recogniser must outlive this object.
     explicit CloseLook(const Recogniser& recogniser) : recogniser_(recogniser) {}
 
     /// Begins with the points from `first` to `last` and the template that the windows chose.
@@ -36,8 +37,8 @@ private:
     const Recogniser& recogniser_;
     FineKind kind_{};
     bool active_ = false;
-    std::size_t round_ = 0,
-                made_ = 0;  ///< made_: places of the round that have a shape; round_ 0: the window itself
+    /// made_: neighbours of the current round that have a shape. round_ is 0 while the window itself is compared.
+    std::size_t round_ = 0, made_ = 0;
     std::size_t first_{}, last_{};
     float distance_{};
     FineShape template_{};

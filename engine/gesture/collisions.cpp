@@ -13,7 +13,8 @@ constexpr std::size_t variations = 400;  // number of variations of each gesture
 
 using Shares = std::vector<std::vector<Mistaken>>;
 
-/// Scatter of a gesture's variations. Who draws one shape with two forces means their difference, and keeps to it.
+/// Scatter of a gesture's variations. Users who draw one shape with two different forces keep the forces
+/// apart on purpose, so their force scatters less.
 VariationSettings scatter_of(const Recogniser& recogniser, std::uint32_t gesture) {
     constexpr double force_of_twins = 0.15;
     VariationSettings scatter;
@@ -23,7 +24,7 @@ VariationSettings scatter_of(const Recogniser& recogniser, std::uint32_t gesture
     return scatter;
 }
 
-/// How the variations of each gesture are read: [drawn][read].
+/// How the variations of each gesture are recognised: [drawn gesture][recognised gesture].
 Shares read_variations(const Recogniser& recogniser, std::span<const Gesture> gestures,
                        const ReadStroke& read, RecogniserSpace& space) {
     Shares shares(gestures.size(), std::vector<Mistaken>(gestures.size()));
@@ -43,7 +44,7 @@ Shares read_variations(const Recogniser& recogniser, std::span<const Gesture> ge
     return shares;
 }
 
-/// Distance of the nearest template of `from` to the gesture `to` alone.
+/// Distance from the nearest template of `from` to `to`, where `to` is the only gesture of the recogniser.
 Expected<double> distance_between(const Gesture& from, const Gesture& to, const RecogniserSettings& settings,
                                   RecogniserSpace& space) {
     auto alone = settings;

@@ -1,9 +1,11 @@
-// gesture/collisions.h: which gestures would be taken for one another, known at recording time.
+// gesture/collisions.h: finds gestures that would be mistaken for one another, already when they are
+// recorded.
 //
-// Variations of each gesture (variations.h) are read among all. Two gestures collide if strokes of one would be
-// mistaken: more than one in fifty is accepted as the other, or more than one in twenty is nearer to the other than to
-// its own. The second case is of copies: a recogniser is sure of neither then, so it accepts few strokes of both. It is
-// also the steadier measure, since it does not depend on the strokes that set the thresholds.
+// Variations of each gesture (variations.h) are recognised among all gestures. Two gestures collide if too
+// many strokes of one would be mistaken for the other: more than one in fifty is accepted as the other, or
+// more than one in twenty is nearer to the other than to its own. The second case covers gestures that are
+// copies of each other: a recogniser is then sure of neither and accepts few strokes of both. The second
+// measure also varies less, since it does not depend on the strokes that set the thresholds.
 #pragma once
 #include <algorithm>
 #include <functional>
@@ -15,32 +17,36 @@
 
 namespace thaum::gesture {
 
-inline constexpr double most_taken = 0.02;   ///< largest share of variations that are accepted as the other
-inline constexpr double most_nearer = 0.05;  ///< largest share of variations that are nearer to the other
+/// Largest share of variations that may be accepted as the other gesture.
+inline constexpr double most_taken = 0.02;
+/// Largest share of variations that may be nearer to the other gesture.
+inline constexpr double most_nearer = 0.05;
 
-/// How variations of one gesture are read beside another one, as shares of all.
+/// How variations of one gesture are recognised beside another one, as shares of all variations.
 struct Mistaken {
-    double taken{};   ///< accepted as the other
-    double nearer{};  ///< nearer to the other than to any other gesture, accepted or not
+    double taken{};  ///< share of the variations that are accepted as the other gesture
+    /// Share of the variations that are nearer to the other gesture than to any third one, accepted or not.
+    double nearer{};
 
     bool often() const { return taken > most_taken || nearer > most_nearer; }
 };
 
 struct Pair {
     std::uint32_t a{}, b{};   ///< a < b
-    Mistaken a_as_b, b_as_a;  ///< strokes of one that are read as the other
-    /// Least distance of a template of one to the other gesture, in usual distances of the wider gesture. It orders
-    /// pairs that are never mistaken, and is no reason to collide.
+    Mistaken a_as_b, b_as_a;  ///< strokes of a that are recognised as b, and of b as a
+    /// Least distance of a template of one to the other gesture, in usual distances of the wider gesture. It
+    /// sorts pairs that are never mistaken, and does not make them collide.
     double separation{};
 
     bool collides() const { return a_as_b.often() || b_as_a.often(); }
     double nearer() const { return std::max(a_as_b.nearer, b_as_a.nearer); }
 };
 
-/// How a stroke is read in play. Empty: by Recogniser::recognise.
+/// A function that recognises a stroke as the game does. Empty: Recogniser::recognise.
 using ReadStroke = std::function<Recognition(const Recogniser&, Points, RecogniserSpace&)>;
 
-/// All pairs, those first whose strokes are mistaken the most often, then the closest.
+/// All pairs of gestures. Pairs whose strokes are mistaken most often come first, then the pairs with the
+/// smallest separation.
 Expected<std::vector<Pair>> compare_gestures(std::span<const Gesture> gestures,
                                              const RecogniserSettings& settings = {},
                                              const ReadStroke& read = {});

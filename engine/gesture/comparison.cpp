@@ -10,16 +10,22 @@ namespace thaum::gesture {
 namespace {
 
 constexpr std::size_t compared_points = 48;
-constexpr double least_size = 0.03;                      // size below which an unread stroke is too small (m)
-constexpr double same_shape = 0.08;                      // deviation below which a shape is the gesture's
-constexpr double widest_gap = 0.25;                      // share of the size
-constexpr double told_tilt = 12 * pi / 180;              // tilt from which on it is told (rad)
-constexpr double told_deviation = 0.16, central = 0.12;  // share of the size
+// Size below which an unrecognised stroke counts as too small (m).
+constexpr double least_size = 0.03;
+// Deviation up to which a stroke has the shape of the gesture.
+constexpr double same_shape = 0.08;
+// Largest gap between start and end of a closed gesture (share of the size).
+constexpr double widest_gap = 0.25;
+// Tilt from which on the player is told about it (rad).
+constexpr double told_tilt = 12 * pi / 180;
+// Deviation from which on the player is told about it, and distance from the middle that still counts as the
+// middle (shares of the size).
+constexpr double told_deviation = 0.16, central = 0.12;
 constexpr std::size_t most_lines_of_advice = 3;
 
 using Outline = std::array<vec3, compared_points>;
 
-/// Points at equal distances along the way; false without two places.
+/// Points at equal distances along the stroke; false if the stroke has no two different places.
 bool resample(Points stroke, Outline& out) {
     std::vector<double> length(stroke.size());
     for (std::size_t i = 1; i < stroke.size(); ++i) {
@@ -60,16 +66,16 @@ void normalise(Outline& outline) {
     for (vec3& p : outline) p /= std::sqrt(std::max(sum, 1e-30));
 }
 
-/// The best turn of an outline against another, and the remaining distances.
+/// The best rotation of one outline against another, and the squared distances that remain.
 struct Fit {
     double sum = 1e300;  ///< sum of the squared distances
-    double angle{};      ///< turn of the drawn outline against the other (rad)
+    double angle{};      ///< angle by which the drawn outline is turned against the other (rad)
     std::size_t shift{};
     bool reversed{};
 };
 
 const vec3& point(const Outline& outline, std::size_t i, const Fit& fit) {
-    // A closed outline has its first point twice.
+    // In a closed outline the last point equals the first.
     const std::size_t at = fit.shift == 0 ? i : (i + fit.shift) % (compared_points - 1);
     return outline[fit.reversed ? compared_points - 1 - at : at];
 }
@@ -86,8 +92,8 @@ void try_fit(const Outline& drawn, const Outline& wanted, Fit fit, Fit& best) {
     if (fit.sum < best.sum) best = fit;
 }
 
-/// The best fit over starts and directions. Turns beyond a right angle count as another figure unless the gesture may be
-/// turned by any angle.
+/// The best fit over all starts and directions. Turns beyond a right angle count as another figure, unless
+/// the gesture may be turned by any angle.
 Fit fit_outlines(const Outline& drawn, const Outline& wanted, const GestureOptions& options) {
     Fit best, turned;
     const std::size_t shifts = options.closed ? compared_points - 1 : 1;

@@ -7,10 +7,10 @@
 namespace thaum::gesture {
 namespace {
 
-constexpr float far = 1e30F;  // more than any sum of costs
+constexpr float far = 1e30F;  // a value larger than any sum of costs
 
-/// Lanes that are computed together: as many as fit a register. Lanes do not affect one another, so their number
-/// changes no bit.
+/// Lanes that are computed together: as many as fit in a register. Lanes do not affect one another, so their
+/// number does not change the results.
 #ifdef __AVX__
 using Wide = Floats8;
 using WideBits = Ints8;
@@ -20,15 +20,15 @@ using WideBits = Ints4;
 #endif
 constexpr std::size_t width = sizeof(Wide) / sizeof(float);
 
-/// The smaller of two numbers that are not negative. The order of their bits is that of the numbers, and the processor
-/// compares bits beside its additions.
+/// The smaller of two numbers that are not negative. Their bits compare in the same order as the numbers, and
+/// the processor can compare integers while it adds floats.
 inline Wide smaller(Wide a, Wide b) {
     const auto x = reinterpret_cast<WideBits>(a), y = reinterpret_cast<WideBits>(b);
     return reinterpret_cast<Wide>(x < y ? x : y);
 }
 
-/// One stroke for all lanes, or eight strokes in the layout of EightShapes. `from` gives the strokes of the lanes from
-/// the given one on.
+/// One stroke for all lanes, or eight strokes in the layout of EightShapes. `from` gives the strokes of the
+/// lanes, beginning with a given lane.
 struct OneStroke {
     const float* values;
     OneStroke from(std::size_t) const { return *this; }
@@ -40,8 +40,9 @@ struct EightStrokes {
     Wide at(std::size_t place) const { return load<Wide>(values + place * lanes); }
 };
 
-/// Costs of matching one point to another, lane by lane, times `robustness`. The last sum of costs is divided by it. Being
-/// a power of two, it changes no bit, and it saves a multiplication for each pair of points.
+/// Costs of matching one point to another, lane by lane, times `robustness`. The final sum of costs is
+/// divided by `robustness`. As a power of two this changes no bit, and it saves a multiplication for each
+/// pair of points.
 template <std::size_t channels>
 inline Wide cost_of(const std::array<Wide, channels>& p, const float* q) {
     Wide squares = p[0] - load<Wide>(q);
@@ -56,7 +57,7 @@ inline Wide cost_of(const std::array<Wide, channels>& p, const float* q) {
 template <std::size_t points, std::size_t channels, class Strokes>
 void warp(Strokes stroke, const float* eight, float* result) {
     const Wide infinite = far + Wide{};
-    // Least sums of costs up to the points of the row above, which those of the new row replace.
+    // Least sums of costs up to each point of the previous row; the sums of the new row replace them.
     std::array<Wide, points + 2> row;
     row.fill(infinite);
     row[0] = Wide{};
@@ -106,7 +107,8 @@ inline FourOfEight load_four(const std::array<const float*, lanes>& values, std:
     return rows;
 }
 
-/// Puts four values of each of the templates side by side, from `place` on.
+/// Transposes four values of each template, from index `place` on, so that the values of all templates are
+/// adjacent.
 inline void transpose_four(const std::array<const float*, lanes>& values, std::size_t place, float* to) {
     const auto [a, b, c, d] = load_four(values, place);
     const Floats8 ab = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13),
@@ -119,8 +121,8 @@ inline void transpose_four(const std::array<const float*, lanes>& values, std::s
     store(to + 3 * lanes, __builtin_shufflevector(ab2, cd2, 2, 3, 10, 11, 6, 7, 14, 15));
 }
 #else
-/// Puts four values of each of the templates side by side, from `place` on. The other way, with eight lanes, is much
-/// slower without registers of that width.
+/// Transposes four values of each template, from index `place` on, so that the values of all templates are
+/// adjacent. The version for eight lanes is much slower without registers of that width.
 inline void transpose_four(const std::array<const float*, lanes>& values, std::size_t place, float* to) {
     for (std::size_t k = 0; k < lanes; k += 4, to += 4) {
         const auto a = load<Floats4>(values[k] + place), b = load<Floats4>(values[k + 1] + place),
@@ -139,7 +141,8 @@ inline void transpose_four(const std::array<const float*, lanes>& values, std::s
 
 template <std::size_t points>
 void transpose(EightOf<points>& eight, std::size_t channels, const std::array<const float*, lanes>& values) {
-    const auto from = values;  // a copy: the compiler need not read the pointers again after each store
+    // A copy, so that the compiler need not load the pointers again after each store.
+    const auto from = values;
     for (std::size_t i = 0; i < points * channels; i += 4) transpose_four(from, i, &eight.values[i * lanes]);
 }
 

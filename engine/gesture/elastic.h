@@ -28,8 +28,8 @@ using EightFineShapes = EightOf<fine_points>;
 void set_lanes(EightShapes& eight, std::size_t channels, const std::array<const float*, lanes>& values);
 void set_lanes(EightFineShapes& eight, std::size_t channels, const std::array<const float*, lanes>& values);
 
-/// Distances of a stroke to eight templates of as many channels, each from 0 to 1/2 for matchings without repeats. A
-/// distance has the same bits in each lane.
+/// Distances of a stroke to eight templates of as many channels, each from 0 to 1/2 if no point is matched
+/// twice. A distance has the same bits in each lane.
 std::array<float, lanes> elastic_distances(const Shape& stroke, const EightShapes& eight);
 /// Distances of a fine shape to eight others.
 std::array<float, lanes> elastic_distances(const FineShape& stroke, const EightFineShapes& eight,

@@ -1,4 +1,4 @@
-// The gestures that the game ships, drawn by careful users.
+// Makes the templates of the gestures that the game ships: strokes of generated users who draw with care.
 #include <array>
 
 #include "gesture/generated_users.h"
@@ -11,19 +11,19 @@ constexpr double tolerance = 15;  // degrees
 
 GestureOptions options_of(Figure figure) {
     GestureOptions o;
-    // A circle or star that starts elsewhere is a turned one: its force then rises and falls at another place. So
-    // these two may be turned by any angle.
+    // A circle or star that starts at another corner is a rotated one, whose force rises and falls at another
+    // place. So these two figures may be rotated by any angle.
     o.closed = figure == Figure::circle || figure == Figure::star;
     o.rotation = o.closed ? pi : tolerance / (180 / pi);
     o.direction_sensitive = figure == Figure::s;
-    // Hands lean; what they draw is a figure of x and y.
+    // Users do not hold the drawing plane exactly upright, so only x and y count.
     o.planar = true;
     o.gentle_below = gentle_force;
     o.harsh_above = harsh_force;
     return o;
 }
 
-/// A user who draws slowly and well; the strokes of the three differ in proportions and corners.
+/// A user who draws slowly and well. The three such users differ in proportions and corners.
 UserStyle careful_style(std::size_t number) {
     static constexpr std::array<double, strokes_of_each> aspects{1, 0.93, 1.08}, corners{0.15, 0.25, 0.2},
         leans{0, 0.1, -0.1};
@@ -39,7 +39,7 @@ UserStyle careful_style(std::size_t number) {
     return s;
 }
 
-/// Keeps files short: steps of 10 um, 1 ms and 1 mN.
+/// Rounds to steps of 10 um, 1 ms and 1 mN, which keeps files short.
 void round_to_steps(std::vector<StrokePoint>& stroke) {
     const auto rounded = [](double value, double steps) { return std::floor(value * steps + 0.5) / steps; };
     for (auto& p : stroke) {

@@ -10,16 +10,16 @@ namespace thaum::gesture {
 namespace {
 
 constexpr double seconds_between_points = 0.008;
-constexpr double mouse_step = 1e-4;  // way of the hand per count of a mouse (m)
-/// Overlap of two movements along a smooth curve (share of a movement).
+constexpr double mouse_step = 1e-4;  // distance of the hand for each count of a mouse (m)
+/// Overlap of two movements along a smooth curve, as a share of a movement.
 constexpr double curve_overlap = 0.55;
 constexpr std::array<std::string_view, figures> all_figures{"circle", "v", "s", "star"};
 
-/// An arc to the next node.
+/// One arc of a path.
 struct Leg {
-    vec3 to{};         ///< next node
+    vec3 to{};         ///< node at the end of the leg
     double turn{};     ///< turn of the heading along the arc (rad)
-    double overlap{};  ///< overlap with the leg after (share of the duration)
+    double overlap{};  ///< overlap with the next leg (share of the duration)
 };
 
 struct Path {
@@ -32,7 +32,7 @@ double minimum_jerk(double u) {
     return u * u * u * (10 + u * (6 * u - 15));
 }
 
-/// Displacement after the share `u` of an arc with the given chord, in the plane of x and y.
+/// Displacement after a share `u` of an arc with the given chord, in the plane of x and y.
 vec3 along_arc(vec3 chord, double turn, double u) {
     if (std::abs(turn) < 1e-6) return u * chord;
     // The arc turns by `turn` in all and its chord has the mean heading. So the part up to u has a chord of
@@ -94,7 +94,7 @@ vec3 random_offset(Random& random, double deviation) {
     return deviation * vec3(x, normal(random), 0);
 }
 
-/// Moves each node by the user's idea and by jitter, and bends each leg a little.
+/// Moves each node by the user's own offset and by jitter, and bends each leg a little.
 void disturb(Path& path, const UserStyle& style, Random& random) {
     path.start += style.idea[0] + random_offset(random, style.jitter);
     for (std::size_t i = 0; i < path.legs.size(); ++i) {
@@ -105,7 +105,7 @@ void disturb(Path& path, const UserStyle& style, Random& random) {
     }
 }
 
-/// Time at which each movement begins and how long it takes. The unit is the pace.
+/// Start and duration of each movement, in units that the pace scales.
 struct Movement {
     double begin{}, seconds{};
     vec3 chord{};
@@ -141,7 +141,7 @@ vec3 place_at(std::span<const Movement> movements, double time) {
     return at;
 }
 
-/// Turns a place of a figure 1 high into a place of the hand (m).
+/// Converts a place of a figure of height 1 to a position of the hand (m).
 class Frame {
 public:
     Frame(const UserStyle& style, Random& random)
@@ -165,7 +165,7 @@ private:
     quat lean_{1, 0, 0, 0};
 };
 
-/// The stroke in a time of 1 a unit of pace, and the mean force that it would then have along its way.
+/// Samples the stroke at a pace of 1, and returns the mean force along its path.
 double mean_force_at_pace_one(std::span<const Movement> movements, const Frame& frame) {
     constexpr int steps = 200;
     const double step = end_of(movements) / steps;
@@ -209,7 +209,7 @@ struct Tremor {
 
 double rounded(double value, double step) { return std::floor(value / step + 0.5) * step; }
 
-/// Force as the field answers, smoothed by the device over some points, with noise.
+/// Adds the force of the viscous field, smoothed over some points as by a device, and noise.
 void add_force(std::vector<StrokePoint>& points, Random& random) {
     constexpr std::size_t reach = 2;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -221,12 +221,12 @@ void add_force(std::vector<StrokePoint>& points, Random& random) {
     }
 }
 
-/// Draws a path with the mean force `force` (N). The hand rests a moment before and after it.
+/// Draws a path with the mean force `force` (N). The hand rests for a moment before and after.
 std::vector<StrokePoint> draw(const Path& path, const UserStyle& style, double force, Random& random) {
     const auto movements = movements_of(path, random);
     const Frame frame(style, random);
     const Tremor tremor(style, random);
-    // A force is in inverse proportion to the time that the same way takes.
+    // The force is inversely proportional to the time that the same path takes.
     const double pace = mean_force_at_pace_one(movements, frame) / force;
     const double rest = random.uniform(0, 0.12), whole = rest + end_of(movements) * pace;
     const double end = whole + random.uniform(0, 0.1);
@@ -304,7 +304,7 @@ Path eight(Random& random) {
     return path;
 }
 
-/// The first legs of a figure, given up half-way.
+/// The first legs of a figure, as if the user had given up half-way.
 Path part_of_figure(const UserStyle& style, Random& random) {
     auto path = path_of(static_cast<Figure>(random.below(figures)), style, random);
     path.legs.resize((path.legs.size() + 1) / 2);

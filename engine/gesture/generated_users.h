@@ -1,13 +1,14 @@
-// gesture/generated_users.h: strokes of people who do not exist, for the shipped templates and for tests of them.
+// gesture/generated_users.h: strokes of simulated users, for the shipped templates and for tests of them.
 //
 // A figure is a list of nodes joined by arcs. The hand goes from node to node in minimum-jerk movements (Flash, Hogan
 // 1985) that overlap in time (Flash, Henis 1991): the more they overlap, the rounder the corners. The force is the
 // answer of a viscous field, 3.5 N s/m times the speed of the hand, and the pace is chosen so that its mean becomes
 // what the user intends.
 //
-// A user keeps a style: where figures begin and which way they turn, their proportions, tilt, corners, tremor, pace
-// and device. Each stroke differs from the style by jitter. None of this is shared with variations.h, by which a
-// recogniser sets its thresholds, so a test with these users does not measure a recogniser by its own yardstick.
+// A user keeps a style: where figures begin and which way they turn, their proportions, tilt, corners,
+// tremor, pace and device. Each stroke differs from the style by jitter. None of this is shared with
+// variations.h, by which a recogniser sets its thresholds, so a test with these users does not check a
+// recogniser with the model by which it was tuned.
 //
 // The same seed gives the same strokes on every processor.
 #pragma once
@@ -31,29 +32,31 @@ inline constexpr std::size_t figures = 4;
 /// Names of the figures, in order.
 std::span<const std::string_view> figure_names();
 
-/// What stays the same in all strokes of one user. The figures of nodes are 1 high.
+/// Properties that all strokes of one user share. Figures that consist of nodes have height 1.
 struct UserStyle {
     static constexpr std::size_t most_nodes = 8;
 
     double size{};              ///< height of a figure (m)
     double aspect{};            ///< width of a figure, as a multiple of the usual
-    double slant{};             ///< shear of x by y
+    double slant{};             ///< shear: shift of x for each unit of y
     double tilt{};              ///< turn about the z axis (rad)
     double lean_x{}, lean_y{};  ///< turns of the plane of drawing about the x and y axes (rad)
-    double bow{};               ///< depth of the strokes' middle against their rim (share of the size)
+    double bow{};               ///< depth of the middle of a figure relative to its rim (share of the size)
     double bulge{};             ///< turn of the heading along a straight line (rad)
     double corner_overlap{};    ///< overlap of two movements at a corner (share of a movement)
     double tremor{};            ///< amplitude of the tremor (m)
-    double jitter{};            ///< standard deviation of a node's place between strokes (share of the size)
-    double circle_start{};      ///< angle at which a circle begins (rad)
-    double gap{};               ///< angle by which a circle is drawn too far, negative: not far enough (rad)
-    double gentle{}, harsh{};   ///< mean force of gentle and of harsh strokes (N)
-    std::size_t star_start{};   ///< corner at which a star begins
-    bool mirrored_circle{};     ///< true if circles go clockwise
-    bool mirrored_star{};       ///< true if stars are begun towards the left
-    bool flat{};                ///< true for a mouse: no depth, steps of 0.1 mm
-    std::array<vec3, most_nodes>
-        idea{};  ///< offsets of nodes by the user's idea of a figure (share of the size)
+    /// Standard deviation of a node's position from stroke to stroke (share of the size).
+    double jitter{};
+    double circle_start{};     ///< angle at which a circle begins (rad)
+    double gap{};              ///< angle by which a circle is drawn too far; negative: it is left open (rad)
+    double gentle{}, harsh{};  ///< mean force of gentle and of harsh strokes (N)
+    std::size_t star_start{};  ///< corner at which a star begins
+    bool mirrored_circle{};    ///< true if circles go clockwise
+    bool mirrored_star{};      ///< true if stars begin with a stroke towards the left
+    bool flat{};               ///< true for a mouse: no depth, steps of 0.1 mm
+    /// Offsets of nodes, the same in all strokes of the user: the user's own idea of a figure (share of the
+    /// size).
+    std::array<vec3, most_nodes> idea{};
 };
 
 UserStyle random_style(Random& random);
@@ -70,11 +73,11 @@ std::vector<Gesture> generated_templates(std::uint64_t seed);
 
 struct GeneratedSetSettings {
     std::size_t users = 20;
-    std::size_t samples = 3;  ///< gentle and as many harsh strokes of each figure by each user
+    std::size_t samples = 3;  ///< number of gentle strokes, and of harsh ones, of each figure by each user
     std::uint64_t seed = 1;
 };
 
-/// Strokes of users, sample "gentle 1", "harsh 1" and so on. None of the users drew a template.
+/// Strokes of users, with samples named "gentle 1", "harsh 1" and so on. None of these users drew a template.
 std::vector<Stroke> generated_strokes(const GeneratedSetSettings& settings);
 /// As many scribbles as `generated_strokes` has strokes, named "scribble".
 std::vector<Stroke> generated_scribbles(const GeneratedSetSettings& settings);

@@ -10,9 +10,10 @@
 namespace thaum::gesture {
 
 inline constexpr std::size_t most_gestures = 256;
-/// Most templates of all gestures together, copies drawn backwards included.
+/// Largest number of templates of all gestures together, including copies that are drawn backwards.
 inline constexpr std::size_t most_templates = 1024;
-inline constexpr std::size_t most_template_points = 100'000;  ///< points of one recorded stroke
+/// Largest number of points of one recorded stroke.
+inline constexpr std::size_t most_template_points = 100'000;
 
 /// Rules for strokes of one gesture.
 struct GestureOptions {
@@ -22,10 +23,11 @@ struct GestureOptions {
     double smallest_scale = 0;   ///< least size of a stroke, as a multiple of the template's
     double largest_scale = 1e9;  ///< largest size of a stroke, as a multiple of the template's
     bool closed = false;         ///< true if the stroke is a closed curve that may start anywhere
-    bool planar = false;         ///< true if z does not count
-    double gentle_below =
-        0;  ///< mean force below which a stroke is gentle (unit of the device); 0: 0.6 of the templates'
-    double harsh_above = 0;  ///< mean force above which a stroke is harsh; 0: 1.6 of the templates'
+    bool planar = false;         ///< true if z is ignored
+    /// Mean force below which a stroke is gentle (unit of the device); 0: 0.6 times that of the templates.
+    double gentle_below = 0;
+    /// Mean force above which a stroke is harsh (unit of the device); 0: 1.6 times that of the templates.
+    double harsh_above = 0;
 
     bool operator==(const GestureOptions&) const = default;
 };

@@ -23,17 +23,17 @@ namespace thaum::gesture {
 inline constexpr std::int64_t gesture_file_version = 1;
 inline constexpr std::size_t most_gesture_bytes = std::size_t{16} << 20U;
 
-/// Why a stroke cannot stand in the file of a gesture, in words; empty if it can.
+/// Describes why a stroke must not be written to the file of a gesture; empty if it may be.
 std::string fault_of_stroke(Points stroke);
 
-/// The error names file, line and fault, such as columns of different lengths.
+/// Reads a gesture. The error names file, line and fault, such as columns of different lengths.
 Expected<Gesture> read_gesture(const Config& config);
 Expected<Gesture> load_gesture(const std::filesystem::path& path);
 
 /// Text that reads back to the same gesture, bit for bit.
 std::string to_file(const Gesture& gesture);
 
-/// Words as a string of TOML, in quotes.
+/// A text as a quoted TOML string.
 std::string toml_string(std::string_view words);
 
 }  // namespace thaum::gesture

@@ -11,19 +11,21 @@
 namespace thaum::gesture {
 namespace {
 
-constexpr std::size_t few_points = 200;  // up to here it is faster to compute all places first
-/// Share of the difference between the sizes of the axes that a fine shape keeps as an exponent, and the least size of
-/// an axis that counts, as a share of the largest.
+constexpr std::size_t few_points = 200;  // number of points up to which computing all places first is faster
+/// Exponent that a fine shape applies to the ratio of the axes' sizes, and the least size of an axis that
+/// counts, as a share of the largest.
 constexpr float axis_exponent = 0.5F, least_axis = 0.5F;
-// Length of the direction of a long step, and the step (sizes of the stroke) that halves it. Where the points lie close
-// together, their direction is uncertain.
+// Length of a direction after a long step, and the step (in sizes of the stroke) at which the direction has
+// half that length. Where points lie close together, their direction is uncertain.
 constexpr float direction_weight = 1.3F, slow_step = 0.12F;
 constexpr float force_deviation = 0.5F;  // standard deviation of the force channel
-// A rest may begin where a part of the stroke that lasts for `halt_share` of the longest halt, or a little less, is no longer
-// than `halt_way`, and `tremor_step` more for each step of tremor (shares of the extent).
+// A rest may begin where the hand moves little for some time: a part of the stroke that lasts for about
+// `halt_share` of the longest halt is at most `halt_way` long, plus `tremor_step` for each step of tremor.
+// Lengths are shares of the extent.
 constexpr float halt_share = 0.75F, least_halt = 0.8F, halt_way = 0.04F, tremor_step = 0.01F;
 constexpr float surely_quick = 10;  // time from which on all points of a stroke are searched for rests (s)
-/// Points without rests that are enough for a shape. With fewer, others take the places of those of rests.
+/// Number of points outside of rests that is enough for a shape. If there are fewer, all points of the stroke
+/// are read, so that others replace those of rests.
 constexpr std::size_t enough_points = 48;
 
 using Doubles4 = double __attribute__((vector_size(32)));
@@ -37,10 +39,10 @@ struct Sampled {
     std::array<Floats4, points> at;
 };
 
-/// Lanes of a point that count.
+/// Mask of the lanes of a point that count.
 Ints4 lanes_of(Channels channels) { return Ints4{channels.force ? -1 : 0, -1, -1, channels.depth ? -1 : 0}; }
 
-/// Four vectors of four lanes: the other way round.
+/// Four vectors of four lanes, transposed.
 struct Columns {
     Floats4 a, b, c, d;
 };
@@ -61,7 +63,8 @@ Floats4 roots_of(Floats4 v) {
     return load<Floats4>(lanes);
 }
 
-/// Whether all numbers of all points are finite, also of points that do not count. Four numbers at a time.
+/// Whether all numbers of all points are finite, including points that do not count. Tests four numbers at a
+/// time.
 bool all_finite_numbers(Points stroke) {
     static_assert(sizeof(StrokePoint) == 5 * sizeof(double));
     constexpr std::uint64_t exponent = 0x7ff0000000000000;
@@ -96,21 +99,22 @@ Floats4 smaller(Floats4 a, Floats4 b) { return a < b ? a : b; }
 Floats4 size_of(Floats4 v) { return masked(v, 0x7fffffff + Ints4{}); }
 bool all_of(Ints4 lanes) { return (lanes[0] & lanes[1] & lanes[2] & lanes[3]) != 0; }
 
-/// Every so many points of a stroke of so many points count.
+/// Step in points so that at most counted_points of the stroke are used.
 std::size_t stride_of(std::size_t points) { return (points + counted_points - 1) / counted_points; }
 
-/// What `copy` saw.
+/// Results of `copy`.
 struct Copied {
-    bool finite{};   ///< true if all times and forces are
-    bool plain{};    ///< true if each point has another place than the one before it, and no earlier time
+    bool finite{};   ///< true if all times and forces are finite
+    bool plain{};    ///< true if each point has another place than the one before, and no earlier time
     float extent{};  ///< largest of width, height and depth
 };
 
-/// Copies the points as floats from the first point's place and time, and sums up the steps from each to the next.
+/// Copies the points as floats, relative to the first point's place and time, and sums up the distances
+/// between neighbours.
 Copied copy(Points stroke, bool depth, ShapeSpace& space) {
     const std::size_t stride = stride_of(stroke.size());
     const std::size_t steps = (stroke.size() - 1) / stride, count = steps + 1;
-    const auto* from = &stroke[stroke.size() - 1 - steps * stride];  // so that the last point counts
+    const auto* from = &stroke[stroke.size() - 1 - steps * stride];  // starts so that the last point is used
     const auto* const end = &stroke[stroke.size() - 1];
     const auto origin = load<Doubles4>(from);
     const Ints4 used{-1, -1, -1, depth ? -1 : 0};
@@ -126,7 +130,7 @@ Copied copy(Points stroke, bool depth, ShapeSpace& space) {
         store(&space.points[k], point);
         low = smaller(low, point);
         high = larger(high, point);
-        from += from < end ? stride : 0;  // the last point also takes the places beyond it
+        from += from < end ? stride : 0;  // the last point is repeated to fill the places after it
         return step;
     };
     for (std::size_t k = 0; k < count; k += 4) {
@@ -148,14 +152,15 @@ Copied copy(Points stroke, bool depth, ShapeSpace& space) {
             std::max({extent[1], extent[2], extent[3]})};
 }
 
-/// What tells, of the copied points, that a rest may begin at one: a short way from it in some time.
+/// Criteria by which a copied point may begin a rest: the path that follows is short for some time.
 struct HaltSign {
-    std::size_t steps{};      ///< steps of the way
-    float way{}, shortest{};  ///< way of one step, and of so many, below which there may be a rest
-    float longest{}, halt{};  ///< time of one step, and of so many, above which there may be one (s)
+    std::size_t steps{};      ///< number of steps of that path
+    float way{}, shortest{};  ///< length of one step, and of the whole path, below which there may be a rest
+    /// Duration of one step, and of the whole path, above which there may be a rest (s).
+    float longest{}, halt{};
 };
 
-/// Marks the four points from `k` on at which a rest may begin.
+/// Marks those of the four points from `k` on at which a rest may begin.
 Ints4 signs_at(const ShapeSpace& space, const HaltSign& sign, std::size_t k) {
     const auto length = load<Floats4>(&space.length[k]), t = load<Floats4>(&space.t[k]);
     const auto way = load<Floats4>(&space.length[k + sign.steps]) - length,
@@ -165,8 +170,8 @@ Ints4 signs_at(const ShapeSpace& space, const HaltSign& sign, std::size_t k) {
     return ((way < sign.way) & (time > sign.halt)) | ((step < sign.shortest) & (pause > sign.longest));
 }
 
-/// The signs for the copied points; no steps where the stroke is too short for a rest. Sets the points beyond the last
-/// to values that look like none.
+/// The criteria for the copied points; `steps` is 0 if the stroke is too short for a rest. Sets the points
+/// beyond the last one to values that never look like a rest.
 HaltSign halt_sign(ShapeSpace& space, float extent) {
     const float lasts = space.t[space.count - 1];
     constexpr float halt = halt_share * static_cast<float>(longest_halt);
@@ -187,7 +192,7 @@ bool has_sign(const ShapeSpace& space, const HaltSign& sign) {
     return (some[0] | some[1] | some[2] | some[3]) != 0;
 }
 
-/// The copied points, for rests.h.
+/// The copied points in the form that rests.h needs.
 struct CopiedStroke {
     const ShapeSpace& space;
     const HaltSign& sign;
@@ -197,7 +202,7 @@ struct CopiedStroke {
     bool may_rest(std::size_t i) const { return signs_at(space, sign, i)[0] != 0; }
 };
 
-/// All points of a stroke, for rests.h.
+/// All points of a stroke in the form that rests.h needs.
 struct WholeStroke {
     Points points;
     bool depth;
@@ -228,14 +233,14 @@ float distance(const ShapePoint& a, const ShapePoint& b) {
 void keep_moving(const MovingParts& parts, ShapeSpace& s) {
     const float start_t = s.t[parts.items[0].first];
     std::size_t count = 0;
-    float length = 0;  // arc length of the points so far
+    float length = 0;  // arc length up to the current point
     for (std::size_t k = 0; k < parts.count; ++k) {
         const auto& part = parts.items[k];
         if (count > 0) length += distance(s.points[count - 1], s.points[part.first]);
         const float longer = s.length[part.first] - length,
                     later = start_t + static_cast<float>(part.earlier);
         length = s.length[part.last] - longer;
-        if (part.first == count) {  // nothing before it was left out
+        if (part.first == count) {  // nothing before this part was removed
             count = part.last + 1;
             continue;
         }
@@ -267,7 +272,7 @@ Copied copy_moving(Points stroke, bool depth, const MovingParts& parts, ShapeSpa
     return copy(Points(kept).first(count), depth, space);
 }
 
-/// Leaves out the rests of a stroke that was copied.
+/// Removes the rests of a stroke that was copied.
 Copied leave_out_rests(Points stroke, bool depth, const Copied& copied, ShapeSpace& space) {
     const bool slow = space.t[space.count - 1] > surely_quick;
     HaltSign sign;
@@ -294,7 +299,7 @@ Copied leave_out_rests(Points stroke, bool depth, const Copied& copied, ShapeSpa
     return copy_moving(stroke, depth, parts, space);
 }
 
-/// Drops points at the place of the point before, and sums the steps up again.
+/// Drops points at the same place as the point before, and recomputes the arc lengths.
 void drop_rests(ShapeSpace& s) {
     std::size_t k = 0;
     float length = 0, latest = s.t[0];
@@ -303,9 +308,9 @@ void drop_rests(ShapeSpace& s) {
         const ShapePoint p = s.points[i];
         const float step = distance(before, p);
         before = p;
-        latest = std::max(latest, s.t[i]);  // a clock that runs backwards stands still
+        latest = std::max(latest, s.t[i]);  // a time that runs backwards is replaced by the latest time
         if (!(step > 0)) {
-            if (k == 0) s.t[0] = latest;  // a rest before the stroke is not part of it
+            if (k == 0) s.t[0] = latest;  // a rest before the stroke does not belong to it
             s.points[k].force = std::max(s.points[k].force, p.force);
             continue;
         }
@@ -329,8 +334,8 @@ bool fill(Points stroke, Channels channels, Rests rests, ShapeSpace& space) {
     return std::isfinite(space.length[space.count - 1]);
 }
 
-/// The last point from `first` to before `last` whose place is below `wanted`; `first` if none is. The steps of the
-/// search depend on the number of points alone, so the processor foresees them.
+/// The last point from `first` to before `last` whose place is below `wanted`; `first` if none is. The number
+/// of search steps depends only on the number of points, so the processor predicts the branches.
 template <class Place>
 std::size_t point_before(float wanted, std::size_t first, std::size_t last, Place place) {
     for (std::size_t count = last - first; count > 1;) {
@@ -341,7 +346,7 @@ std::size_t point_before(float wanted, std::size_t first, std::size_t last, Plac
     return first;
 }
 
-/// Parameter of each of the equally spaced points, and two more that no place reaches.
+/// Parameter of each of the equally spaced points, and two more values that are larger than any place.
 template <std::size_t points>
 constexpr std::array<float, points + 2> wanted_places() {
     std::array<float, points + 2> wanted{};
@@ -351,8 +356,9 @@ constexpr std::array<float, points + 2> wanted_places() {
     return wanted;
 }
 
-/// For each point of the shape, the last one of the stroke from `first` to before `last` whose place is below it;
-/// `first` if none is. Instead of a search for each, each point of the stroke names the first of the shape beyond it.
+/// For each point of the shape, the last stroke point from `first` to before `last` whose place is below it;
+/// `first` if none is. Instead of one search for each point of the shape, each point of the stroke marks the
+/// first point of the shape beyond it.
 template <std::size_t points>
 std::array<std::uint32_t, points> points_before(const ShapeSpace& s, std::size_t first, std::size_t last) {
     static constexpr auto wanted = wanted_places<points>();
@@ -374,7 +380,7 @@ std::array<std::uint32_t, points> points_before(const ShapeSpace& s, std::size_t
     return result;
 }
 
-/// How far the points of the shape are from one point of the stroke to the next, 0 to 1.
+/// Position of each point of the shape between two points of the stroke, 0 to 1.
 template <std::size_t points>
 void set_parts(const std::array<float, points>& before, const std::array<float, points>& after,
                std::array<float, points>& part) {
@@ -387,7 +393,8 @@ void set_parts(const std::array<float, points>& before, const std::array<float, 
     }
 }
 
-/// Places of the shape along the points, in arc length and time, and their mean.
+/// Samples the shape's points along the stroke, at equal steps of arc length and time, and computes their
+/// mean.
 template <std::size_t points>
 Sampled<points> resampled(ShapeSpace& s, std::size_t first, std::size_t last, Floats4& mean) {
     static constexpr auto wanted = wanted_places<points>();
@@ -450,7 +457,7 @@ float normalise(Sampled<points>& q, Floats4 mean, Ints4 used) {
     return size;
 }
 
-/// Makes the axes of a normalised stroke more alike in size, and scales it again to a size of 1.
+/// Makes the extents of a normalised stroke along its axes more alike, and scales it back to a size of 1.
 template <std::size_t points>
 void even_out(Sampled<points>& q) {
     static_assert(axis_exponent == 0.5F);
@@ -496,7 +503,7 @@ Floats4 turn_at(const Sampled<points>& d, std::size_t i) {
     return yzx(a) * zxy(b) - zxy(a) * yzx(b);
 }
 
-/// Its z alone, in lane 1.
+/// The z component alone of how sharply the stroke turns, in lane 1.
 template <std::size_t points>
 Floats4 flat_turn_at(const Sampled<points>& d, std::size_t i) {
     const Floats4 a = d.at[i > 0 ? i - 1 : 0], b = d.at[i + 1 < points ? i + 1 : points - 1];

@@ -1,7 +1,7 @@
 // gesture/shape.h: a stroke with time, place and size taken away, so that two strokes can be compared point by point.
 //
 // Steps:
-//   1. Rests before, within and after the stroke are left out, also those of a hand that trembles (rests.h), as are
+//   1. Rests before, within and after the stroke are removed, also those of a hand that trembles (rests.h), as are
 //      points at the place of the point before them.
 //   2. The stroke is resampled to 24 points. They are equally spaced in 0.7 of the arc length plus 0.3 of the time,
 //      each from 0 to 1. Slow parts (corners) get more points than by arc length alone.
@@ -20,34 +20,39 @@
 namespace thaum::gesture {
 
 inline constexpr std::size_t shape_points = 24;
-/// Points of a stroke that count. A longer stroke is thinned evenly, which the 24 points of the shape do not show.
+/// Number of points of a stroke that are used. A longer stroke is thinned evenly, which hardly changes the 24
+/// points of the shape.
 inline constexpr std::size_t counted_points = 80;
-inline constexpr std::size_t most_points = 4096;   ///< room for callers that fill the space themselves
-inline constexpr std::size_t planar_channels = 6;  ///< x, y, direction x, y, turn z, force
-inline constexpr std::size_t solid_channels = 10;  ///< x, y, z, direction x, y, z, turn x, y, z, force
+inline constexpr std::size_t most_points = 4096;  ///< capacity, for callers that fill the space themselves
+/// Number of channels: x, y, direction x, y, turn z, force.
+inline constexpr std::size_t planar_channels = 6;
+/// Number of channels: x, y, z, direction x, y, z, turn x, y, z, force.
+inline constexpr std::size_t solid_channels = 10;
 inline constexpr std::size_t most_channels = solid_channels;
 
 struct Shape {
-    std::size_t channels{};                                    ///< planar_channels or solid_channels
-    std::array<float, shape_points * most_channels> values{};  ///< values[point * channels + channel]
+    /// Number of channels: planar_channels or solid_channels.
+    std::size_t channels{};
+    /// Value of a channel at a point: values[point * channels + channel].
+    std::array<float, shape_points * most_channels> values{};
     float size{};     ///< root mean square distance from the centroid (unit of the stroke)
     float length{};   ///< arc length (unit of the stroke)
-    float seconds{};  ///< time from the first to the last point that counts
+    float seconds{};  ///< time from the first to the last point that counts (s)
     float force{};    ///< mean force along the path (unit of the stroke)
     float gap{};      ///< distance from start to end, divided by the arc length
-    float start_t{};  ///< time of the first point that counts, after the first point of the stroke (s)
-    float end_t{};    ///< time of the last point that counts, after the first point of the stroke (s)
+    float start_t{};  ///< time from the first point of the stroke to the first point that counts (s)
+    float end_t{};    ///< time from the first point of the stroke to the last point that counts (s)
 };
 
-/// A shape for a closer look: more points, and half of the difference between the axes' sizes is
-/// taken away (the scale of each axis is divided by the square root of its size), because users differ in how wide and
-/// how high they draw.
+/// A shape for closer comparison. It has more points, and the difference between the axes' sizes is reduced
+/// by half (each axis is divided by the square root of its size), because users differ in how wide and how
+/// high they draw.
 inline constexpr std::size_t fine_points = 32;
 using FineShape = std::array<float, fine_points * most_channels>;  ///< [point * channels + channel]
 
 struct FineKind {
     Channels channels{};
-    bool even = true;  ///< false to keep the sizes of the axes, for a gesture that may be turned
+    bool even = true;  ///< false: keep the ratio of the axes' sizes, for a gesture that may be turned
 };
 
 /// Share of time in the parameter by which a stroke is resampled, 0 to 1; the rest is arc length.
@@ -63,14 +68,14 @@ struct ShapeSpace {
     std::array<ShapePoint, most_points> points{};
     std::array<float, most_points> t{};
     std::array<float, most_points> length{};  ///< arc length up to each point
-    std::array<float, most_points> place{};   ///< scratch: parameter by which the points are resampled
+    std::array<float, most_points> place{};   ///< scratch memory: parameter by which the points are resampled
     std::size_t count{};
-    float before{};  ///< time of the first point after the stroke's first (s), as far as a rest was left out
-    float paused{};  ///< time of rests within the stroke that was left out (s)
+    float before{};  ///< removed time between the stroke's first point and the first point that counts (s)
+    float paused{};  ///< removed time of rests within the stroke (s)
 };
 
-/// Whether the time for which the hand rests is left out of a stroke (rests.h), or belongs to it, as in a part that a caller
-/// has cut out of continuous motion.
+/// Whether rests are removed from a stroke (rests.h), or kept as in a part that a caller has cut out of
+/// continuous motion.
 enum class Rests : std::uint8_t { left_out, kept };
 
 /// Makes the shape of a stroke. Returns false for a stroke without two different places or with a value that is not

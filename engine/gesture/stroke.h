@@ -25,14 +25,14 @@ using Points = std::span<const StrokePoint>;
 struct Stroke {
     std::string user;
     std::string gesture;
-    std::string sample;  ///< tells strokes of one user and gesture apart
+    std::string sample;  ///< name that distinguishes strokes of one user and gesture
     std::vector<StrokePoint> points;
-    std::size_t line{};  ///< line of its first point in the file that it was read from, from 1; 0: none
+    std::size_t line{};  ///< line of the stroke's first point in the file (from 1); 0: not from a file
 };
 
 /// Parts of a point that a recogniser may use.
 struct Channels {
-    bool depth = true;  ///< z
+    bool depth = true;  ///< true: z may be used
     bool force = true;
 
     bool operator==(const Channels&) const = default;

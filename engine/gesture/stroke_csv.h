@@ -39,11 +39,11 @@ struct SessionSet {
 struct SessionLabel {
     std::string user;
     std::string gesture;
-    double start{};  ///< time at which the gesture begins (s)
-    double end{};    ///< time at which it ends (s)
+    double start{};  ///< time at which the labelled gesture begins (s)
+    double end{};    ///< time at which the labelled gesture ends (s)
 };
 
-/// The error names file, line and fault.
+/// Reads strokes. The error names file, line and fault.
 Expected<StrokeSet> read_strokes(std::string_view csv, std::string_view name);
 Expected<SessionSet> read_sessions(std::string_view csv, std::string_view name);
 Expected<std::vector<SessionLabel>> read_labels(std::string_view csv, std::string_view name);

@@ -1,4 +1,4 @@
-// gesture/stroke_recorder.h: cuts strokes out of motion while a button is down.
+// gesture/stroke_recorder.h: records strokes: the motion while a button is held.
 #pragma once
 #include <vector>
 
@@ -8,20 +8,20 @@ namespace thaum::gesture {
 
 class StrokeRecorder {
 public:
-    /// Strokes shorter than `least_seconds` are taken for an accidental press.
+    /// A press shorter than `least_seconds` counts as accidental and gives no stroke.
     explicit StrokeRecorder(double least_seconds = 0.1) : least_seconds_(least_seconds) {}
 
-    /// Takes the hand of one tick. Times must not run backwards.
+    /// Takes the position of the hand in one tick. Times must not run backwards.
     void feed(const StrokePoint& hand, bool down);
     /// Ends a stroke whose button is still down.
     void end();
 
-    /// Takes the last stroke back, if there is one.
+    /// Removes the last stroke, if there is one.
     void drop_last();
 
     /// Strokes that have ended; each begins at time 0.
     const std::vector<std::vector<StrokePoint>>& strokes() const { return strokes_; }
-    /// The stroke whose button is down; empty: none.
+    /// The stroke that is being recorded while the button is down; empty: none.
     Points open() const { return open_; }
 
 private:

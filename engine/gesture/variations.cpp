@@ -8,9 +8,9 @@ namespace thaum::gesture {
 namespace {
 
 constexpr std::size_t waves = 3;
-constexpr std::size_t thinned_points = 160;  // a variation needs no more points
+constexpr std::size_t thinned_points = 160;  // number of points that is enough for a variation
 
-/// A smooth function on [0, 1]: a sum of sines of half a period and more.
+/// A smooth random function on [0, 1]: a sum of sines with half a period or more.
 struct Waves {
     std::array<double, waves> height{}, phase{};
 
@@ -56,7 +56,7 @@ double size_of(Points points) {
     return glm::length(high - low) / 2;
 }
 
-/// The part of the points between two shares of the arc length.
+/// The part of a stroke between two shares of its arc length.
 std::vector<StrokePoint> part_of(Points points, double from, double to) {
     const auto length = lengths_of(points);
     std::vector<StrokePoint> part;
@@ -84,7 +84,7 @@ std::vector<StrokePoint> chain(const Gesture& a, const Gesture& b, Random& rando
     return result;
 }
 
-/// A chain of smooth turns in the plane of x and y.
+/// A sequence of smooth turns in the plane of x and y.
 std::vector<StrokePoint> wander(double size, Random& random) {
     constexpr int points = 96;
     const double turns = random.uniform(2, 8);

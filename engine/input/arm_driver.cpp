@@ -20,7 +20,7 @@ bool run_arm_tick(std::uint64_t ticks) noexcept { return run_tick(ticks); }
 
 ArmDriverRegistration::ArmDriverRegistration(const ArmDriverKind& kind) {
     auto& all = kinds();
-    // The linker chooses the order of registrations, so the list is sorted to be independent of it.
+    // Registrations come in an order that the linker chooses, so the list is kept sorted.
     const auto after =
         std::find_if(all.begin(), all.end(), [&](const auto& k) { return kind.name < k.name; });
     all.insert(after, kind);

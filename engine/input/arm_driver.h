@@ -34,12 +34,13 @@ namespace thaum::input {
 /// A driver's own number for a fault of its arm; 0: none.
 using ArmFault = std::uint32_t;
 
-/// How the engine's watchdog ends the force when ticks stop: the servo thread hangs in a call, or the vendor's thread
-/// does not call.
+/// How the engine's watchdog ends the force when ticks stop because the servo thread hangs in a call, or
+/// because the vendor's thread stops calling.
 enum class AtHang : std::uint8_t {
-    keeps_force,  ///< the library takes no call beside one that hangs: only the device's own watchdog can end the force
-    write_zero,  ///< by write_zero, again every few milliseconds. Ticks that come after all go on.
-    give_up,     ///< by give_up. The arm is lost.
+    /// The library accepts no call while another one hangs: only the device's own watchdog can end the force.
+    keeps_force,
+    write_zero,  ///< calls write_zero, repeatedly every few milliseconds; late ticks continue
+    give_up,     ///< calls give_up; the arm is then lost
 };
 
 /// One arm, as its driver sees it.
@@ -50,21 +51,22 @@ public:
     ArmDriver& operator=(const ArmDriver&) = delete;
     virtual ~ArmDriver() = default;
 
-    // Slow calls. The engine makes them on a thread that it leaves behind if a call hangs, so they may block.
+    // Slow calls. The engine makes them on a thread that it abandons if a call hangs, so they may block.
 
-    /// Takes the arm and calibrates it. The error is one line: what is wrong, then what to do. After an error the arm
-    /// is free again.
+    /// Opens the arm and calibrates it. The error is one line: what is wrong, then what to do. After an error
+    /// the arm is free again.
     virtual Expected<void> open() = 0;
-    /// Facts about the open arm. Numbers beyond belief count as unknown.
+    /// Facts about the open arm. Impossible numbers are treated as unknown.
     virtual ArmFacts spec() const = 0;
     /// Starts the servo thread of the vendor's library, which calls run_arm_tick(`ticks`) at 1 kHz. Returns false if
     /// there is no such thread: then the engine runs one.
     virtual Expected<bool> start(std::uint64_t ticks);
-    /// Ends the force if `write_zero` could not, ends the vendor's thread, and frees the arm. A read or write may still
-    /// hang in another thread.
+    /// Ends the force if `write_zero` could not, ends the vendor's thread, and releases the arm. Another
+    /// thread may still hang in a read or write.
     virtual void close() = 0;
-    /// Ends the force while another thread hangs in `close`, `read` or `write`, or the vendor's thread does not call. It
-    /// waits for none of them. It may hang, and may be called again, also while it hangs.
+    /// Ends the force while another thread hangs in `close`, `read` or `write`, or the vendor's thread does
+    /// not call. It must not wait for those threads. It may hang itself, and may be called again even while
+    /// it hangs.
     virtual void give_up() {}
 
     // Calls of the servo thread, once a tick. They take no lock, allocate nothing and open no file.
@@ -74,26 +76,28 @@ public:
     virtual ArmFault read(ArmReading& reading) noexcept = 0;
     /// Gives the arm a force (N, device frame), never more than its peak force.
     virtual ArmFault write(vec3 force) noexcept = 0;
-    /// Gives the arm zero force as the last call of a tick, after any fault, also in a signal handler. With
-    /// AtHang::write_zero also in another thread, beside a read or write. Returns whether the arm took it.
+    /// Sets zero force. Called as the last call of a tick, after any fault, and in signal handlers. With
+    /// AtHang::write_zero it is also called by another thread during a read or write. Returns whether the arm
+    /// accepted the force.
     virtual bool write_zero() noexcept { return write(vec3(0)) == 0; }
-    /// Keeps the vendor's words for a fault, after the last zero force. It may hang.
+    /// Stores the vendor's message for a fault, after the last zero force. It may hang.
     virtual void note(ArmFault) noexcept {}
 
-    /// State and text that a fault of read or write means. Any thread. `newest_ns` is the engine's.
+    /// State and text for a fault that read or write returned. Any thread may call it. The engine sets
+    /// `newest_ns`.
     virtual ArmStatus status(ArmFault fault) const = 0;
 };
 
 /// Runs one tick of the arm that was started with this number: read, servo step, write. Returns false if the
-/// arm takes no more ticks. A call for an arm that was closed does nothing, so a vendor's library may call at
+/// arm needs no more ticks. A call for an arm that was closed does nothing, so a vendor's library may call at
 /// any time.
 bool run_arm_tick(std::uint64_t ticks) noexcept;
 
-/// A driver, as its .cpp registers it.
+/// Description of a driver, which its .cpp registers.
 struct ArmDriverKind {
     std::string_view name;   ///< short name, such as "openhaptics"
     std::string_view about;  ///< devices and requirements, for `thaum doctor`: at most one line
-    /// Arms that may be plugged in, by words that `make` understands. Finding them opens none.
+    /// Arms that may be plugged in, as words that `make` understands. Opens no arm.
     std::vector<std::string> (*find)();
     std::unique_ptr<ArmDriver> (*make)(const std::string& arm);
     AtHang at_hang{};

@@ -13,7 +13,7 @@ ArmTick ArmPlayback::tick() {
     return {step, this};
 }
 
-/// Takes the force of this tick into the model. Returns false before the first force.
+/// Puts the force of this tick into the haptic model. Returns false before the first force.
 bool ArmPlayback::next() {
     if (const auto* force = forces_.front(); force != nullptr) {
         model_.steady_force = {.force = force->force,

@@ -20,11 +20,11 @@
 
 namespace thaum::input {
 
-/// Counts since the start.
+/// Counts of forces, ticks and invalid poses since the start.
 struct PlaybackReport {
     std::uint64_t played{};   ///< forces played
-    std::uint64_t starved{};  ///< ticks between the first and the last force that had none
-    double strongest{};       ///< largest force that the arm was told (N)
+    std::uint64_t starved{};  ///< ticks without a force between the first and the last force
+    double strongest{};       ///< largest force that was sent to the arm (N)
     /// Ticks by haptics::SafetyCause.
     std::array<std::uint64_t, haptics::safety_cause_names.size()> causes{};
     PoseFaults poses{};
@@ -32,27 +32,26 @@ struct PlaybackReport {
 
 class ArmPlayback {
 public:
-    /// Capacity of the queue of forces: 16 s, so that the queue outlasts other work of the machine.
+    /// Capacity of the queue of forces: 16 s, enough for any delay of the thread that fills it.
     static constexpr std::size_t most_waiting = 16'384;
 
     explicit ArmPlayback(const haptics::Servo& servo) : servo_(servo) {}
 
-    /// Returns the function for the driver.
+    /// Returns the function that the arm's driver calls in each tick.
     ArmTick tick();
     /// Runs one tick on the arm's thread. No lock, no allocation. Returns the force (N, device frame).
     vec3 step(const ArmReading& reading);
 
-    // For one thread, which supplies the forces.
-    /// Queues the force of the next tick (N, device frame). `jumps`: it does not continue the last one.
-    /// Returns false if the queue is full.
+    // Queues the force of the next tick (N, device frame); called by the one thread that supplies forces.
+    // `jumps`: the force does not continue the last one. Returns false if the queue is full.
     bool push(vec3 force, bool jumps) { return forces_.push({force, jumps}); }
     /// Number of forces in the queue.
     std::size_t waiting() const { return forces_.size(); }
-    /// Ends the supply. After the last force, the force goes to zero no faster than at a switch.
+    /// Declares that no more forces follow. After the last one the force falls to zero, no faster than at a
+    /// switch.
     void end() { ended_ = true; }
 
-    // For any thread.
-    /// Gives no force from the next tick on, for good.
+    // Ends all force from the next tick on, permanently. Any thread may call it.
     void stop() { stopped_ = true; }
     PlaybackReport report() const;
 
@@ -68,7 +67,7 @@ private:
     SpscQueue<Force, most_waiting> forces_;
     std::atomic<bool> ended_{false}, stopped_{false};
 
-    // Used by the arm's thread.
+    // The next members are used by the arm's thread.
     haptics::HapticModel model_{};
     haptics::ServoState state_{};
     ArmPose pose_{};

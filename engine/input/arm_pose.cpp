@@ -5,8 +5,9 @@
 namespace thaum::input {
 namespace {
 
-constexpr std::int64_t shortest_tick_ns = 250'000;  // poses closer than that count as the same pose
-constexpr std::uint32_t set_back_after = 20;        // ticks after which a clock that was set back is accepted
+// Poses measured in a shorter interval count as the same pose (ns).
+constexpr std::int64_t shortest_tick_ns = 250'000;
+constexpr std::uint32_t set_back_after = 20;  // ticks after which a clock that was set back is accepted
 constexpr double metres_per_um = 1e-6;
 
 }  // namespace

@@ -9,16 +9,16 @@
 
 namespace thaum::input {
 
-/// Invalid poses since the start.
+/// Counts of invalid poses since the start.
 struct PoseFaults {
-    std::uint64_t repeated{};   ///< poses that came again at once
-    std::uint64_t backwards{};  ///< poses measured before the last one
+    std::uint64_t repeated{};   ///< poses that were reported a second time
+    std::uint64_t backwards{};  ///< poses with an earlier time than the one before
     std::uint64_t unusable{};   ///< poses that are not finite numbers
 };
 
 class ArmPose {
 public:
-    // For the arm's thread.
+    // Takes the reading of a tick; called by the arm's thread.
     void note(const ArmReading& reading);
     /// Whether there is a valid pose.
     bool known() const { return known_; }
@@ -26,7 +26,7 @@ public:
     /// Ticks since the pose was measured.
     std::uint32_t age() const { return age_; }
 
-    /// For any thread.
+    /// Any thread may call this.
     PoseFaults faults() const;
 
 private:

@@ -7,10 +7,12 @@
 namespace thaum::input {
 namespace {
 
-constexpr std::uint32_t newest_samples = 40;  // samples; a model older than that is not used
-constexpr std::uint32_t patience = 20;        // ticks without a sample or a pose
+constexpr std::uint32_t newest_samples = 40;  // largest age of a model that is still used (samples)
+// Ticks without a sample or a pose after which the arm counts as silent.
+constexpr std::uint32_t patience = 20;
 
-/// A stylus has one or two buttons, the first at the finger. Other handles have more.
+/// Buttons of the arm as buttons of the game. A stylus has one or two, the first at the finger. Other handles
+/// have more.
 std::uint32_t buttons_of(std::uint32_t arm) {
     constexpr std::array meanings{Button::fire, Button::next_wand, Button::clutch};
     std::uint32_t buttons = 0;
@@ -29,7 +31,7 @@ vec3 arm_step(const haptics::Servo& servo, haptics::ServoState& state, const hap
 
 }  // namespace
 
-// ---- the arm's thread -------------------------------------------------------------------------------------
+// ---- functions of the arm's thread ------------------------------------------------------------------------
 
 ArmTick ArmServo::tick() {
     const auto step = [](void* context, const ArmReading& reading) {
@@ -62,7 +64,7 @@ vec3 ArmServo::step(const ArmReading& reading) {
     return force;
 }
 
-// ---- the simulation ---------------------------------------------------------------------------------------
+// ---- functions of the simulation --------------------------------------------------------------------------
 
 void ArmServo::publish() {
     auto& order = orders_.to_fill();

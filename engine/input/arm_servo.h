@@ -32,7 +32,7 @@ struct ArmOrder {
     haptics::HapticModel model{.on = false};
     vec3 offset{};                ///< displacement from the arm's tip to the hand that feels the model (m)
     haptics::ServoState start{};  ///< servo state at the start of the epoch
-    std::uint32_t epoch{};        ///< 0: before the first epoch
+    std::uint32_t epoch{};        ///< number of the epoch; 0: before the first one
     std::uint32_t number{};       ///< number of the model, from 1 in each epoch
     /// Number of samples in the epoch that the simulation had taken when it made the model.
     std::uint32_t samples{};
@@ -40,14 +40,14 @@ struct ArmOrder {
 
 /// Data from the arm's thread to the simulation, in each tick.
 struct ArmSample {
-    ArmReading reading{};             ///< the last valid reading if `pose_age` is not 0
-    std::uint32_t epoch{}, sample{};  ///< numbers from 1; that of the sample starts again in each epoch
+    ArmReading reading{};             ///< reading of the arm; the last valid one if `pose_age` is not 0
+    std::uint32_t epoch{}, sample{};  ///< numbers that count from 1; `sample` starts again in each epoch
     std::uint32_t model{};            ///< number of the model used
     std::uint32_t pose_age{};         ///< ticks since the pose was measured
     vec3 force{};                     ///< force that the arm got for this sample (N)
 };
 
-/// Faults since the start.
+/// Counts of faults since the start.
 struct ArmFaults {
     PoseFaults poses{};
     std::uint64_t lost{};  ///< samples lost because the queue was full
@@ -57,24 +57,25 @@ struct ArmFaults {
 
 class ArmServo {
 public:
-    /// Returns the function for the driver.
+    /// Returns the function that the arm's driver calls in each tick.
     ArmTick tick();
     /// Runs one tick on the arm's thread. No lock, no allocation. Returns the force (N, device frame).
     vec3 step(const ArmReading& reading);
 
-    // For the simulation thread.
-    /// Starts a new simulation, whose epochs begin at 1 again. No tick may run meanwhile.
+    // Starts a new simulation, whose epochs begin at 1 again; called by the simulation thread. No tick may
+    // run meanwhile.
     void begin_match() { epochs_before_ = epoch_; }
     /// Order to fill as ArmState describes, before `publish`.
     ArmOrder& order() { return orders_.to_fill(); }
     void publish();
-    /// Takes the next sample, with counts as in arm::Count. model_age is 0 if there is none. If skips > 0,
-    /// samples of this epoch were lost or the model is forgotten, and the simulation must begin a new epoch.
+    /// Takes the next sample, with counts as in arm::Count. model_age is 0 if no sample can be used. A positive
+    /// `skips` means that samples of this epoch were lost or the model is forgotten; then the simulation must
+    /// begin a new epoch.
     DeviceSample take();
     /// Number of samples in the queue.
     std::size_t waiting() const { return samples_.size(); }
 
-    /// For any thread.
+    /// Any thread may call this.
     ArmFaults faults() const;
 
 private:
@@ -83,15 +84,15 @@ private:
     TripleBuffer<ArmOrder> orders_{ArmOrder{}};
     SpscQueue<ArmSample, 1024> samples_;
 
-    // Used by the arm's thread.
+    // The next members are used by the arm's thread.
     ArmOrder used_{};
     haptics::ServoState state_{};
     ArmPose pose_{};
     std::uint32_t sample_ = 0;
     std::atomic<std::uint64_t> lost_{0};
 
-    // Used by the simulation thread.
-    bool taken_now_ = false;  ///< a sample was taken since the last order
+    // The next members are used by the simulation thread.
+    bool taken_now_ = false;  ///< true: a sample was taken since the last order
     std::uint32_t epochs_before_ = 0;
     std::uint32_t epoch_ = 0, number_ = 0, taken_ = 0;  ///< values of the last order
     std::uint32_t without_ = 0;                         ///< ticks since the last sample
@@ -108,14 +109,15 @@ struct RememberedModel {
     std::uint32_t samples{};  ///< samples taken in the epoch when the model was made
 };
 
-/// State of an arm in the simulation; no padding. In each tick: take_sample; the rest of the tick; then a new
-/// RememberedModel with the next `number` and the present `samples`. It is also the order for the arm's thread.
+/// State of an arm in the simulation; no padding. In each tick the simulation calls take_sample, does all
+/// other work of the tick, then adds a RememberedModel with the next `number` and the current `samples`. The
+/// same values form the order for the arm's thread.
 struct ArmState {
     haptics::ServoState servo{};
     /// Position of the hand in the servo step: the tip plus the displacement by the clutch (m, device frame).
     vec3 hand{};
     vec3 offset{};  ///< displacement from the tip to the hand for the newest model (m)
-    vec3 rest{};    ///< position of the resting hand (m)
+    vec3 rest{};    ///< position at which a resting hand stays (m)
     std::array<std::int32_t, 3> position_um{}, rotation_urad{};
     std::uint32_t epoch{1};
     std::uint32_t number{};     ///< number of the newest model
@@ -123,7 +125,7 @@ struct ArmState {
     std::uint32_t without{};    ///< ticks since the last sample
     std::uint32_t old_poses{};  ///< samples without a new measurement, since the start
     std::uint32_t gaps{};       ///< epochs that ended because samples were missing or lost
-    std::uint32_t rests{};      ///< 1: the hand rests, wherever the arm moves
+    std::uint32_t rests{};      ///< 1: the hand rests, however the arm moves
     std::uint32_t spare{};
 };
 static_assert(sizeof(ArmState) ==
@@ -135,14 +137,14 @@ void begin_epoch(ArmState& arm);
 /// Number of the model with which a sample was made; 0: no sample.
 std::uint32_t model_of(const ArmState& arm, const DeviceSample& sample);
 
-/// Repeats the arm's step for a sample. `used` is the model of its number, null if it is forgotten.
-/// `skipped`: ticks were left out before this one.
+/// Repeats the arm's step for a sample. `used` is the model with the sample's model number; null if the
+/// simulation no longer has it. `skipped`: ticks were left out before this one.
 void take_sample(ArmState& arm, const haptics::Servo& servo, const DeviceSample& sample,
                  const RememberedModel* used, bool skipped);
 
 /// Applies the clutch, once a tick before the model. While the clutch is held, the hand rests at its
 /// position, or at the edge of its reach (m, either way), and the arm's tip moves freely. After the release,
-/// the hand follows the tip from there. A model for a resting hand must be off.
+/// the hand follows the tip from there. While the hand rests, the haptic model must be off.
 void rest_hand(ArmState& arm, bool held, vec3 reach);
 
 /// Position of the hand, and of the arm's tip (m, device frame).

@@ -14,7 +14,7 @@
 namespace thaum::input {
 namespace {
 
-/// Signal that ends the process. The alarm's handler needs it when another handler hangs in the vendor's
+/// Signal that ends the process. The handler of the alarm sends it if another handler hangs in the vendor's
 /// library.
 volatile std::sig_atomic_t ends_by = 0;
 /// Whether this thread is in on_end.
@@ -31,8 +31,9 @@ void wait_for_silence() noexcept {
     for (int look = 0; look < looks && !ticks::are_silent(); ++look) ::nanosleep(&between, nullptr);
 }
 
-/// Ends all forces after a fault of an arm's own servo thread. No other thread can end the force of that arm; the other
-/// arms end theirs in their own threads. The driver may hang or fail again, which the alarm ends.
+/// Ends all forces after a fault of an arm's own servo thread. No other thread can end the force of that arm;
+/// the other arms end theirs in their own threads. If the driver hangs or fails again, the alarm ends the
+/// process.
 void end_as_arms_thread(int signal) noexcept {
     ends_by = signal;
     std::signal(SIGALRM, hung);
@@ -57,15 +58,15 @@ bool is_fault(int signal) {
     }
 }
 
-/// The arm's thread must go on ticking to say the last word, so another thread gets the signal. From now on this one
-/// blocks it.
+/// Passes a signal on to another thread and blocks it in this one, because the arm's thread must keep ticking
+/// to send the final zero force.
 void hand_on(int signal, void* context) {
     sigset_t one;
     ::sigemptyset(&one);
     ::sigaddset(&one, signal);
     ::pthread_sigmask(SIG_BLOCK, &one, nullptr);
     ::sigaddset(&static_cast<ucontext_t*>(context)->uc_sigmask,
-                signal);  // is restored when the handler returns
+                signal);  // the change lasts until the handler returns
     ::kill(::getpid(), signal);
 }
 
@@ -75,8 +76,8 @@ void on_exit() {
     silence_arms_and_wait();
 }
 
-/// Other threads may be in here at the same time: each waits for the silence. Only a fault in here ends the process at
-/// once.
+/// Other threads may be in this handler at the same time; each waits until the arms are silent. Only a fault
+/// within the handler ends the process at once.
 void on_end(int signal, siginfo_t*, void* context) {
     const bool arms = ticks::is_arms_thread(), nested = ends_here != 0;
     if (!is_fault(signal)) {

@@ -2,9 +2,9 @@
 // last command, so the last command must be zero. The arm's own thread sends it. That thread runs as long as
 // the process lives, also while another thread handles a signal or aborts.
 //
-// While a library hangs or stops calling, the engine's watchdog ends the force (detail/stall_watch.h). Nothing helps
-// against SIGKILL, SIGSTOP, a power cut or a library that rejects the zero, or if the stack overflows in a thread that
-// start_thread did not start. Only the device's own watchdog acts then (input/arm_driver.h).
+// While a library hangs or stops calling, the engine's watchdog ends the force (detail/stall_watch.h). Only
+// the device's own watchdog (input/arm_driver.h) helps in these cases: SIGKILL, SIGSTOP, a power cut, a
+// library that rejects the zero, or a stack overflow in a thread that start_thread did not start.
 #pragma once
 
 namespace thaum::input {
@@ -14,8 +14,8 @@ namespace thaum::input {
 void silence_arms() noexcept;
 void end_silence() noexcept;
 
-/// Calls silence_arms and waits until the arm was told, at most 0.2 s. For any thread, also in a signal
-/// handler.
+/// Calls silence_arms and waits, at most 0.2 s, until the zero force has been sent. Any thread may call it,
+/// also in a signal handler.
 void silence_arms_and_wait() noexcept;
 
 /// Makes the force zero before the process ends by exit(), by quick_exit() or by a signal. That covers faults, aborts (a

@@ -6,7 +6,8 @@
 #include "core/letters.h"
 #include "core/text.h"
 
-// Defaults have the same form as the settings file. So one reader serves both, and a menu can show them.
+// Defaults are written in the form of the settings file, so that one function reads both and a menu can show
+// them.
 namespace thaum::input {
 namespace {
 
@@ -68,7 +69,8 @@ constexpr Default pad_defaults[] = {
     {Action::turn_up, "pad right_y +"},
     {Action::turn_down, "pad right_y -"},
     {Action::fire, "pad right_trigger +"},
-    // A bumper, because the right thumb draws by the stick; beside the trigger, because the ladle draws as well.
+    // A bumper, because the right thumb moves the stick while drawing; on the side of the stir trigger,
+    // because the ladle draws as well.
     {Action::trace, "pad left_bumper"},
     {Action::next_wand, "pad right_bumper"},
     {Action::previous_wand, "pad left"},
@@ -99,7 +101,7 @@ std::optional<int> index_in(std::span<const std::string_view> names, std::string
     return static_cast<int>(found - names.begin());
 }
 
-/// Takes the part before `separator` off `rest`, without surrounding spaces.
+/// Removes the part before `separator` from `rest` and returns it without surrounding spaces.
 std::string_view take_piece(std::string_view& rest, char separator) {
     rest = trimmed(rest);
     const auto end = std::min(rest.find(separator), rest.size());
@@ -186,7 +188,7 @@ std::string words_of(const std::vector<Control>& controls, const KeyNames& names
 
 namespace {
 
-/// Lists the chosen toggle_actions, separated by commas.
+/// Lists those toggle_actions that are chosen, separated by commas.
 template <class Chosen>
 std::string toggle_words(Chosen chosen) {
     std::string words;

@@ -1,5 +1,5 @@
-// input/bindings.h: bindings of physical controls to actions. Mice and gamepads are known here. Keys are
-// codes of the window layer, which also knows their names.
+// input/bindings.h: bindings of physical controls to actions. Codes of mice and gamepads are defined here;
+// codes and names of keys come from the window layer.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -15,8 +15,8 @@
 
 namespace thaum::input {
 
-/// Actions of a control. The first ones are the bits of Button in their order, or select a wand. The others are
-/// directions, of which the last two turn the wheel.
+/// Actions that a control may trigger. First come the bits of Button in their order and the actions that
+/// select a wand, then directions; the last two turn the wheel.
 enum class Action : std::uint8_t {
     fire,
     jump,
@@ -49,7 +49,7 @@ enum class Action : std::uint8_t {
     turn_right,
     turn_up,
     turn_down,
-    // Turns of the wheel for hands without one; a mouse's own wheel always acts.
+    // turns of the wheel by keys or buttons, for devices without one; a mouse's own wheel always acts
     farther,
     nearer,
 };
@@ -98,7 +98,7 @@ struct Control {
     enum class Source : std::uint8_t { key, mouse_button, wheel, pad_button, pad_axis };
     Source source{};
     int code{};       ///< code of the key, button or axis; 0 for the wheel
-    int direction{};  ///< wheel and axis: +1 or -1; else 0
+    int direction{};  ///< direction of a wheel or axis: +1 or -1; 0 for other controls
     bool operator==(const Control&) const = default;
 };
 
@@ -106,7 +106,7 @@ struct Control {
 struct Bindings {
     DeviceKind kind{};
     std::array<std::vector<Control>, actions> controls;
-    bool mouse_look = false;  ///< mouse motion and wheel act for this player
+    bool mouse_look = false;  ///< true: mouse motion and wheel act for this player
     /// Position at which an axis presses a button; the release is 0.1 below.
     double trigger_press = 0.3;
     /// For toggle_actions: one press turns the action on, the next one off.
@@ -122,7 +122,7 @@ using KeyCodes = std::function<std::optional<int>(std::string_view)>;
 /// Returns the name of a key code; empty for a code that is no key.
 using KeyNames = std::function<std::string(int)>;
 
-/// Names of all keys in the default bindings. A test of the window layer checks each of them.
+/// Names of all keys in the default bindings, so that a test can check that the window layer knows each.
 std::vector<std::string> default_key_names();
 
 /// Default bindings of keyboard_mouse, keyboard_half or pad. Other kinds have no controls. A key that `codes`
@@ -141,8 +141,8 @@ Bindings default_bindings(DeviceKind kind, const KeyCodes& codes);
 /// An unknown name is reported at its key, which keeps its value; the Config's check then fails with file, line and key.
 Bindings read_bindings(const ConfigTable& table, Bindings bindings, const KeyCodes& codes);
 
-/// Words that are no control. A reader of controls takes them in place of a value that is no text, whose fault has been
-/// reported.
+/// Stands for an invalid list of controls. Returned when the value in the settings is no text, which has been
+/// reported already.
 inline constexpr const char* no_control = "?";
 
 /// Reads one control such as "key w", "mouse left", "wheel up", "pad a", "pad right_trigger +". The error

@@ -16,8 +16,8 @@ constexpr unsigned latch_shift = 32;
 /// Wheel steps of a control that is held, per sample: the first step is at once, then there are 12 a second.
 constexpr double wheel_steps_per_take = 0.012;
 
-/// Returns the whole steps of `rest` plus `amount`; `rest` keeps the fraction. NaN or a huge jump of a broken
-/// driver gives no motion.
+/// Returns the whole steps of `rest` plus `amount`; `rest` keeps the fraction. NaN, or a huge jump from a
+/// faulty driver, gives no motion.
 std::int64_t whole_steps(double amount, double& rest) {
     constexpr double most = 1e9;
     if (!(std::abs(amount) <= most)) return 0;
@@ -27,7 +27,7 @@ std::int64_t whole_steps(double amount, double& rest) {
     return static_cast<std::int64_t>(whole);
 }
 
-/// Returns the new part of `total`, as far as a sample can hold it.
+/// Returns the part of `total` that was not taken before, as far as a sample can hold it.
 std::int32_t take_new(const std::atomic<std::int64_t>& total, std::int64_t& taken) {
     constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
     const auto amount = std::clamp(total.load(std::memory_order_relaxed) - taken, -most, most);
@@ -62,7 +62,7 @@ std::uint32_t all_wand_bits() {
 
 HandsCollector::HandsCollector(Bindings bindings) { rebind(std::move(bindings)); }
 
-// Main thread -------------------------------------------------------------------------------------
+// Functions of the main thread -----------------------------------------------------------------------
 
 void HandsCollector::rebind(Bindings bindings) {
     bindings_ = std::move(bindings);
@@ -83,7 +83,7 @@ void HandsCollector::set_look(double gain, bool inverted) {
 }
 
 void HandsCollector::set_turn_ramp(double seconds) {
-    constexpr double most = 10;  // longer than any useful ramp
+    constexpr double most = 10;  // longest ramp (s), more than any useful one
     const double length = std::isfinite(seconds) ? std::clamp(seconds, 0.0, most) : 0;
     ramp_ticks_.store(static_cast<std::uint32_t>(thaum::ticks(length)), std::memory_order_relaxed);
 }
@@ -167,7 +167,7 @@ void HandsCollector::update(Bound& bound, double strength) {
     bound.pressed = strength >= threshold;
 }
 
-/// Turns actions that toggle on or off when they are pressed.
+/// Switches toggled actions on or off when they are pressed.
 void HandsCollector::flip(std::uint32_t pressed) {
     for (const auto action : toggle_actions) {
         if (toggles(action)) on_ ^= pressed & bit_of(action);
@@ -219,7 +219,7 @@ void HandsCollector::publish() {
                   std::memory_order_relaxed);
 }
 
-/// Direction of the wheel by controls that are pressed: 1 away from the user, -1 towards the user, or 0.
+/// Direction of the wheel from controls that are pressed: 1 away from the user, -1 towards the user, or 0.
 int HandsCollector::wheel_direction() const {
     const auto pressed = [&](Action action) {
         return std::any_of(bound_.begin(), bound_.end(),
@@ -228,9 +228,9 @@ int HandsCollector::wheel_direction() const {
     return (pressed(Action::farther) ? 1 : 0) - (pressed(Action::nearer) ? 1 : 0);
 }
 
-// Simulation thread -------------------------------------------------------------------------------
+// Functions of the simulation thread -----------------------------------------------------------------
 
-/// The wand whose key was pressed last. If that key is up, no other key that is still down takes its place.
+/// The wand whose key was pressed last. After its release, no other key that is still down takes over.
 std::uint8_t HandsCollector::newest_wand(std::uint32_t down) {
     for (std::uint8_t wand = 1; wand <= most_wands; ++wand) {
         if ((down & ~wands_before_ & wand_bit(wand)) != 0) wand_ = wand;
@@ -240,9 +240,9 @@ std::uint8_t HandsCollector::newest_wand(std::uint32_t down) {
     return wand_;
 }
 
-/// Level of a turn that is still growing. A turn begins at rest or by a change of direction.
+/// Level of a turn during its slow start. A turn begins from rest or with a change of direction.
 std::int32_t HandsCollector::ramped(std::int32_t level, Turn& turn) const {
-    constexpr double least = 0.3;  // share of the level at the turn's beginning
+    constexpr double least = 0.3;  // share of the turn's level at its beginning
     if (level == 0) {
         turn.ticks = 0;
         return 0;

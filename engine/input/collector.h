@@ -18,7 +18,8 @@ class HandsCollector {
 public:
     explicit HandsCollector(Bindings bindings);
 
-    // For the main thread: events. Unbound codes are ignored, so every event may go to every collector.
+    // Events, reported by the main thread. Unbound codes are ignored, so every event may go to every
+    // collector.
     void key(int code, bool pressed);
     void mouse_button(int code, bool pressed);
     /// Adds mouse counts, positive to the right and down (as on a screen). Fractions are kept until they make
@@ -32,7 +33,7 @@ public:
     /// Changes the bindings and releases all held controls.
     void rebind(Bindings bindings);
     /// Multiplies later mouse counts by `gain` (finite, above 0), and exchanges up and down if `inverted`.
-    /// For changes after the DeviceSpec was made, which holds for the whole log.
+    /// Used for changes during a match, because the DeviceSpec must stay the same for the whole log.
     void set_look(double gain, bool inverted);
 
     /// Sets the time over which a turn of the view by keys or a stick grows to its full speed (s, at least 0), so
@@ -42,8 +43,8 @@ public:
     /// Sets how sticks respond from their next position on.
     void set_sticks(const StickResponse& sticks);
 
-    /// For the simulation thread: the input since the last call. A press between two calls shows in one
-    /// sample. Counts beyond int32 wait for the next sample.
+    /// The input since the last call; called by the simulation thread. A press and release between two calls
+    /// still shows in one sample. Counts beyond int32 are kept for the next sample.
     DeviceSample take();
 
 private:
@@ -65,20 +66,22 @@ private:
     bool toggles(Action action) const { return bindings_.toggled[static_cast<std::size_t>(action)]; }
     void flip(std::uint32_t pressed);
 
-    // Used by the main thread.
+    // The next members are used by the main thread.
     Bindings bindings_;
     std::vector<Bound> bound_;
     double right_rest_ = 0, up_rest_ = 0, wheel_rest_ = 0;
     double gain_ = 1, up_sign_ = 1;
     StickResponse sticks_;
-    std::uint32_t controls_before_ = 0;  ///< buttons whose controls were held, before toggles apply
-    std::uint32_t on_ = 0;               ///< buttons that a toggle holds
-    std::uint32_t wands_before_ = 0;     ///< bits of the wands whose keys were down at the last take
-    std::uint8_t wand_ = 0;              ///< wand of the last sample
+    /// Buttons whose controls were held at the last `publish`, before toggles apply.
+    std::uint32_t controls_before_ = 0;
+    std::uint32_t on_ = 0;            ///< buttons that toggles hold on
+    std::uint32_t wands_before_ = 0;  ///< bits of the wands whose keys were down at the last `take`
+    std::uint8_t wand_ = 0;           ///< wand of the last sample
     std::uint32_t held_before_ = 0;
     int wheel_way_before_ = 0;  ///< direction of the wheel at the last `publish`
 
-    // Shared. Motion is a sum since the start, so that `take` needs no reset during which an event could be lost.
+    // Shared by both threads. Motion is a sum since the start, so `take` needs no reset, during which an
+    // event could be lost.
     std::atomic<std::int64_t> right_{0}, up_{0}, wheel_{0};
     /// Low half: held now; high half: pressed since the last `take`.
     std::atomic<std::uint64_t> buttons_{0};
@@ -90,11 +93,11 @@ private:
     /// A turn of the view about one axis by keys or a stick.
     struct Turn {
         std::uint32_t ticks = 0;  ///< age of the turn (ticks), up to the length of its slow start
-        bool positive = false;    ///< the turn goes to the right, or for the other axis upwards
+        bool positive = false;    ///< true: the turn goes to the right, or for the other axis upwards
     };
     std::int32_t ramped(std::int32_t level, Turn& turn) const;
 
-    // Used by the simulation thread.
+    // The next members are used by the simulation thread.
     Turn turn_right_, turn_up_;
     std::int64_t right_taken_ = 0, up_taken_ = 0, wheel_taken_ = 0;
     double wheel_held_ = 0;             ///< part of the next wheel step of a control that is held

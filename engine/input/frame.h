@@ -19,17 +19,17 @@ inline constexpr std::size_t fluid_faders = 7;
 /// force. The sources of a stirred fluid follow, beginning with `fluid`. The numbers are part of the log's format.
 enum class HandFader : std::uint8_t { none, force, weight, blows, recoil, roughness, fluid };
 inline constexpr std::size_t hand_faders = static_cast<std::size_t>(HandFader::fluid) - 1 + fluid_faders;
-/// Value of HandFader::force for the share that the data files give.
+/// Value of HandFader::force that means the share from the data files.
 inline constexpr std::uint8_t force_as_rules = 101;
 
-/// A fader that a player moved during the match.
+/// A change of a fader by a player during the match.
 struct FaderChange {
     std::uint8_t
-        fader{};  ///< HandFader, or for sources of a fluid a number from HandFader::fluid on; 0: none moved
+        fader{};  ///< HandFader, or for sources of a fluid a number from HandFader::fluid on; 0: no change
     std::uint8_t percent{};  ///< new value, 0 to 100, or force_as_rules
     bool operator==(const FaderChange&) const = default;
 };
-/// Whether the numbers mean a change, or none. Other numbers occur in damaged logs only.
+/// Whether the numbers are a valid change, or no change. Other numbers occur only in damaged logs.
 constexpr bool is_valid(const FaderChange& change) {
     if (change.fader == 0) return change.percent == 0;
     const bool force = change.fader == static_cast<std::uint8_t>(HandFader::force);
@@ -50,10 +50,10 @@ enum Count : std::size_t {
     look_right,  ///< mouse counts to the right; times DeviceSpec::look_rad_per_count
     look_up,     ///< mouse counts upwards (away from the user); DeviceSpec::invert_y reverses the sign
     wheel,       ///< wheel steps; away from the user is positive
-    strafe,      ///< speed to the right, -127..127
-    forward,     ///< speed forwards, -127..127
+    strafe,      ///< speed to the right, -127..127; 127 is full speed
+    forward,     ///< speed forwards, -127..127; 127 is full speed
     turn_right,  ///< turn rate to the right, -127..127; 127: DeviceSpec::turn_rad_per_s
-    turn_up,     ///< turn rate upwards, likewise; DeviceSpec::invert_y reverses it
+    turn_up,     ///< turn rate upwards, with the same scale; DeviceSpec::invert_y reverses it
     trigger,     ///< position of the `fire` trigger, 0..255; 255 for a key or button that is held
 };
 }  // namespace hand
@@ -132,27 +132,28 @@ struct DeviceSpec {
 
     std::uint32_t player{};  ///< index into LogHeader::players
     DeviceKind kind{};
-    std::string name;                    ///< for display: "mouse and keyboard", "pad 1"
+    std::string name;                    ///< name for display: "mouse and keyboard", "pad 1"
     double look_rad_per_count{0.00087};  ///< turn of the view per mouse count (rad), about 0.05 degrees
     double turn_rad_per_s{3.5};          ///< turn rate of the view at full stick (rad/s)
-    bool invert_y{};                     ///< look_up and turn_up act downwards
-    bool no_forces{};                    ///< the player wants no forces
-    /// Largest force (% of the device's force, at most 100); 0: as the rules say.
+    bool invert_y{};                     ///< true: look_up and turn_up act downwards
+    bool no_forces{};                    ///< true: the player wants no forces
+    /// Largest force (% of the device's force, at most 100); 0: as in the data files.
     std::uint8_t force_percent{};
-    std::uint8_t weight_reduction{};  ///< reduction of the felt weight of a carried thing (%, at most 100)
-    std::uint8_t blow_reduction{};    ///< reduction of the felt blows on a carried thing (%, at most 100)
+    std::uint8_t weight_reduction{};  ///< reduction of the felt weight of a carried object (%, at most 100)
+    std::uint8_t blow_reduction{};    ///< reduction of the felt blows on a carried object (%, at most 100)
     std::uint8_t recoil_reduction{};  ///< reduction of the felt recoil of wands (%, at most 100)
-    /// Reduction of the felt friction of touched things (%, at most 100).
+    /// Reduction of the felt friction of touched objects (%, at most 100).
     std::uint8_t roughness_reduction{};
-    /// For an arm: edges of the box that it says it reaches (um), at most most_box_um; zero: unknown.
+    /// For an arm: edges of the box that the arm reports as its workspace (um), at most most_box_um; zero:
+    /// unknown.
     std::array<std::uint32_t, 3> box_um{};
     /// Reduction of the felt force of each source in a fluid (%, at most 100).
     std::array<std::uint8_t, fluid_faders> fluid_reduction{};
     /// Strength of the help with aiming (%, at most 100; game/context/aim_assist.h).
     std::uint8_t aim_assist{};
-    /// Samples may contain changes of faders. Programs that know none refuse such a log.
+    /// True: samples may contain changes of faders. Programs that do not know such changes refuse the log.
     bool moves_faders{};
-    /// Gestures of the hand cast spells without a button (game/casting/free_casting.h).
+    /// True: gestures of the hand cast spells without a button (game/casting/free_casting.h).
     bool casts_freely{};
     bool operator==(const DeviceSpec&) const = default;
 
@@ -168,7 +169,7 @@ struct DeviceSpec {
         blow_reduction = static_cast<std::uint8_t>(100 - std::min(blow_percent, 100U));
     }
 
-    /// Sets how much of the recoil and of the friction of touched things the player feels, 0 to 100 %.
+    /// Sets how much of the recoil and of the friction of touched objects the player feels, 0 to 100 %.
     void set_touch_percent(std::uint32_t recoil_percent, std::uint32_t roughness_percent) {
         recoil_reduction = static_cast<std::uint8_t>(100 - std::min(recoil_percent, 100U));
         roughness_reduction = static_cast<std::uint8_t>(100 - std::min(roughness_percent, 100U));

@@ -18,14 +18,14 @@ namespace {
 constexpr std::size_t largest_file = 4096;
 constexpr unsigned bits_in_word = 64;
 
-/// First line of a file of the system; empty if there is none.
+/// First line of a file in /sys; empty if there is none.
 std::string first_line(const std::filesystem::path& path) {
     auto words = read_text_file(path, largest_file).value_or(std::string());
     words.resize(std::min(words.size(), words.find('\n')));
     return words;
 }
 
-/// Tests a bit of a set that the system writes as hexadecimal words, the highest one first.
+/// Tests a bit of a bit set that Linux writes as hexadecimal words, the highest word first.
 bool has_bit(std::string_view words, unsigned bit) {
     for (; bit >= bits_in_word && !words.empty(); bit -= bits_in_word)
         words =
@@ -36,7 +36,7 @@ bool has_bit(std::string_view words, unsigned bit) {
     return bit < bits_in_word && (value >> bit & 1U) != 0;
 }
 
-/// Whether a device has the first button of a joystick or of a pad.
+/// Whether a device has the first button of a joystick or of a gamepad.
 bool is_stick(const std::filesystem::path& device) {
     const auto keys = first_line(device / "capabilities" / "key");
     return has_bit(keys, BTN_JOYSTICK) || has_bit(keys, BTN_GAMEPAD);

@@ -1,5 +1,5 @@
-// input/locked_sticks.h: joysticks that are plugged in but whose device files this user may not read. SDL does not see
-// them, so nothing else would say why a pad does not play.
+// input/locked_sticks.h: joysticks that are plugged in but whose device files this user may not read. SDL
+// does not see them, so nothing else would tell the user why a pad does not work.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -13,7 +13,8 @@ struct LockedStick {
     bool operator==(const LockedStick&) const = default;
 };
 
-/// Finds them, by what Linux says of all input devices. Takes less than a millisecond.
+/// Finds joysticks that this user may not read, from Linux's lists of input devices. Takes less than a
+/// millisecond.
 std::vector<LockedStick> locked_sticks(const std::filesystem::path& system = "/sys/class/input",
                                        const std::filesystem::path& devices = "/dev/input");
 

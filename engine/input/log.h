@@ -22,12 +22,12 @@ namespace thaum::input {
 
 /// A data file on which the match depends.
 struct DataFile {
-    std::string name;      ///< path below assets/
-    std::uint64_t hash{};  ///< hash of its keys and values
+    std::string name;      ///< path of the file below assets/
+    std::uint64_t hash{};  ///< hash of the file's keys and values
     bool operator==(const DataFile&) const = default;
 };
 
-/// A kind of thing and its number in saved states and samples.
+/// A kind of thing, such as an event or a wand, and its number in saved states and samples.
 struct Kind {
     std::uint16_t number{};
     std::string name;
@@ -36,8 +36,8 @@ struct Kind {
 
 /// Numbers of all kinds of one group.
 struct KindTable {
-    std::string group;        ///< "event", "cause", "wand"
-    std::vector<Kind> kinds;  ///< by rising number; at most 1,000
+    std::string group;        ///< name of the group: "event", "cause", "wand"
+    std::vector<Kind> kinds;  ///< kinds in ascending order of their numbers; at most 1,000
     bool operator==(const KindTable&) const = default;
 };
 
@@ -54,23 +54,25 @@ struct ProfileData {
 /// Everything that decides a match, except the frames.
 struct LogHeader {
     std::string program;            ///< version of the recording program, for display
-    std::uint32_t rules_version{};  ///< a replay needs the same version
-    std::string rule_set;           ///< "thaum" or "classic"
+    std::uint32_t rules_version{};  ///< version of the rules; a replay needs the same one
+    std::string rule_set;           ///< name of the rule set: "thaum" or "classic"
     std::string arena;              ///< name of the arena; its content is among `files`
     std::uint64_t seed{};
-    std::uint64_t maths_probe{};         ///< hash of the results of elementary functions
-    std::string physics_library;         ///< "Bullet 3.24"; empty in format 1
-    std::string physics_precision;       ///< "double"; empty in format 1
-    std::vector<std::string> players;    ///< names such as "human", "bot 1"; at most 16
-    std::vector<DeviceSpec> devices;     ///< at most max_devices; each has its columns of samples
-    std::vector<DataFile> files;         ///< at most 1,000
+    std::uint64_t maths_probe{};  ///< hash of the results of elementary functions, see maths_probe()
+    std::string physics_library;  ///< name and version, such as "Bullet 3.24"; empty in format 1
+    /// Precision of the physics library's numbers, such as "double"; empty in format 1.
+    std::string physics_precision;
+    std::vector<std::string> players;  ///< names such as "human", "bot 1"; at most 16
+    /// Devices, at most max_devices; each has its own columns of samples.
+    std::vector<DeviceSpec> devices;
+    std::vector<DataFile> files;         ///< data files; at most 1,000
     std::vector<std::string> overrides;  ///< values of --set, "key=value", in order; at most 1,000
     /// Parameters of the match, "key=value": kills to win, seconds; at most 1,000.
     std::vector<std::string> parameters;
-    std::vector<KindTable> kinds;      ///< at most 16, with rising groups; none in format 1
-    std::vector<ProfileData> profile;  ///< at most 1,000
-    /// Names of the players on the screen, for display; an empty one stands for the team's name. There are at most
-    /// as many as `players`.
+    std::vector<KindTable> kinds;      ///< tables of kinds, at most 16, sorted by group; none in format 1
+    std::vector<ProfileData> profile;  ///< data of players' profiles; at most 1,000
+    /// Names of the players for display; an empty one means the team's name. There are at most as many as
+    /// `players`.
     std::vector<std::string> names;
     bool operator==(const LogHeader&) const = default;
 };
@@ -85,7 +87,7 @@ struct HashRecord {
 
 enum class MarkKind : std::uint8_t { user, keyframe };
 
-/// A tick marked to be found again.
+/// A tick that was marked in order to find it again.
 struct Mark {
     Tick tick{};
     MarkKind kind{};
@@ -95,8 +97,8 @@ struct Mark {
 
 /// Behaviour of `append` when blocks fill faster than the disk takes them.
 enum class WhenBehind : std::uint8_t {
-    /// For matches in real time: never waits; uses more blocks, up to 2 minutes of them, then stops
-    /// recording.
+    /// for matches in real time: never waits; allocates more blocks, up to 2 minutes of them, then stops
+    /// recording
     allocate,
     wait,  ///< for matches faster than real time: waits until a block is free
 };
@@ -116,7 +118,7 @@ public:
     ~LogWriter();
 
     /// Appends the frame of the next tick. Devices beyond the header's must be zero. No file access and no
-    /// lock. No allocation while the disk is less than 4 s behind.
+    /// lock. No allocation while the disk lags less than 4 s behind.
     void append(const InputFrame& frame);
     /// Appends hashes of the state after `tick` ticks. `tick` is a multiple of hash_interval, rises, and is
     /// not beyond the appended frames. Call it before the next frame is appended.
@@ -135,9 +137,9 @@ public:
     /// goes on.
     std::optional<Error> error() const;
 
-    /// Writes the rest, and an end block with `result` and the hashes of the last state if they are given.
-    /// `result` is one line, of which at most 4,096 bytes are kept. The tick of the hashes is `ticks()`.
-    /// Returns the same error as `error`.
+    /// Writes the remaining blocks, and an end block with `result` and, if given, the hashes of the last
+    /// state. `result` is one line, of which at most 4,096 bytes are kept. The tick of the hashes is
+    /// `ticks()`. Returns the same error as `error`.
     Expected<void> close(std::string_view result, std::optional<HashRecord> last = {});
 
 private:
@@ -149,7 +151,8 @@ private:
 /// Ending of a log.
 enum class LogEnding {
     clean,  ///< closed by the program
-    /// The program or the machine stopped while recording (zeros at the end: a power cut); a warning.
+    /// The program or the machine stopped while recording (zeros at the end mean a power cut). This is only a
+    /// warning.
     cut_off,
     damaged,  ///< bytes differ from those written; `replay --verify` fails
 };
@@ -179,7 +182,7 @@ public:
     /// The text given to close; empty if the ending is not clean.
     const std::string& result() const;
 
-    /// All hashes by rising tick, with those of the end block.
+    /// All hashes by ascending tick, including those of the end block.
     const std::vector<HashRecord>& hashes() const;
     std::optional<HashRecord> hash_at(Tick tick) const;
     /// All marks, in the order in which they were made.

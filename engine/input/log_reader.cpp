@@ -30,7 +30,7 @@ struct LogDescriptor {
         if (fd >= 0) ::close(fd);
     }
 
-    /// Returns false if fewer bytes are there or the disk cannot read them.
+    /// Returns false if the file has fewer bytes or the disk cannot read them.
     bool read_at(std::size_t at, std::span<std::byte> into) const {
         while (!into.empty()) {
             const auto n = ::pread(fd, into.data(), into.size(), static_cast<off_t>(at));
@@ -106,12 +106,12 @@ Expected<OpenedLog> open_log(const std::string& path) {
 
 /// Position of a block of ticks in the file.
 struct BlockPlace {
-    Tick first{};  ///< number of its first frame
+    Tick first{};  ///< number of the block's first frame
     std::size_t at{};
 };
 
-/// Smallest number of zeros that suggests a power cut. Fewer prove nothing, because a block may end with
-/// some.
+/// Smallest number of zeros at the end that is taken as a power cut. With fewer it is uncertain, because a
+/// block may end with zeros.
 constexpr std::size_t least_zeros = 16;
 
 struct LogReader::State {
@@ -131,23 +131,25 @@ struct LogReader::State {
     std::string result;
     std::string reason;
     LogEnding ending = LogEnding::cut_off;
-    Tick ticks = 0;                // ticks in whole blocks
-    std::vector<BlockPlace> kept;  // for `seek`; damaged logs may have many small blocks, so not every one
+    Tick ticks = 0;  // number of ticks in complete blocks
+    // Positions of some blocks, for `seek`; not of all, because damaged logs may have many small blocks.
+    std::vector<BlockPlace> kept;
 
     // Position of the reader.
     std::size_t at;
     std::size_t at_frame = 0;
     detail::Block block;
 
-    /// Records the ending. Returns false: there is nothing more to read.
+    /// Records the ending, and returns false for the caller to return.
     bool end(LogEnding how, std::string_view what) {
         ending = how;
         reason = how == LogEnding::damaged ? text(path, ": tick ", ticks, ": block damaged (", what, ")")
                                            : text(path, ": cut off after tick ", ticks, " (", what, ")");
         return false;
     }
-    /// Handles a block ending at byte `end` that is not what was written. A power cut leaves a file of its
-    /// full size whose last pages are zeros. Other damage seldom does, so zeros are reported as a cut-off.
+    /// Handles a block whose bytes, up to `end`, differ from those that were written. A power cut leaves a
+    /// file of its full size whose last pages are zeros. Other damage seldom does, so zeros are reported as a
+    /// cut-off.
     bool damaged_or_unwritten(std::size_t end, std::string_view what) {
         const auto written = size_without_zeros(log.file);
         const bool zeros = written < end && log.file.size - written >= least_zeros;
@@ -175,8 +177,8 @@ struct LogReader::State {
         return true;
     }
 
-    /// Decodes the next block of ticks into `block`. Returns false at the end; `ending` and `reason` then say
-    /// why.
+    /// Decodes the next block of ticks into `block`. Returns false at the end of the log; `ending` and
+    /// `reason` then say why it ended.
     bool decode_block() {
         detail::BlockHeader header;
         if (!read_block(header)) return false;
@@ -248,7 +250,7 @@ struct LogReader::State {
         const auto all = ticks;
         const auto first = block.first + block.ticks;
         if (first >= all) return false;
-        ticks = first;  // ticks so far, for read_block and its messages
+        ticks = first;  // number of ticks so far, which read_block uses in messages
         const bool decoded = decode_block() && first + block.ticks <= all;
         if (!decoded) {
             damaged("changed while it was read");

@@ -1,9 +1,9 @@
 #include "input/log.h"
 
-// There are two threads: the simulation fills a block, the log's thread packs and writes it. Blocks travel
-// between them on two lock-free stacks, full ones one way and spare ones back. Neither thread can block the
-// other, even if the system suspends one of them at any point. A job of core/jobs.h would allocate for every
-// block; this code never does.
+// There are two threads: the simulation fills a block, the log's thread packs and writes it. Blocks pass
+// between them on two lock-free stacks: one for full blocks, one for blocks to be used again. Neither thread
+// can block the other, even if the system suspends one of them at any point. A job of core/jobs.h would
+// allocate for every block; this code never does.
 //
 // The file is a whole log at every moment: a block is one write, and a failed write is truncated. Written
 // bytes outlive the program at once. About once a second they are flushed to the disk, so a power cut costs
@@ -29,15 +29,16 @@
 namespace thaum::input {
 namespace {
 
-constexpr std::size_t usual_blocks = 8;   // enough for a disk that stalls for 4 s
-constexpr std::size_t most_blocks = 256;  // 2 minutes, 22 MiB; then recording ends
+// Number of blocks at the start; enough for a disk that stalls for 4 s.
+constexpr std::size_t usual_blocks = 8;
+constexpr std::size_t most_blocks = 256;  // largest number of blocks: 2 minutes, 22 MiB; then recording ends
 
 using Clock = std::chrono::steady_clock;
 constexpr auto sync_interval = std::chrono::seconds(1);
 
 }  // namespace
 
-/// Action of the log's thread after a block.
+/// What the log's thread does after a block.
 enum class AfterBlock : std::uint8_t { go_on, stop, end_block };
 
 struct QueuedBlock : detail::Block {
@@ -45,8 +46,7 @@ struct QueuedBlock : detail::Block {
     QueuedBlock* next = nullptr;
 };
 
-/// Stack of blocks. Any thread may push. One thread takes all blocks at once, so no block can return between
-/// two reads (no ABA).
+/// Stack of blocks. Any thread may push. One thread takes all blocks at once, which avoids the ABA problem.
 class BlockStack {
 public:
     void push(QueuedBlock* block) {
@@ -75,8 +75,8 @@ QueuedBlock* reversed(QueuedBlock* list) {
     return result;
 }
 
-/// Flushes the folder, which holds the file's name and reaches the disk separately. Some file systems cannot
-/// flush a folder; they flush it with the file.
+/// Flushes the folder, which holds the file's name and is written to the disk separately. Some file systems
+/// cannot flush a folder; they flush it with the file.
 void sync_folder_of(const std::filesystem::path& path) {
     const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
     const int fd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -85,8 +85,8 @@ void sync_folder_of(const std::filesystem::path& path) {
     ::close(fd);
 }
 
-/// Leaves signals to the program's other threads. A file size limit (SIGXFSZ) then is an error of `write`
-/// here.
+/// Blocks signals in this thread, so that other threads handle them. Exceeding a file size limit (SIGXFSZ)
+/// then makes `write` fail here.
 void block_signals() {
     sigset_t all;
     sigfillset(&all);
@@ -109,7 +109,7 @@ struct LogWriter::State {
         current = take_spare();
     }
 
-    /// Starts the log's thread; before, nothing is written. The error is that of start_thread.
+    /// Starts the log's thread; nothing is written before. The error is that of start_thread.
     Expected<void> start() {
         auto started = start_thread([this] { work(); });
         if (!started) return started.error();
@@ -127,35 +127,36 @@ struct LogWriter::State {
     const std::size_t device_count;
     const WhenBehind when_behind;
 
-    // Used by the appending thread.
+    // The next members are used by the appending thread.
     std::vector<std::unique_ptr<QueuedBlock>> blocks;
     QueuedBlock* current = nullptr;
     QueuedBlock* spare = nullptr;
-    Tick next_hash = 0;  // smallest tick of the next hash
+    Tick next_hash = 0;  // smallest tick that the next hash may have
     std::size_t mark_count = 0;
     bool finished = false;
 
-    // Shared between the threads.
+    // The next members are shared between the threads.
     BlockStack full, used;
     std::atomic<std::uint32_t> handed_over{0};
     std::atomic<Tick> appended{0};
     std::atomic<Tick> on_disk{0};
     std::atomic<std::size_t> extra_blocks{0};
-    // Recording ended early; `fault` is set before and never changes again.
+    // True if recording ended early. `fault` is set before and does not change afterwards.
     std::atomic<bool> stopped{false};
     std::atomic_flag fault_taken;
     std::string fault;
-    std::string result;              // set before the last block is handed over, like `last`
+    // Text for the end block; set before the last block is handed over, as is `last`.
+    std::string result;
     std::optional<HashRecord> last;  // hashes of the last state
 
-    // Used by the log's thread.
+    // The next members are used by the log's thread.
     detail::Packer packer;
-    std::size_t good_size;  // bytes of whole blocks
+    std::size_t good_size;  // size of the file up to the last whole block (bytes)
     bool write_failed = false;
     Clock::time_point synced{};
     std::jthread thread;
 
-    // Appending ------------------------------------------------------------------------------------
+    // Functions of the appending thread --------------------------------------------------------------
 
     QueuedBlock* make_block(QueuedBlock* next) {
         blocks.push_back(std::make_unique<QueuedBlock>());
@@ -238,19 +239,19 @@ struct LogWriter::State {
     void finish(AfterBlock after) {
         if (finished) return;
         finished = true;
-        if (!thread.joinable()) return;  // the thread could not be started
+        if (!thread.joinable()) return;  // nothing to wait for, because the thread could not be started
         hand_over(after);
         thread.join();
     }
 
-    // For either thread: records why recording stopped. The first reason stays.
+    // Records why recording stopped; either thread may call it. Only the first reason is kept.
     void stop(std::string_view why) {
         if (fault_taken.test_and_set()) return;
         fault = text(path, ": recording stopped: ", why);
         stopped.store(true, std::memory_order_release);
     }
 
-    // The log's thread -----------------------------------------------------------------------------
+    // Functions of the log's thread ------------------------------------------------------------------
 
     void work() {
         block_signals();
@@ -274,7 +275,8 @@ struct LogWriter::State {
         if (block.ticks > 0 && write_whole(packer.ticks(block))) {
             on_disk.store(block.first + block.ticks, std::memory_order_relaxed);
         }
-        // The other thread may have stopped early for want of a block. Then the log was not closed cleanly.
+        // The appending thread may have stopped early because it had no free block. Then the log was not
+        // closed cleanly.
         const bool whole = !stopped.load(std::memory_order_acquire);
         if (block.after == AfterBlock::end_block && whole) {
             write_whole(packer.end(block.first + block.ticks, {result, last}));
@@ -324,7 +326,7 @@ Expected<LogWriter> LogWriter::create(const std::filesystem::path& path, const L
             text(path.string(), ": exists already, and a log is never overwritten: give another name"));
     }
     if (fd < 0) return fail(text(path.string(), ": cannot create: ", std::strerror(errno)));
-    ::flock(fd, LOCK_EX | LOCK_NB);  // no other program can hold the lock: the file is new
+    ::flock(fd, LOCK_EX | LOCK_NB);  // this cannot fail, because the file is new
     if (!write_all(fd, *bytes)) {
         const auto why = std::strerror(errno);
         ::close(fd);

@@ -15,22 +15,23 @@
 
 namespace thaum::input {
 
-/// A thread of the engine that calls an arm's driver: the servo thread, unless the driver brings one, or the watchdog.
+/// State of a thread of the engine that calls an arm's driver: the servo thread, unless the driver brings its
+/// own, or the watchdog.
 enum class OwnThread : std::uint8_t { none, runs, ended, given_up };
 
 namespace {
 
-constexpr std::size_t most_name = 80;  ///< length of a name or number (bytes)
+constexpr std::size_t most_name = 80;  ///< longest name or number that is kept (bytes)
 constexpr std::size_t most_line = 600;
 
 }  // namespace
 
-/// Everything that the threads which call the driver share.
+/// Data that all threads which call the driver share.
 struct OpenArm::State : std::enable_shared_from_this<OpenArm::State> {
     ArmPlace place{};
     ArmPatience patience{};
     ArmFacts facts{};
-    std::int64_t started_ns = 0;  ///< time at which ticks were asked for; 0: not yet
+    std::int64_t started_ns = 0;  ///< time at which ticks were started; 0: not yet (ns)
     std::atomic<OwnThread> servo{OwnThread::none}, watch{OwnThread::none};
     std::unique_ptr<ArmDriver> driver{};
     std::unique_ptr<ArmTicks> ticks = std::make_unique<ArmTicks>();
@@ -44,7 +45,7 @@ namespace {
 struct Usage {
     std::mutex mutex{};
     std::set<std::pair<std::string_view, std::string>> open{};
-    std::multiset<std::string_view> hanging{};  ///< a driver's name for each thread that was left behind
+    std::multiset<std::string_view> hanging{};  ///< name of the driver for each thread that was abandoned
 };
 
 Usage& usage() {
@@ -52,7 +53,7 @@ Usage& usage() {
     return *the;
 }
 
-/// Takes the place for one arm. The error: it is taken, or its driver hangs.
+/// Reserves the place of one arm. The error says that it is in use, or that its driver hangs.
 Expected<void> occupy(const ArmPlace& place) {
     auto& u = usage();
     const std::lock_guard lock(u.mutex);
@@ -79,7 +80,7 @@ void note_hanging(std::string_view driver, bool hangs) {
         u.hanging.erase(one);
 }
 
-/// run_watched, which counts work that hangs until it returns after all.
+/// Like run_watched, but work that hangs is counted as hanging until it returns.
 Watched run_counted(std::string_view driver, std::int64_t limit_ns, const std::atomic<bool>* enough,
                     std::function<void()> work, const std::function<void()>& if_late) {
     auto watched = run_watched(limit_ns, enough, std::move(work), [=] {
@@ -90,14 +91,14 @@ Watched run_counted(std::string_view driver, std::int64_t limit_ns, const std::a
     return watched;
 }
 
-// ---- checks -----------------------------------------------------------------------------------------------
+// ---- checks of facts --------------------------------------------------------------------------------------
 
 /// A number from 0 to `most`; 0 if it is anything else.
 double believable(double value, double most) { return value >= 0 && value <= most ? value : 0; }
 
-/// Facts whose texts are short and printable and whose numbers are possible.
+/// Facts with short, printable texts and possible numbers.
 ArmFacts checked(ArmFacts facts) {
-    // No arm is stronger, stiffer or wider. A larger number is in another unit, or is no number.
+    // No arm is stronger, stiffer or wider. A larger value has another unit or is invalid.
     constexpr double most_force = 100, most_stiffness = 1e5, most_damping = 1e3, most_edge = 10,
                      most_rate = 1e5;
     constexpr int most_freedom = 16;
@@ -144,7 +145,7 @@ Expected<void> open_watched(const std::shared_ptr<State>& state) {
     return watched.end == Watched::End::in_time ? *result : fail(watched.line);
 }
 
-/// No force from the next tick on, and that tick is the last.
+/// Ends the force at the next tick, which is also the last.
 void end_ticks(ArmTicks& ticks) {
     constexpr std::int64_t patience_ns = 200'000'000, look_ns = 500'000;
     ticks.ending = true;
@@ -160,12 +161,12 @@ void close_watched(const std::shared_ptr<State>& state) {
                                      [=] { vacate(state->place); });
     if (watched.end == Watched::End::no_thread) close();
     if (watched.end != Watched::End::hangs) return vacate(place);
-    // The arm may still exert its last force. Another call of the driver may come through.
+    // The arm may still exert its last force, and another call of the driver may succeed in ending it.
     run_watched(
         state->patience.close_ns, nullptr, [=] { state->driver->give_up(); }, [] {});
 }
 
-/// Keeps ticks in which a driver hangs for as long as the program runs: the driver may come back to them.
+/// Keeps the ticks of a hanging driver until the program ends, because the driver may still use them.
 template <class State>
 void keep_for_ever(const std::shared_ptr<State>& state) {
     static auto* mutex = new std::mutex();
@@ -176,7 +177,8 @@ void keep_for_ever(const std::shared_ptr<State>& state) {
 
 // ---- the engine's threads ---------------------------------------------------------------------------------
 
-/// Runs the body in a thread that is counted as hanging from the time at which it is given up until it ends.
+/// Runs the body in a thread. From the time at which the thread is given up until it ends, it is counted as
+/// hanging.
 template <class State, class Body>
 Expected<void> start_own(const std::shared_ptr<State>& state, std::atomic<OwnThread> State::*which,
                          Body body) {
@@ -190,11 +192,11 @@ Expected<void> start_own(const std::shared_ptr<State>& state, std::atomic<OwnThr
         (*state).*which = OwnThread::none;
         return thread.error();
     }
-    thread->detach();  // it ends with the ticks; a thread that hangs in the driver cannot be joined
+    thread->detach();  // the thread ends with the ticks; if it hangs in the driver, it cannot be joined
     return {};
 }
 
-/// Waits until the thread has left the driver, so that `close` finds it alone.
+/// Waits until the thread has left the driver, so that `close` is the driver's only call.
 void leave(std::atomic<OwnThread>& thread, std::string_view driver) {
     constexpr std::int64_t patience_ns = 100'000'000, look_ns = 200'000;
     const auto until = monotonic_ns() + patience_ns;
@@ -214,10 +216,11 @@ void run_servo(ArmTicks& ticks) {
     }
 }
 
-/// Ends the force of ticks that stop, until the arm is closed.
+/// Watches the ticks until the arm is closed, and ends their force if they stop.
 template <class State>
 void run_watch(State& s) {
-    // A give_up that hangs holds up the next one no longer than this. The driver may have another way then.
+    // Longest time for which a give_up that hangs delays the next call of it. The driver may try another way
+    // then.
     constexpr std::int64_t patience_ns = 200'000'000;
     const auto name = s.place.kind->name;
     const auto state = s.shared_from_this();
@@ -233,7 +236,8 @@ Expected<void> start_watch(const std::shared_ptr<State>& state) {
     return start_own(state, &State::watch, [](State& s) { run_watch(s); });
 }
 
-/// Asks the driver to start ticks, or starts the engine's thread. They give no force before the watchdog runs.
+/// Asks the driver to start ticks, or starts the engine's thread. Ticks give no force before the watchdog
+/// runs.
 template <class State>
 Expected<void> start_ticks(const std::shared_ptr<State>& state) {
     const auto by_vendor = state->driver->start(state->ticks->number);
@@ -246,7 +250,7 @@ Expected<void> start_ticks(const std::shared_ptr<State>& state) {
 
 }  // namespace
 
-// ---- the arm ----------------------------------------------------------------------------------------------
+// ---- OpenArm ----------------------------------------------------------------------------------------------
 
 OpenArm::OpenArm(std::shared_ptr<State> state) : state_(std::move(state)) {}
 

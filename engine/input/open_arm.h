@@ -6,8 +6,8 @@
 //     (*arm)->status();                              // present, lost or fault
 //
 // Drivers and vendors' libraries are not trusted (input/arm_driver.h). A call that never returns is given up
-// after a limit. An arm whose ticks fail to come is lost. A tick that comes too late does nothing. Texts and
-// numbers are checked.
+// after a limit. An arm without ticks is lost. A tick that comes too late does nothing. Texts and numbers are
+// checked.
 #pragma once
 #include <atomic>
 #include <memory>
@@ -21,52 +21,55 @@
 
 namespace thaum::input {
 
-/// Arms that one process can hold at once.
+/// Greatest number of arms that one process can open at once.
 inline constexpr std::size_t most_open_arms = 8;
 
-/// Time that a driver may take before it counts as hanging.
+/// Longest time that a driver may take before it counts as hanging.
 struct ArmPatience {
-    std::int64_t open_ns = 15'000'000'000;  ///< for opening an arm, and for starting its ticks (ns)
-    std::int64_t close_ns = 3'000'000'000;  ///< for closing an arm (ns)
-    /// true: somebody wants the program to end, so waiting for an arm to open ends at once; null: nobody
+    /// Longest time for opening an arm, and for starting its ticks (ns).
+    std::int64_t open_ns = 15'000'000'000;
+    std::int64_t close_ns = 3'000'000'000;  ///< longest time for closing an arm (ns)
+    /// set to true when the user wants to end the program, so that waiting for an arm ends at once; null:
+    /// unused
     const std::atomic<bool>* enough{};
 };
 
 /// An arm that may be plugged in.
 struct ArmPlace {
     const ArmDriverKind* kind{};
-    std::string arm{};  ///< the driver's word for the arm
+    std::string arm{};  ///< word by which the driver identifies the arm
 };
 
-/// Arms of all drivers, sorted by driver. Number i of the list is the arm that people call "arm:i".
+/// Arms of all drivers, sorted by driver. Users call number i of the list "arm:i".
 std::vector<ArmPlace> arm_places();
 
-/// Whether a driver's call has not returned. Then the program must end by _Exit, because a library's own clean-up may
-/// hang as well.
+/// Whether a call of some driver has not returned. Then the program must end by _Exit, because a library's
+/// own clean-up may hang as well.
 bool arms_hang();
 
 class OpenArm {
 public:
     OpenArm(const OpenArm&) = delete;
     OpenArm& operator=(const OpenArm&) = delete;
-    /// Leaves the arm without force and ends its thread. The step of its ticks is never called again.
+    /// Ends the arm's force and its thread. The step function is never called again.
     ~OpenArm();
 
     const ArmFacts& facts() const;
 
-    /// From now on `tick` is called at 1 kHz. May be called once.
+    /// Begins to call `tick` at 1 kHz. May be called once.
     Expected<void> start(ArmTick tick);
-    /// Any thread. After lost or fault no more ticks come.
+    /// Any thread may call this. After `lost` or `fault` there are no more ticks.
     ArmStatus status() const;
     TickReport times() const;
-    /// Whether the system runs the arm's thread before others (SCHED_FIFO); false before the first tick.
+    /// Whether the system schedules the arm's thread before ordinary ones (SCHED_FIFO); false before the
+    /// first tick.
     bool preferred() const;
 
 private:
     friend Expected<std::unique_ptr<OpenArm>> open_arm(const ArmPlace&, const ArmPatience&);
     struct State;
     explicit OpenArm(std::shared_ptr<State> state);
-    std::shared_ptr<State> state_;  ///< shared with the threads that call the driver
+    std::shared_ptr<State> state_;  ///< state of the arm, shared with the threads that call the driver
 };
 
 /// Opens and calibrates an arm. The error is one line: what is wrong, then what to do.

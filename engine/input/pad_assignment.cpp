@@ -12,8 +12,8 @@ struct Question {
     std::string_view field;  ///< name of the control in a mapping
     std::string_view name;   ///< name of the control for people
     std::string_view words;
-    bool stick = false;   ///< a whole axis must answer, moved to its positive side
-    bool needed = false;  ///< a duel cannot be played without it
+    bool stick = false;   ///< true: the user must move a whole axis to its positive side
+    bool needed = false;  ///< true: a duel cannot be played without this control
 };
 constexpr std::array questions{
     Question{"a", "A", "press A, the lowest of the four buttons on the right", false, true},
@@ -39,11 +39,12 @@ constexpr std::array questions{
 };
 
 constexpr int axis_end = 32767;
-constexpr int moved = axis_end / 2;         ///< an axis so far from its rest has answered
-constexpr int back_at_rest = axis_end / 4;  ///< an axis so near to its rest was let go of
-constexpr int rests_at_end = axis_end / 2;  ///< an axis that rests farther out has one direction only
+constexpr int moved = axis_end / 2;         ///< an axis this far from its rest position counts as moved
+constexpr int back_at_rest = axis_end / 4;  ///< an axis this near to its rest position counts as released
+/// An axis whose rest position is farther out than this can only move one way.
+constexpr int rests_at_end = axis_end / 2;
 
-/// Name of a model without what a mapping cannot hold.
+/// Name of a model without characters that a mapping cannot contain.
 std::string name_in_mapping(std::string name) {
     std::erase_if(name, [](char c) { return c == ',' || static_cast<unsigned char>(c) < ' '; });
     return name.empty() ? "Joystick" : name;
@@ -66,19 +67,20 @@ bool PadAssignment::is_at_rest(const StickState& now) const {
     return now.buttons == rest_.buttons && now.hats == rest_.hats;
 }
 
-/// The part of an axis that has moved: "a2", "a2~" turned round, or one side of it, "+a2".
+/// The part of an axis that has moved, in the form of a mapping: "a2", "a2~" if inverted, or one side, such
+/// as "+a2".
 std::optional<std::string> PadAssignment::moved_axis(std::size_t axis, int value) const {
     const int rest = rest_.axes[axis], way = value - rest;
     if (std::abs(way) < moved) return {};
     const auto whole = text("a", axis), side = text(way > 0 ? "+" : "-", whole);
     if (taken_.contains(whole) || taken_.contains(whole + "~") || taken_.contains(side)) return {};
     const bool one_way = std::abs(rest) > rests_at_end, stick = questions.at(number_).stick;
-    if (one_way && stick) return {};  // a trigger cannot stand for a stick
+    if (one_way && stick) return {};  // a trigger cannot be used as a stick
     if (one_way || stick) return way > 0 ? whole : whole + "~";
     return side;
 }
 
-/// The part of the joystick that somebody moves and that has not answered before.
+/// The part of the joystick that is being moved and that was not assigned before.
 std::optional<std::string> PadAssignment::moved_part(const StickState& now) const {
     const bool stick = questions.at(number_).stick;
     for (std::size_t i = 0; !stick && i < now.buttons.size() && i < rest_.buttons.size(); ++i) {

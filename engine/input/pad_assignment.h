@@ -1,11 +1,12 @@
-// input/pad_assignment.h: makes a pad of a joystick that SDL does not know. It asks for one control of a pad after the
-// other, watches which part of the joystick moves, and writes the answers as a mapping in the form of SDL's
-// gamecontrollerdb.txt:
+// input/pad_assignment.h: lets the user assign the parts of a joystick that SDL does not know to the controls
+// of a pad. It asks for one control after the other, watches which part of the joystick moves, and writes the
+// result as a mapping in the form of SDL's gamecontrollerdb.txt:
 //
 //     GUID,NAME,a:b0,leftx:a0,lefttrigger:a4,dpup:h0.1,platform:Linux,
 //
-// A part that rests at one end of its way, as triggers do, is asked for like a button. No part answers twice. Both sticks,
-// A, RT and Start cannot be left out: who cannot move, look, use a wand or pause cannot play.
+// A part that rests at one end of its range, as triggers do, is treated like a button. No part is assigned
+// twice. Both sticks, A, RT and Start cannot be skipped, because a player must be able to move, look, use a
+// wand and pause.
 #pragma once
 #include <optional>
 #include <set>
@@ -16,27 +17,28 @@ namespace thaum::input {
 
 class PadAssignment {
 public:
-    /// Nobody touches the joystick at this moment.
+    /// `stick` must be at rest: no part of it is pressed or moved.
     explicit PadAssignment(const Stick& stick);
 
-    /// What to do next, in words for the screen: "press A, the lowest of the four buttons". Empty: all was asked for.
+    /// Instruction for the user, to be shown on the screen: "press A, the lowest of the four buttons". Empty:
+    /// all controls were asked for.
     std::string_view asks() const;
-    /// Number of the present question, from 0, and how many there are.
+    /// Number of the current question, from 0, and the number of all questions.
     std::size_t number() const { return number_; }
     static std::size_t count();
 
-    /// Looks at the joystick. Returns whether the present question was answered.
+    /// Takes the state of the joystick. Returns whether the current question was answered.
     bool follow(const StickState& now);
-    /// Whether a duel cannot be played without the present control.
+    /// Whether the current control is needed, because a duel cannot be played without it.
     bool needs_answer() const;
-    /// Leaves the present control out, unless it is needed.
+    /// Skips the current control, unless it is needed.
     void skip();
-    /// Names of the controls that were left out: "B, LT"; empty: none.
+    /// Names of the controls that were skipped: "B, LT"; empty: none.
     const std::string& skipped() const { return skipped_; }
 
-    /// Whether all was asked for, and the part of the last answer was let go of.
+    /// Whether all controls were asked for and the last part was released.
     bool is_done() const { return asks().empty() && !let_go_first_; }
-    /// The mapping of all answers.
+    /// The mapping with all assigned parts.
     std::string mapping() const;
 
 private:
@@ -47,9 +49,9 @@ private:
     std::string guid_, name_;
     StickState rest_;
     std::size_t number_ = 0;
-    bool let_go_first_ = false;  ///< the part of the last answer is still held
+    bool let_go_first_ = false;  ///< true: the last assigned part has not been released yet
     std::string answers_{}, skipped_{};
-    std::set<std::string> taken_{};  ///< parts that have answered
+    std::set<std::string> taken_{};  ///< parts that are already assigned
 };
 
 }  // namespace thaum::input

@@ -10,10 +10,10 @@
 namespace thaum::input {
 namespace {
 
-constexpr std::size_t most_of_line_shown = 40;  // bytes of a word of the file that an error shows
+constexpr std::size_t most_of_line_shown = 40;  // longest part of a line that an error quotes (bytes)
 constexpr std::size_t model_digits = 32;
 
-/// Names of SDL's controls without a side of an axis.
+/// Names of SDL's controls, without the sign for a side of an axis.
 constexpr std::array<std::string_view, 23> controls{
     "a",           "b",           "x",      "y",      "back",     "guide",        "start",
     "leftstick",   "rightstick",  "dpup",   "dpdown", "dpleft",   "dpright",      "leftx",
@@ -25,13 +25,13 @@ bool is_control(std::string_view field) {
     return std::ranges::find(controls, field) != controls.end();
 }
 
-/// Whether a field says something of the whole line.
+/// Whether a field describes the whole line, such as its platform, instead of a control.
 bool is_remark(std::string_view field) {
     return field == "platform" || field == "crc" || field == "hint" || field == "type" || field == "face" ||
            field.starts_with("sdk");
 }
 
-/// Takes a number of one to three digits off the beginning of a word. Returns whether there is one.
+/// Removes a number of one to three digits from the beginning of a word. Returns whether there was one.
 bool take_number(std::string_view& word) {
     std::size_t digits = 0;
     while (digits < word.size() && is_digit(word[digits])) ++digits;
@@ -61,7 +61,7 @@ bool is_model(std::string_view word) {
            });
 }
 
-/// Takes the words up to the next comma off the beginning of a line.
+/// Removes and returns the text up to the next comma from the beginning of a line.
 std::string_view take_word(std::string_view& line) {
     const auto end = std::min(line.find(','), line.size());
     const auto word = trimmed(line.substr(0, end));
@@ -108,7 +108,7 @@ std::string_view model_of_mapping(std::string_view mapping) {
 
 bool same_pad_controls(std::string_view a, std::string_view b) {
     const auto controls_of = [](std::string_view mapping) {
-        take_word(mapping);  // the model
+        take_word(mapping);  // skips the model
         std::string words(take_word(mapping));
         while (!mapping.empty()) {
             const auto element = take_word(mapping);

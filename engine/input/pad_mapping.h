@@ -3,8 +3,8 @@
 //
 //     03000000aabb00001122000001000000,Name of the model,a:b0,leftx:a0,dpup:h0.1,platform:Linux,
 //
-// SDL takes a mapping without a single control as well, and then shows a pad that does nothing. So lines of a file are
-// checked here first.
+// SDL also accepts a mapping without any control, and then reports a pad that does nothing. So lines of a
+// file are checked here first.
 #pragma once
 #include <string>
 #include <string_view>
@@ -14,18 +14,18 @@
 namespace thaum::input {
 
 struct PadMapping {
-    std::string model{};     ///< 32 hexadecimal digits, small letters
-    std::string words{};     ///< the line as SDL takes it
+    std::string model{};     ///< the joystick's model: 32 hexadecimal digits in lower case
+    std::string words{};     ///< the line in the form that SDL reads
     bool for_linux = false;  ///< false: the line is for another system
 };
 
-/// Reads a line, whose blanks at both ends do not count. The error says what is wrong, without the place of the line.
+/// Reads a line; blanks at its ends are ignored. The error says what is wrong, without naming the line.
 Expected<PadMapping> read_pad_mapping(std::string_view line);
 
-/// The words before the first comma: the model of the joysticks that a mapping is for.
+/// The text before the first comma: the model of joysticks to which a mapping applies.
 std::string_view model_of_mapping(std::string_view mapping);
 
-/// Whether two mappings have the same name and controls, whatever their models and other words.
+/// Whether two mappings have the same name and controls, whatever their models and other fields.
 bool same_pad_controls(std::string_view a, std::string_view b);
 
 }  // namespace thaum::input

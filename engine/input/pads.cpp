@@ -14,7 +14,7 @@
 #include "input/detail/pad_places.h"
 #include "input/pad_mapping.h"
 
-// Why SDL is used as it is here:
+// The reasons for these settings of SDL:
 //
 // - SDL's own drivers for some pads (HIDAPI) are off, so that every pad is one of Linux's event devices: the user needs
 //   one permission for all, and motors run through that device (input/rumble.h).
@@ -24,12 +24,12 @@
 namespace thaum::input {
 namespace {
 
-std::atomic<bool> alive = false;  // a PadReader exists
+std::atomic<bool> alive = false;  // true: a PadReader exists
 
 using Controller = std::unique_ptr<SDL_GameController, decltype(&SDL_GameControllerClose)>;
 using Joystick = std::unique_ptr<SDL_Joystick, decltype(&SDL_JoystickClose)>;
 
-/// A text of SDL, which may be null.
+/// A string from SDL, which may be null.
 std::string in_words(const char* words) { return words == nullptr ? "" : words; }
 
 std::string guid_of(int index) {
@@ -38,20 +38,21 @@ std::string guid_of(int index) {
     return words.data();
 }
 
-/// Number that SDL gives a joystick in its list at present; below 0: it is gone.
+/// Current number of a joystick in SDL's list; negative: it is gone.
 int index_of(SDL_JoystickID id) {
     for (int i = 0; i < SDL_NumJoysticks(); ++i)
         if (SDL_JoystickGetDeviceInstanceID(i) == id) return i;
     return -1;
 }
 
-/// A number of SDL, which goes a little farther down than up, as -1 to 1.
+/// Converts SDL's 16-bit value to -1 to 1. Its range is one larger below 0 than above.
 double share_of(std::int16_t value) { return std::max(-1.0, value / 32767.0); }
 
 struct OpenPad {
     SDL_JoystickID id = -1;
     Controller controller{nullptr, SDL_GameControllerClose};
-    std::string own_model{};  ///< model of the program's mapping that it plays by; empty: SDL has its own
+    /// Model whose mapping from this program the pad uses; empty: SDL has its own mapping.
+    std::string own_model{};
 };
 
 struct OpenStick {
@@ -109,10 +110,11 @@ Expected<void> add_mapping(const std::string& mapping) {
 }  // namespace
 
 struct PadReader::State {
-    std::jthread start{};  ///< begins SDL; ended by `wait`
+    std::jthread start{};  ///< thread that initialises SDL; `wait` joins it
     bool began = false;
     std::string fault{};
-    std::vector<std::string> mappings{};  ///< those of the program, in the order in which SDL takes them
+    /// Mappings of the program, in the order in which they were added to SDL.
+    std::vector<std::string> mappings{};
     PadPlaces places{};
     Pads pads{};
     std::array<OpenPad, std::tuple_size_v<Pads>> open{};
@@ -120,7 +122,7 @@ struct PadReader::State {
     std::vector<Stick> sticks{};
     std::vector<OpenStick> open_sticks{};
     std::vector<std::pair<SDL_JoystickID, bool>>
-        plugged{};  ///< joysticks of the last look, and which are pads
+        plugged{};  ///< joysticks that the last check found, and which of them are pads
 
     void begin();
     void find_own_mappings();
@@ -132,7 +134,8 @@ struct PadReader::State {
     void open_sticks_anew();
 };
 
-/// Notes which pads play by a mapping of the program. SDL does not say so, and takes mappings of similar models, too.
+/// Finds which pads use a mapping of the program. SDL does not report it, and also applies mappings of
+/// similar models.
 void PadReader::State::find_own_mappings() {
     for (auto& pad : open) {
         pad.own_model.clear();
@@ -149,7 +152,7 @@ void PadReader::State::find_own_mappings() {
 void PadReader::State::begin() {
     SDL_SetHintWithPriority(SDL_HINT_NO_SIGNAL_HANDLERS, "1", SDL_HINT_OVERRIDE);
     SDL_SetHintWithPriority(SDL_HINT_JOYSTICK_HIDAPI, "0", SDL_HINT_OVERRIDE);
-    // SDL has no window, so none of its windows ever has the focus.
+    // SDL has no window, so without this hint it would report no input: none of its windows has the focus.
     SDL_SetHintWithPriority(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1", SDL_HINT_OVERRIDE);
     began = SDL_Init(SDL_INIT_GAMECONTROLLER) == 0;
     if (!began) {
@@ -163,7 +166,7 @@ void PadReader::State::begin() {
             fault = text("'", mapping.substr(0, mapping.find(',')), "': ", added.error().message);
 }
 
-/// Looks which joysticks are there. Returns whether something has changed.
+/// Checks which joysticks are plugged in. Returns whether something has changed.
 bool PadReader::State::look() {
     std::vector<std::pair<SDL_JoystickID, bool>> now;
     for (int i = 0; i < SDL_NumJoysticks(); ++i)
@@ -171,7 +174,7 @@ bool PadReader::State::look() {
     return std::exchange(plugged, now) != now;
 }
 
-/// Gives pads their places, and opens and closes them.
+/// Assigns places to pads, and opens and closes them.
 void PadReader::State::open_pads() {
     std::vector<PluggedPad> now;
     for (std::size_t i = 0; i < plugged.size(); ++i)
@@ -288,7 +291,7 @@ std::vector<Stick> PadReader::own() const {
     return sticks;
 }
 
-// SDL has no call that takes a mapping back.
+// SDL has no function that removes a mapping.
 void PadReader::forget(const std::string& model) {
     auto& s = *state_;
     s.wait();
@@ -296,7 +299,7 @@ void PadReader::forget(const std::string& model) {
                   [&](const auto& mapping) { return same_word(model_of_mapping(mapping), model); });
     if (!s.began) return;
     for (auto& pad : s.open) pad = {};
-    for (auto& place : s.places) place.id = -1;  // SDL may count its pads anew
+    for (auto& place : s.places) place.id = -1;  // after this, SDL may number its pads differently
     s.pads = {};
     s.sticks.clear();
     s.open_sticks.clear();

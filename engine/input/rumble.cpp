@@ -15,23 +15,24 @@
 #include "core/text.h"
 #include "input/detail/rumble_effect.h"
 
-// Linux runs the motors of most pads by ff-memless.c. Its effects begin at the next tick of a timer, up to 10 ms late,
-// and one that was changed and is stopped before that tick leaves the motors on for ever. So a running effect is never
-// changed. There are two: one runs, the other takes the new values, starts, and then the first stops. That stop begins
-// the other at once. Then no stop, and no death of the program, can leave a motor on.
+// Linux runs the motors of most pads by ff-memless.c. Its effects begin at the next tick of a timer, up to 10
+// ms late, and one that was changed and is stopped before that tick leaves the motors on for ever. So a
+// running effect is never changed. There are two effects: while one runs, the other gets the new values and
+// is started, and then the first is stopped. Stopping the first begins the other at once. So neither a stop
+// nor the end of the program can leave a motor on.
 //
-// SDL's own rumble is not used, because it does neither. It changes the one effect that runs, and gives it a length of
-// 65.5 s in Linux, which SDL cuts short only while somebody polls it. A program that is stopped or hangs would leave
-// the motors on for a minute, and one that is killed between the change and its start for ever. With effects that end
-// by themselves, the thread of the motors needs no lock that the thread which polls SDL has, either: SDL locks all
-// joysticks while it updates them.
+// SDL's own rumble is not used, because it gives neither guarantee. It changes the one effect that runs, and
+// gives it a length of 65.5 s in Linux, which SDL cuts short only while somebody polls it. A program that is
+// stopped or hangs would leave the motors on for a minute, and one that is killed between the change and its
+// start for ever. With effects that end by themselves, the thread of the motors needs no lock that the thread
+// which polls SDL has, either: SDL locks all joysticks while it updates them.
 
 namespace thaum::input {
 namespace {
 
-constexpr std::size_t most_shown = 60;  ///< bytes of a pad's name in messages
+constexpr std::size_t most_shown = 60;  ///< longest part of a pad's name in messages (bytes)
 
-/// An open device file; closed with its owner.
+/// An open device file; the destructor closes it.
 class DeviceFile {
 public:
     DeviceFile() = default;
@@ -81,11 +82,12 @@ private:
 
     const std::string path_, name_;
     DeviceFile file_{};
-    bool failed_ = false;                 ///< a call has failed since the opening
-    std::array<ff_effect, 2> effects_{};  ///< id below 0: not uploaded
-    std::size_t current_ = 0;             ///< effect that runs, or ran last
-    bool running_ = false;    ///< the effect was started and not stopped; it may have ended by itself
-    double extend_at_s_ = 0;  ///< when half of the time of the running effect is over
+    bool failed_ = false;                 ///< true: a call has failed since the device was opened
+    std::array<ff_effect, 2> effects_{};  ///< an id below 0 means that the effect is not uploaded
+    std::size_t current_ = 0;             ///< index of the effect that runs, or ran last
+    /// true: the effect was started and not stopped, but it may have ended by itself.
+    bool running_ = false;
+    double extend_at_s_ = 0;  ///< time at which half of the running effect's duration is over (s)
 };
 
 Expected<void> Rumble::open() {
@@ -106,7 +108,7 @@ void Rumble::write(const tactile::TactileFrame& frame, double now_s) {
     if (wanted.u.rumble.strong_magnitude == 0 && wanted.u.rumble.weak_magnitude == 0) return silence();
     if (is_running(wanted)) {
         if (now_s < extend_at_s_) return;
-        play(before, true);  // begins its time again, without a gap
+        play(before, true);  // starts the effect again, so that its time begins anew without a gap
     } else {
         auto& next = effects_[1 - current_];
         const auto id = next.id;

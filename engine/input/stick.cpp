@@ -12,8 +12,8 @@ constexpr double linear_part = 0.3, cubic_part = 0.7;
 constexpr double usual_curve = StickResponse{}.curve;
 static_assert(usual_curve == cubic_part && turn_share(1) == 1 && turn_share(-1) == -1);
 
-/// The deflection with a share of the full rate. A cubic t^3 + p t = q with p > 0 has one real root, and its form
-/// with the hyperbolic sine loses no digits near 0 (Numerical Recipes, 5.6).
+/// The deflection that gives a share of the full turn rate. A cubic t^3 + p t = q with p > 0 has one real
+/// root, and its form with the hyperbolic sine loses no digits near 0 (Numerical Recipes, 5.6).
 double inverse_of_turn_share(double share) {
     constexpr double p = linear_part / cubic_part;
     const double q = share / cubic_part, root = std::sqrt(p / 3);

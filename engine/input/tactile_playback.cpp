@@ -8,17 +8,18 @@
 namespace thaum::input {
 namespace {
 
-/// Time between looks at the queue while an output is open (s).
+/// Time between checks of the queue while an output is open (s).
 constexpr double open_rest_s = 0.004;
-/// The same while none is. It empties the queue before it is full.
+/// Time between checks of the queue while no output is open (s): short enough that the queue does not fill
+/// up.
 constexpr double closed_rest_s = 0.1;
 constexpr double s_per_tick = 1e-3;
 
-/// Adds an older frame to a newer one.
+/// Merges an older frame into a newer one.
 void merge(const tactile::TactileFrame& older, tactile::TactileFrame& newer) {
     for (std::size_t i = 0; i < newer.amplitude.size(); ++i) {
         if (!(older.amplitude[i] > newer.amplitude[i])) continue;
-        // An actuator that has just fallen silent has no carrier of its own.
+        // An actuator that has just become silent has no carrier frequency of its own.
         if (newer.amplitude[i] == 0) newer.carrier_hz[i] = older.carrier_hz[i];
         newer.amplitude[i] = older.amplitude[i];
     }
@@ -126,17 +127,18 @@ void TactilePlayback::lose(double now_s) {
     open_ = false;
     sounding_ = false;
     ++report_.times_lost;
-    // A device that is there again is opened at once, but one that fails at each opening does not keep a core busy.
+    // A device that is back is opened at once, but a device that fails at each opening must not keep a core
+    // busy.
     next_try_s_ = std::max(now_s, opened_at_s_ + retry_s);
     say(text(output_->name(), ": ", fault));
 }
 
-/// Drops frames that nobody feels.
+/// Drops frames while no output can play them.
 void TactilePlayback::drop_waiting() {
     for (; frames_.front() != nullptr; frames_.pop()) ++report_.frames_lost;
 }
 
-/// Takes a frame of `try_out`. Returns whether there is a new one.
+/// Takes a frame passed by `try_out`. Returns whether there is a new one.
 bool TactilePlayback::take_trial(double now_s) {
     const std::lock_guard lock(told_);
     if (!next_trial_) return false;
@@ -155,7 +157,7 @@ std::size_t TactilePlayback::take_frames() {
     return count;
 }
 
-/// Passes each waiting frame as it is, for an output that wants every one.
+/// Passes on each waiting frame unchanged, for an output that wants every frame.
 void TactilePlayback::pass_all(double now_s) {
     for (; frames_.front() != nullptr; frames_.pop()) {
         ++report_.frames_sent;
@@ -163,7 +165,7 @@ void TactilePlayback::pass_all(double now_s) {
     }
 }
 
-/// Plays what waits. `age_s` is the age that the waiting frames may have.
+/// Plays the waiting frames. `age_s` is the greatest age that they may have.
 void TactilePlayback::play(double now_s, double age_s) {
     if (output_->wants_every_frame()) return pass_all(now_s);
     const bool tried = take_trial(now_s);

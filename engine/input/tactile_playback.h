@@ -1,15 +1,16 @@
-// input/tactile_playback.h: passes tactile frames to an output, and silences it in time. It has no thread and no clock
-// (input/tactile_player.h has).
+// input/tactile_playback.h: passes tactile frames to an output, and silences it in time. It has no thread and
+// no clock (input/tactile_player.h has both).
 //
 //     simulation thread --frames--> queue --> step(): merge, write or silence --> output
 //
-// Each frame has a time to live. If no newer frame comes in that time, the output is silenced: the match is paused, or
-// the program hangs. Several frames that wait become one: each actuator gets its largest amplitude, so that a short
-// blow is felt, and the newest frame's carriers. The age of a waiting frame is unknown. It counts as old as the step
-// before, so frames that waited while an output hung are dropped.
+// Each frame has a time to live. If no newer frame comes in that time, the output is silenced: the match is
+// paused, or the program hangs. Frames that wait together are merged: each actuator gets its largest
+// amplitude, so that a short blow is felt, and the carrier of the newest frame. The age of a waiting frame is
+// unknown. It is assumed to be the time since the previous step, so frames that waited while an output hung
+// are dropped.
 //
-// A second source, such as a menu in which an effect is tried, passes its frames by `try_out`. They are laid over the
-// match's frames. Each counts for its time to live.
+// A second source, such as a menu in which an effect is tried, passes its frames by `try_out`. They are
+// merged with the match's frames during their time to live.
 #pragma once
 #include <atomic>
 #include <memory>
@@ -22,13 +23,13 @@
 
 namespace thaum::input {
 
-/// Counts since the start.
+/// Counts of frames and outputs since the start.
 struct TactileReport {
-    std::uint64_t frames_sent{};     ///< frames that the output played or was silent for
+    std::uint64_t frames_sent{};     ///< frames that the output played, or for which it was rightly silent
     std::uint64_t frames_merged{};   ///< frames merged into a newer one
     std::uint64_t frames_late{};     ///< frames dropped because their time to live may have passed
     std::uint64_t frames_lost{};     ///< frames dropped because no output was open, or the queue was full
-    std::uint64_t times_silenced{};  ///< times to live that ended without a newer frame
+    std::uint64_t times_silenced{};  ///< number of times that a time to live ended without a newer frame
     std::uint64_t times_opened{};
     std::uint64_t times_lost{};
 };
@@ -36,27 +37,26 @@ struct TactileReport {
 class TactilePlayback {
 public:
     static constexpr double retry_s = 2;           ///< time between two tries to open an output
-    static constexpr double longest_life_s = 0.5;  ///< a longer time to live counts as this
+    static constexpr double longest_life_s = 0.5;  ///< longest time to live that is accepted (s)
 
-    // The thread that makes frames.
-    /// Queues a frame. Returns false if the queue is full: the output is not fed at the moment.
+    // Queues a frame; called by the thread that makes frames. Returns false if the queue is full: the output
+    // is not fed at the moment.
     bool feel(const tactile::TactileFrame& frame);
 
-    // Any thread.
-    /// Lays a frame over those that are queued. The newest one counts.
+    // Merges a frame with those that are queued; any thread may call it. Only the newest such frame is used.
     void try_out(const tactile::TactileFrame& frame);
-    /// Takes another output at the next step; null: none. The former one is closed.
+    /// Takes another output at the next step; null: none. The former output is closed.
     void use(std::unique_ptr<TactileOutput> output);
     /// One line: which output plays, or why none does. Empty if there is none.
     std::string status() const;
     TactileReport report() const;
-    /// Whether frames reach an output.
+    /// Whether frames are passed to an output.
     bool is_open() const { return open_; }
-    /// Lets `step` return as soon as a blocking call of the output does, without a further one.
+    /// Lets `step` return as soon as a blocking call of the output returns, without calling the output again.
     void abandon() { abandoned_ = true; }
 
-    // The thread of the output.
-    /// Does what is due at the time `now_s` and returns the time until the next step (s).
+    // Does what is due at the time `now_s` and returns the time until the next step (s). Called by the
+    // output's thread.
     double step(double now_s);
     /// Silences and closes the output.
     void close();
@@ -77,7 +77,7 @@ private:
     SpscQueue<tactile::TactileFrame, 32> frames_;
     std::atomic<std::uint64_t> refused_{};  ///< frames that found the queue full
 
-    mutable std::mutex told_;  ///< guards the five below
+    mutable std::mutex told_;  ///< guards the five members below
     std::string status_;
     TactileReport published_;
     std::unique_ptr<TactileOutput> next_output_;
@@ -87,11 +87,11 @@ private:
     std::atomic<bool> abandoned_{};
     std::unique_ptr<TactileOutput> output_;
     TactileReport report_;
-    tactile::TactileFrame frame_{};  ///< the newest frame, with those merged into it
+    tactile::TactileFrame frame_{};  ///< the newest frame, with older ones merged into it
     tactile::TactileFrame trial_{};  ///< the newest frame of `try_out`
     double trial_until_s_{};
-    std::atomic<bool> open_{};  ///< changed by the output's thread only
-    bool sounding_{};           ///< the output plays a frame that is not silent
+    std::atomic<bool> open_{};  ///< true: an output is open; changed only by the output's thread
+    bool sounding_{};           ///< true: the output plays a frame that is not silent
     double silent_at_s_{};
     double next_try_s_{};
     double opened_at_s_{};

@@ -1,9 +1,9 @@
 // input/tactile_player.h: plays tactile frames on one output, in a thread of its own.
 //
-// While the output is open, the thread looks for frames every 4 ms, else every 100 ms.
+// The thread checks for frames every 4 ms while the output is open, and every 100 ms otherwise.
 //
 // An output may block its caller for ever, so the destructor waits for the thread for `most_wait_s` only
-// (core/step_thread.h). A thread that is left behind ends with the call that hangs.
+// (core/step_thread.h). A thread that is abandoned ends when the hanging call returns.
 #pragma once
 #include <memory>
 #include <string>
@@ -22,14 +22,14 @@ public:
 
     /// Queues a frame; the simulation thread calls it every 8 ms. Never waits.
     bool feel(const tactile::TactileFrame& frame);
-    /// Lays a frame over those that are queued (TactilePlayback::try_out). Any thread.
+    /// Merges a frame with those that are queued (TactilePlayback::try_out). Any thread may call it.
     void try_out(const tactile::TactileFrame& frame);
-    /// Changes the output; null: none. Any thread; never waits for an output.
+    /// Changes the output; null: none. Any thread may call it; it never waits for an output.
     void use(std::unique_ptr<TactileOutput> output);
     /// One line: which output plays, or why none does. Empty if there is none. Any thread may ask.
     std::string status() const;
     TactileReport report() const;
-    /// Whether frames reach an output. Any thread.
+    /// Whether frames are passed to an output. Any thread may ask.
     bool is_open() const;
 
 private:

@@ -15,13 +15,13 @@ class TimeCounts {
 public:
     void add(std::int64_t ns);
     /// Duration that a share (0 to 1) of all durations does not exceed (us). A duration beyond the range
-    /// counts as the worst. 0: none yet.
+    /// counts as the longest one. Returns 0 if there is none yet.
     double at(double share) const;
     double worst() const { return static_cast<double>(worst_ns_.load(std::memory_order_relaxed)) * 1e-3; }
 
 private:
     static constexpr std::size_t range = 4096;
-    /// The last one counts all longer durations.
+    /// The last element counts all longer durations.
     std::array<std::atomic<std::uint32_t>, range> counts_{};
     std::atomic<std::int64_t> worst_ns_{0};
 };
@@ -29,8 +29,8 @@ private:
 /// Timing statistics (us).
 struct TickReport {
     std::uint64_t ticks{};
-    std::uint64_t missed{};  ///< periods that passed without a tick
-    /// Difference between tick interval and period, without sign.
+    std::uint64_t missed{};  ///< number of periods that passed without a tick
+    /// Absolute difference between tick interval and period.
     double jitter_median{}, jitter_p99{}, jitter_worst{};
     /// Time from the measurement of the pose to the force handed to the device.
     double answer_median{}, answer_p99{}, answer_worst{};
@@ -44,7 +44,7 @@ class TickTimes {
 public:
     explicit TickTimes(std::int64_t period_ns = 1'000'000) : period_ns_(period_ns) {}
 
-    /// Records the start of a tick, which is its measurement.
+    /// Records the start of a tick, which is also the time of its measurement.
     void begins(std::int64_t now_ns);
     /// Records that the tick's force was handed to the device.
     void ends(std::int64_t now_ns);

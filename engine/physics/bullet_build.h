@@ -1,5 +1,5 @@
-// physics/bullet_build.h: the version of Bullet that this program is built with. The header of a log contains it,
-// because another version moves bodies to other places.
+// physics/bullet_build.h: the version of Bullet that this program is built with. The header of a log contains
+// it, because another version would compute slightly different motions.
 #pragma once
 #include <string>
 
@@ -7,7 +7,7 @@ namespace thaum::physics {
 
 struct BulletBuild {
     std::string library;    ///< name and version, such as "Bullet 3.24"
-    std::string precision;  ///< precision of its numbers, "double" or "single"
+    std::string precision;  ///< precision of Bullet's numbers, "double" or "single"
 };
 
 BulletBuild bullet_build();

@@ -99,16 +99,16 @@ bool is_bullets(std::string_view library) {
            library.find("libLinearMath") != std::string_view::npos;
 }
 
-// The value is volatile, because the compiler would otherwise compute results itself, correctly
-// rounded.
+// Hides a value from the compiler by `volatile`. Otherwise the compiler would compute the results itself,
+// correctly rounded.
 double opaque(double x) {
     volatile double hidden = x;
     return hidden;
 }
 
 std::uint64_t probe_at(std::uint64_t hash, double unit) {
-    const double x = opaque(unit);               // in (0, 1)
-    const double wide = opaque(unit * 50 - 25);  // several turns
+    const double x = opaque(unit);               // an argument in (0, 1)
+    const double wide = opaque(unit * 50 - 25);  // an argument of several turns
     const double arc = opaque(2 * unit - 1);
     double sine = 0, cosine = 0;
     sincos(opaque(wide * 1e5), &sine, &cosine);

@@ -1,4 +1,4 @@
-// physics/bullet_maths.h: the elementary functions that Bullet computes with.
+// physics/bullet_maths.h: replaces the elementary functions that Bullet uses.
 //
 // Bullet's libraries call sin, cos, sincos, acos, asin, atan2 and pow. glibc has several variants of
 // each and chooses one by the processor. Variants with and without fused multiplication differ in the

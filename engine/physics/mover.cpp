@@ -13,9 +13,10 @@ constexpr vec3 up{0, 1, 0};
 constexpr double sole = 0.02;
 /// Largest speed away from the ground at which a falling mover counts as landed (m/s).
 constexpr double caught_speed = 1;
-/// Largest speed away from the ground at which a walking mover is held on it (m/s): a crest of 50 degrees.
+/// Largest speed away from the ground at which a walking mover is kept on the ground, as over a crest of 50
+/// degrees (m/s).
 constexpr double held_speed = 4;
-constexpr double noticed_force = 50;  // smaller deficits do not count as resistance (N)
+constexpr double noticed_force = 50;  // smallest missing force that counts as resistance (N)
 constexpr double still = 1e-6;        // smaller velocity changes are ignored (m/s)
 
 struct Ground {
@@ -31,7 +32,7 @@ vec3 along(vec3 v, vec3 normal) { return v - normal * glm::dot(v, normal); }
 std::optional<Ground> find_ground(const Physics& physics, Key key, const MoverSettings& settings) {
     const BodyDesc& desc = physics.desc(key);
     const vec3 foot = physics.state(key).position - desc.size.y * up;
-    // On a slope the thinner sphere must go farther down than on a floor, by a factor of 1 / cos.
+    // On a slope the thinner sphere must go farther down than on level ground, by a factor of 1 / cos.
     const double down = sole / settings.steepest_cos + settings.reach;
     const auto hit = physics.sweep_sphere(foot, foot - down * up, desc.size.x - sole, settings.ground, key);
     if (!hit || hit->normal.y < settings.steepest_cos) return std::nullopt;
@@ -39,18 +40,18 @@ std::optional<Ground> find_ground(const Physics& physics, Key key, const MoverSe
     return Ground{hit->key, hit->normal, velocity_at(physics.state(hit->key), hit->point)};
 }
 
-/// The wish in the plane of the ground, with the speed it had on level ground.
+/// The wished velocity, tilted into the plane of the ground, with the same speed as on level ground.
 vec3 wish_along(vec3 wish, vec3 normal) {
     const double speed = glm::length(wish);
     if (speed == 0) return {};
-    // The wish is tilted, not projected, so that it goes straight ahead as seen from above.
+    // The velocity is tilted, not projected, so that its direction seen from above does not change.
     const vec3 tilted = wish - up * (glm::dot(wish, normal) / normal.y);
     return tilted * (speed / glm::length(tilted));
 }
 
-/// The wish relative to the ground. A loose thing that slides ahead, perhaps because the mover's foot has struck its
-/// edge, makes nobody faster than walking: together with its velocity the wish is at most the walking speed, or the speed
-/// that the mover already has.
+/// The wished velocity relative to the ground. Loose ground that slides ahead, perhaps because the mover has
+/// kicked its edge, must not make the mover faster than walking: the sum of both velocities is at most the
+/// walking speed, or the speed that the mover already has.
 vec3 wish_on(const Physics& physics, Key key, const Ground& ground, vec3 wish,
              const MoverSettings& settings) {
     const vec3 carried = level(ground.velocity);
@@ -59,12 +60,12 @@ vec3 wish_on(const Physics& physics, Key key, const Ground& ground, vec3 wish,
     return limited(carried + wish, most) - carried;
 }
 
-/// Whether something resisted the last drive in this direction.
+/// Whether something resisted the last change of velocity in this direction.
 bool resisted(const MoverState& state, vec3 now, vec3 direction, double mass, double dt) {
     return state.driven && glm::dot(state.expected - now, direction) * mass > noticed_force * dt;
 }
 
-/// Velocity change in the plane of the ground in this step.
+/// Change of velocity in the plane of the ground in this step.
 vec3 drive(const MoverSettings& settings, const MoverState& state, vec3 target, vec3 now, double mass,
            double dt) {
     const vec3 missing = target - now;
@@ -75,7 +76,7 @@ vec3 drive(const MoverSettings& settings, const MoverState& state, vec3 target, 
     return limited(missing, resisted(state, now, missing / size, mass, dt) ? std::min(free, pushing) : free);
 }
 
-/// Share of the weight that rests on the ground, 0 to 1; traction is in proportion to it.
+/// Share of the weight that rests on the ground, 0 to 1; traction is proportional to it.
 double traction(const Physics& physics, Key key, double rope_lift) {
     const double weight = physics.desc(key).mass * glm::length(physics.settings().gravity);
     return weight > 0 ? std::clamp(1 - rope_lift / weight, 0.0, 1.0) : 1;
@@ -99,7 +100,7 @@ void walk(Physics& physics, Key key, const Ground& ground, vec3 wish, MoverSetti
     state.driven = 1;
 }
 
-/// Accelerates towards the wish, never beyond it, and brakes only if the motion is against the wish.
+/// Accelerates towards the wished velocity, never beyond it, and brakes only if the wish opposes the motion.
 void fly(Physics& physics, Key key, vec3 wish, const MoverSettings& settings, double dt) {
     const double speed = glm::length(wish);
     if (speed == 0) return;
@@ -123,8 +124,8 @@ MoverResult asleep(const MoverState& state) {
     return {.grounded = state.grounded != 0, .ground_normal = state.ground_normal};
 }
 
-/// Speed of a landing. The last falling speed is used too, because a hard landing within one step may
-/// already have stopped the body when the ground is found.
+/// Speed of a landing. Uses the last falling speed as well, because a hard landing may already have stopped
+/// the body within the step before the ground is found.
 double landing_speed(vec3 velocity, const Ground& ground, const MoverState& state) {
     return std::max(0.0, std::max(state.falling, -velocity.y) + ground.velocity.y);
 }

@@ -1,12 +1,12 @@
 // physics/mover.h: walking, jumping and standing of a wizard, by impulses on an upright capsule without
 // friction.
 //
-// In each step a short sweep of a sphere, slightly thinner than the capsule, finds the ground. If the
-// ground is not too steep, the capsule's velocity in the plane of the ground is driven towards the
-// wished one. Gravity along that plane is cancelled. In the air the wish steers only weakly. Two limits
-// apply to the drive: an acceleration while nothing is in the way, and a force when something resists,
-// so that a heavy prop is hard to push. Resistance is detected if the last drive changed the velocity
-// by less than expected.
+// In each step a short sweep of a sphere, slightly thinner than the capsule, finds the ground. If the ground
+// is not too steep, the capsule's velocity in the plane of the ground is driven towards the velocity that the
+// player wishes. Gravity along that plane is cancelled. In the air the wished velocity steers only weakly.
+// Two limits apply to the drive: an acceleration while nothing is in the way, and a force when something
+// resists, so that a heavy prop is hard to push. Resistance is detected if the last drive changed the
+// velocity by less than expected.
 //
 // Bullet alone moves the capsule, so walls, props, blasts and couplings act on it as on any body.
 #pragma once
@@ -21,9 +21,10 @@ inline constexpr BodyDesc mover_body{
 /// Input of a mover for one step.
 struct MoverInput {
     vec3 wish_velocity{};  ///< wished velocity; y is ignored, speed is limited to walk_speed (m/s)
-    bool jump{};           ///< jumps whenever it stands on the ground; the caller sets it once for each press
-    /// Upward force by a rope or the like (N). It reduces the traction on the ground; from the weight on
-    /// there is none.
+    /// True: jump whenever the mover stands on the ground; the caller sets this in one step for each press.
+    bool jump{};
+    /// Upward force by a rope or the like (N). It reduces the traction on the ground, to none when it equals
+    /// the weight.
     double rope_lift{};
 };
 
@@ -42,10 +43,11 @@ struct MoverSettings {
 
 /// State of a mover between steps; the caller stores it with the body's state.
 struct MoverState {
-    vec3 expected{};  ///< velocity relative to the ground that the last drive gives if nothing resists (m/s)
+    /// Velocity relative to the ground that the last change should give if nothing resists (m/s).
+    vec3 expected{};
     vec3 ground_normal{0, 1, 0};  ///< normal of the last ground
     double falling{};             ///< downward speed while in the air (m/s)
-    std::uint32_t grounded{};     ///< 1: stood on the ground in the last step
+    std::uint32_t grounded{};     ///< 1: the mover stood on the ground in the last step
     std::uint32_t driven{};       ///< 1: `expected` is valid
 };
 static_assert(std::is_trivially_copyable_v<MoverState>);
@@ -55,13 +57,13 @@ static_assert(sizeof(MoverState) == 7 * sizeof(double) + 2 * sizeof(std::uint32_
 struct MoverResult {
     bool grounded{};
     bool jumped{};
-    vec3 ground_normal{0, 1, 0};  ///< unit; (0, 1, 0) while in the air
-    Key ground{no_key};           ///< key of the body it stands on
+    vec3 ground_normal{0, 1, 0};  ///< normal of the ground (unit); (0, 1, 0) while in the air
+    Key ground{no_key};           ///< key of the body on which the mover stands
     double landing_speed{};       ///< speed against the ground in the step in which it lands, else 0 (m/s)
 };
 
-/// Moves a wizard; call it once before each Physics::step(dt). A mover without a wish on resting ground
-/// falls asleep like any body and then costs nothing. A wish or a jump wakes it.
+/// Moves a wizard; call it once before each Physics::step(dt). Without a wished velocity, a mover on resting
+/// ground falls asleep like any body and then costs nothing. A wished velocity or a jump wakes it.
 MoverResult move(Physics&, Key, const MoverInput&, const MoverSettings&, MoverState&, double dt);
 
 }  // namespace thaum::physics

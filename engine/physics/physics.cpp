@@ -33,10 +33,10 @@ using detail::to_bullet;
 
 /// A body this close to a removed or moved one may have rested on it (m).
 constexpr double resting_gap = 0.02;
-/// Largest difference that is rounding and not a push: of velocities (m/s, relative above 1 m/s) and
-/// positions (m).
+/// Largest difference that counts as rounding and not as a push: of velocities (m/s, relative above 1 m/s)
+/// and positions (m).
 constexpr double push_tolerance = 1e-9;
-/// Bodies this close after a rebuild, which discards the pairs in contact, count as touching before
+/// Distance within which bodies count as having touched before a rebuild, which discards the pairs in contact
 /// (m).
 constexpr double touching_gap = 0.002;
 
@@ -57,7 +57,7 @@ bool collide(const BodyDesc& a, const BodyDesc& b) {
     return (a.layer & b.collides_with) != 0 && (b.layer & a.collides_with) != 0;
 }
 
-/// The state with zero velocities if the body is asleep.
+/// The given state, with zero velocities if the body is asleep.
 BodyState at_rest_if_asleep(BodyState state) {
     if (state.asleep) state.velocity = state.spin = vec3{};
     return state;
@@ -81,7 +81,7 @@ Contact contact_of(const btPersistentManifold& manifold) {
     }
     if (contact.impulse <= 0) return contact;
     contact.point /= contact.impulse;
-    const double length = glm::length(contact.normal);  // 0: the points press against each other
+    const double length = glm::length(contact.normal);  // 0: the contact points press in opposite directions
     contact.normal = length > 0 ? contact.normal / length : vec3{0, 1, 0};
     if (detail::key_of(*manifold.getBody0()) != pair.a) contact.normal = -contact.normal;
     return contact;
@@ -200,8 +200,8 @@ void Physics::Impl::correct_flight(Body& body, vec3 from) const {
     body.bt().getWorldTransform().setOrigin(to_bullet(body.state.position));
 }
 
-/// Share of a sphere's way from start to end before it meets a static body; 1 if it meets none. A body
-/// that the sphere overlaps at the start is ignored.
+/// Share of a sphere's path from start to end before it meets a static body; 1 if it meets none. A body that
+/// the sphere overlaps at the start is ignored.
 double Physics::Impl::free_share(const Body& moving, vec3 start, vec3 end, double radius) const {
     const double length = glm::length(end - start);
     if (length <= 0) return 1;

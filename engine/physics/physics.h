@@ -1,4 +1,4 @@
-// physics/physics.h: rigid bodies that repeat to the bit. Bullet computes; this interface makes it
+// physics/physics.h: rigid bodies that repeat to the bit. Bullet computes the motion; this interface makes it
 // repeatable.
 //
 // A body is identified by a key that the caller chooses (the game uses the entity's index). Its
@@ -16,9 +16,9 @@
 // any order, and call rebuild(). It then continues with the same bits. The cost is that resting
 // contacts start without cached impulses after each rebuild.
 //
-// Wrong use is an assertion that names the key. Examples are an unknown or duplicate key, a state or
-// impulse that is not finite, or more bodies or contacts than Settings allows. One Physics may be used
-// by one thread at a time; several may run in parallel.
+// Wrong use fails an assertion that names the key. Examples are an unknown or duplicate key, a state or
+// impulse that is not finite, or more bodies or contacts than Settings allows. One Physics may be used by one
+// thread at a time; several may run in parallel.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -62,10 +62,11 @@ struct BodyDesc {
     double linear_damping{};    ///< share of the velocity lost per second, [0, 1)
     double angular_damping{};
     Layers layer{1};  ///< layers that the body belongs to
-    /// Layers it collides with; two bodies collide if each belongs to a layer of the other's set.
+    /// layers that the body collides with; two bodies collide if each belongs to a layer of the other's set.
     Layers collides_with{all_layers};
-    std::uint32_t upright{};  ///< 1: never rotates (capsule of a wizard)
-    /// 1: its centre never passes through a static body in a step, however thin or fast.
+    std::uint32_t upright{};  ///< 1: the body never rotates (as the capsule of a wizard)
+    /// 1: the body's centre never passes through a static body in a step, however thin that body or fast this
+    /// one.
     std::uint32_t swept{};
     bool operator==(const BodyDesc&) const = default;
 };
@@ -75,17 +76,18 @@ static_assert(sizeof(BodyDesc) == 6 * sizeof(std::uint32_t) + 3 * sizeof(double)
 /// Everything that decides a body's future; world frame.
 struct BodyState {
     vec3 position{};               ///< centre of mass (m)
-    quat orientation{1, 0, 0, 0};  ///< unit quaternion
+    quat orientation{1, 0, 0, 0};  ///< orientation, a unit quaternion
     vec3 velocity{};               ///< velocity (m/s)
     vec3 spin{};                   ///< angular velocity (rad/s)
-    double idle_s{};               ///< time it has been slow; sleep is possible after 2 s (s)
-    std::uint32_t drowsy{};  ///< 1: slow for long enough to sleep, but kept awake by a body that touches it
-    std::uint32_t asleep{};  ///< 1: at rest, without computation, until touched
+    double idle_s{};               ///< time for which the body has been slow (s); it may sleep after 2 s
+    /// 1: the body was slow for long enough to sleep, but is kept awake by another body that touches it
+    std::uint32_t drowsy{};
+    std::uint32_t asleep{};  ///< 1: the body is at rest and costs no computation until touched
 };
 static_assert(std::is_trivially_copyable_v<BodyState>);
 static_assert(sizeof(BodyState) == 14 * sizeof(double) + 2 * sizeof(std::uint32_t));
 
-/// Velocity of the body at a point (m, world) (m/s, world).
+/// Velocity of the body (m/s, world) at a point (m, world).
 inline vec3 velocity_at(const BodyState& s, vec3 point) {
     return s.velocity + glm::cross(s.spin, point - s.position);
 }
@@ -101,7 +103,7 @@ struct TriangleMesh {
 struct Contact {
     Key a{}, b{};    ///< keys, a < b
     vec3 point;      ///< mean of the contact points, weighted by impulse (m, world)
-    vec3 normal;     ///< unit vector from b towards a (world)
+    vec3 normal;     ///< normal of the contact, from b towards a (unit, world)
     double impulse;  ///< sum of the normal impulses, > 0 (N s)
     bool began;      ///< true: the bodies did not touch before
 };
@@ -109,9 +111,9 @@ struct Contact {
 /// First hit of a ray or swept sphere, world frame.
 struct RayHit {
     Key key{};
-    vec3 point;       ///< on the body's surface; the start, if the start lies inside (m, world)
-    vec3 normal;      ///< unit, outward; opposite to the ray if it starts inside
-    double fraction;  ///< share of the way from start to end, [0, 1]; for a sphere, of the way of its centre
+    vec3 point;       ///< point on the body's surface; the start of the ray if it is inside (m, world)
+    vec3 normal;      ///< normal at the hit, outward (unit); opposite to the ray if it starts inside
+    double fraction;  ///< share of the path from start to end, [0, 1]; for a sphere, of its centre's path
 };
 
 /// One surface near a point, world frame: a whole solid, or one triangle of a mesh.
@@ -139,15 +141,16 @@ struct Settings {
     vec3 gravity{0, -9.81, 0};         ///< gravity (m/s^2)
     std::uint32_t max_bodies{1024};    ///< largest number of bodies, <= 30,000
     std::uint32_t max_contacts{4096};  ///< largest number of touching pairs
-    /// Half the size of the region with fast pair search; beyond it the search is slower (m).
+    /// Half the edge of the region in which the search for pairs is fast; beyond it the search is slower (m).
     double world_half_extent{1000};
     double max_speed{200};  ///< largest speed; faster bodies are slowed to it (m/s)
     double max_spin{100};   ///< largest angular speed (rad/s)
     int solver_iterations{10};
     double sleep_speed{0.15};  ///< speed below which a body may fall asleep after 2 s (m/s)
     double sleep_spin{0.3};    ///< angular speed below which a body may fall asleep after 2 s (rad/s)
-    bool skip_asleep{true};    ///< skips steps in which nothing can change; false only in tests of that
-    bool exact_flight{true};   ///< exact end of free flights, see step(); false only to measure its effect
+    bool skip_asleep{true};    ///< true: skip steps in which nothing can change; false only in tests of this
+    /// true: exact end of free flights, see step(); false only to measure its effect.
+    bool exact_flight{true};
 };
 
 /// Statistics of a world of bodies.
@@ -161,7 +164,7 @@ struct Counters {
 /// A world of rigid bodies.
 class Physics {
 public:
-    /// May throw std::bad_alloc. Wrong settings or an empty mesh are assertions.
+    /// May throw std::bad_alloc. Wrong settings or an empty mesh fail an assertion.
     explicit Physics(const Settings& settings = {}, const std::vector<TriangleMesh>& meshes = {});
     ~Physics();
     Physics(Physics&&) noexcept;
@@ -203,15 +206,15 @@ public:
     /// until the next call that is not const.
     std::span<const Contact> contacts() const;
 
-    /// First body along the way whose layer is in `mask`; of two at the same distance, the one with the
+    /// First body along the path whose layer is in `mask`; of two at the same distance, the one with the
     /// lower key. Exact to 1 nm for every shape and length. Does not allocate.
     std::optional<RayHit> ray(vec3 from, vec3 to, Layers mask = all_layers, Key ignore_key = no_key) const;
-    /// The same for a sphere, whose centre moves from `from` to `to`. No body is too thin to be found.
+    /// Like `ray`, for a sphere whose centre moves from `from` to `to`. Even the thinnest body is found.
     std::optional<RayHit> sweep_sphere(vec3 from, vec3 to, double radius, Layers mask = all_layers,
                                        Key ignore_key = no_key) const;
-    /// Surfaces within `radius` (m) of a point, as exact as a ray. If the array is too small, the
-    /// nearest ones. Sorted by key; the order of triangles depends only on their mesh. Does not
-    /// allocate. Used for the patch of surfaces that a hand can touch.
+    /// Surfaces within `radius` (m) of a point, as exact as a ray. If the array is too small, it gets the
+    /// nearest ones. Sorted by key; the order of triangles depends only on their mesh. Does not allocate.
+    /// Used for the patch of surfaces that a hand can touch.
     NearbyResult nearby(vec3 point, double radius, std::span<Nearby> into, Layers mask = all_layers,
                         Key ignore_key = no_key) const;
 

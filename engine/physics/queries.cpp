@@ -42,7 +42,7 @@ std::optional<RayHit> Physics::sweep_sphere(vec3 from, vec3 to, double radius, L
         if (!here || (nearest && here->travelled >= touch.travelled)) continue;
         nearest = &body;
         touch = *here;
-        path.length = touch.travelled;  // from here on, only nearer hits count
+        path.length = touch.travelled;  // shortens the path, so that only nearer hits count from here on
     }
     if (!nearest) return std::nullopt;
     const vec3 centre = from + touch.travelled * path.direction;

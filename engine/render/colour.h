@@ -17,7 +17,7 @@ inline float srgb_from_linear(float l) {
 /// Converts an sRGB hex colour to linear light: colour(0xFF8A2A).
 inline fvec3 colour(std::uint32_t hex) { return fvec3(linear_colour(hex)); }
 
-/// The same, with an opacity in [0, 1], for overlays.
+/// Converts an sRGB hex colour to linear light, with an opacity in [0, 1], for overlays.
 inline fvec4 colour(std::uint32_t hex, float alpha) { return {colour(hex), alpha}; }
 
 }  // namespace thaum::render

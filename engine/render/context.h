@@ -21,7 +21,7 @@
 
 namespace thaum::render {
 
-// Aligned, so that it is lock-free as an atomic with every compiler.
+// Aligned, so that std::atomic<Size> is lock-free with every compiler.
 struct alignas(8) Size {
     int width{}, height{};  ///< size (px)
     bool operator==(const Size&) const = default;
@@ -31,7 +31,9 @@ struct WindowSpec {
     std::string title = "Thaum";
     Size size{1280, 720};  ///< size on the desktop, ignored in full screen (px)
     bool fullscreen = false;
-    bool vsync = true;  ///< only a request: under Xvfb present() does not block; use render/pace.h as well
+    /// true: ask for vertical synchronisation; under Xvfb present() does not block anyway, so use
+    /// render/pace.h as well.
+    bool vsync = true;
 };
 
 /// Callbacks of Window::poll, on the main thread. An empty function ignores its event.
@@ -44,7 +46,7 @@ struct WindowEvents {
     std::function<void(double dx, double dy)> mouse_move;  ///< motion while the cursor is captured (counts)
     /// Position from the top left, while not captured (px).
     std::function<void(double x, double y)> cursor;
-    std::function<void(double steps)> wheel;  ///< positive away from the user
+    std::function<void(double steps)> wheel;  ///< motion of the wheel; positive away from the user
     std::function<void(bool focused)> focus;
     std::function<void(Size)> resize;
 };
@@ -72,14 +74,14 @@ public:
     bool minimised() const;  ///< the window is minimised, so drawing may be skipped
     bool focused() const;
     bool should_close() const;
-    void cancel_close();  ///< should_close() is false again
+    void cancel_close();  ///< makes should_close() false again
 
     // Called on the render thread.
     void make_current();
     void release_current();
     void present();
 
-    struct State;  // defined in window.cpp
+    struct State;  // state of the window, defined in window.cpp
 
 private:
     explicit Window(std::unique_ptr<State> state);
@@ -111,12 +113,12 @@ std::string_view key_name(int code);
 /// Code of a key name, in upper or lower case. Returns std::nullopt if no key has this name.
 std::optional<int> key_code(std::string_view name);
 
-/// Name of a key by the user's keyboard layout: "Z" for the key of "W" on a French keyboard, "Comma" for that of "M"; the
-/// name of key_name for a key without a character. Digits keep their names, because they stand on the keys of most
-/// layouts that give them only with Shift. Without a window, all keys are those of a US keyboard. Any thread may call
-/// it.
+/// Name of a key by the user's keyboard layout: "Z" for the key of "W" on a French keyboard, "Comma" for the
+/// key of "M". A key without a character has the name from key_name. Digits keep their names, because most
+/// layouts that give digits only with Shift still print them on the keys. Without a window, all keys are
+/// those of a US keyboard. Any thread may call it.
 std::string key_label(int code);
-/// The same with signs in place of their names: "," for "Comma".
+/// Like key_label, but with the character in place of its name: "," for "Comma".
 std::string key_sign(int code);
 
 }  // namespace thaum::render

@@ -17,7 +17,7 @@ namespace thaum::render {
 struct Font::State {
     FT_Library library = nullptr;
     FT_Face face = nullptr;
-    Bytes file;  // must live as long as the face, since FreeType reads from it
+    Bytes file;  // must outlive the face, since FreeType reads from it
     int size = 0;
     std::map<std::pair<char32_t, int>, Glyph> glyphs;
     std::map<int, Extent> extents;
@@ -57,8 +57,8 @@ std::vector<std::uint8_t> copied(const FT_Bitmap& bitmap) {
 
 Glyph rendered(FT_Face face, char32_t character) {
     Glyph out;
-    // The automatic hinter fits stems to the pixel grid in both directions; the font's own hints do so in
-    // height only.
+    // The automatic hinter aligns stems to the pixel grid in both directions; the font's own hints do so only
+    // vertically.
     if (FT_Load_Char(face, character, FT_LOAD_RENDER | FT_LOAD_FORCE_AUTOHINT) != 0) return out;
     const auto& slot = *face->glyph;
     out.advance = pixels(slot.advance.x);

@@ -76,9 +76,9 @@ constexpr Sign signs[] = {{U'\'', "Apostrophe"}, {U',', "Comma"},       {U'-', "
                           {U'=', "Equal"},       {U'[', "LeftBracket"}, {U']', "RightBracket"},
                           {U'\\', "Backslash"},  {U'`', "Grave"}};
 
-/// Characters of the layout that differ from a US keyboard's, by the key's code.
+/// Characters of the current layout that differ from a US keyboard's, by key code.
 struct LayoutLabels {
-    std::mutex mutex;  // guards by_key
+    std::mutex mutex;  // guards the member by_key
     std::map<int, std::string> by_key;
 };
 
@@ -91,7 +91,7 @@ bool has_letter(int code) {
     return code > GLFW_KEY_SPACE && code <= GLFW_KEY_WORLD_2 && !(code >= GLFW_KEY_0 && code <= GLFW_KEY_9);
 }
 
-/// Label for what GLFW says of a key's character; empty: no other one than the key's name.
+/// Label for the character that GLFW reports for a key; empty: the key's own name is used.
 std::string label_of(std::string_view character) {
     const auto code_points = decode_utf8(character);
     if (code_points.size() != 1) return {};

@@ -19,13 +19,13 @@ namespace thaum::render {
 struct Vertex {
     fvec3 position;
     fvec3 normal;  ///< normal of the surface (unit)
-    fvec3 colour;  ///< linear light (render/colour.h)
+    fvec3 colour;  ///< colour in linear light (render/colour.h)
 
-    // Baked values, which depend on the place of the mesh (render/occlusion.h computes some). The defaults
-    // suit an object in the open.
-    fvec3 lamps{0};  ///< constant light, added to the rest
-    float open = 1;  ///< share of the ambient light that arrives, 0 to 1
-    float sun = 1;   ///< 1 if the sun arrives, else 0; ignored if a shadow map decides
+    // Baked lighting, which depends on where the mesh stands (render/occlusion.h computes some of it). The
+    // defaults suit an object in the open.
+    fvec3 lamps{0};  ///< constant light from lamps, added to the other light
+    float open = 1;  ///< share of the ambient light that reaches the vertex, 0 to 1
+    float sun = 1;   ///< 1 if sunlight reaches the vertex, else 0; ignored where a shadow map decides
     /// Factor of the colour at a great distance, so that fine lines do not flicker there.
     float far_away = 1;
 };
@@ -36,17 +36,17 @@ struct MeshData {
     std::vector<std::uint32_t> indices;
 };
 
-/// A piece of a large mesh that never changes. Each view leaves it out, or draws it in full or plain form, by
-/// itself.
+/// A piece of a large mesh that never changes. For each view it is drawn in full form, in plain form, or not
+/// at all.
 struct Patch {
     MeshData full;
     /// The same piece with fewer triangles. It is drawn if the missing detail is smaller than a pixel and has
     /// faded (Vertex::far_away). Empty if there is no plain form.
     MeshData plain{};
     float detail{};  ///< size of the detail that `plain` lacks (m)
-    // If `full` is empty, `plain` is behind other patches of the same detail. It shows only if one of them
-    // may be plain.
-    bool sunless{};  ///< the sun never reaches it, so no shadow map look-up is needed
+    // If `full` is empty, `plain` is behind other patches of the same detail. It is visible only if one of
+    // those may be drawn plain.
+    bool sunless{};  ///< true: the sun never reaches it, so no shadow map look-up is needed
 };
 
 /// Patches drawn in one call, the nearest first.
@@ -62,10 +62,10 @@ Bounds bounds(const MeshData& mesh);
 // Functions that combine meshes.
 
 fmat4 translated(fvec3 by);
-fmat4 rotated(fvec3 axis, float angle);  ///< unit axis, angle (rad)
+fmat4 rotated(fvec3 axis, float angle);  ///< Matrix of a rotation about a unit axis by an angle (rad).
 fmat4 scaled(fvec3 by);
-/// Applies an invertible matrix; normals use the inverse transpose. A mirroring matrix keeps the outside
-/// outside.
+/// Applies an invertible matrix; normals use the inverse transpose. A mirroring matrix also reverses the
+/// winding, so that the outside stays outside.
 MeshData transformed(MeshData mesh, const fmat4& by);
 void append(MeshData& to, const MeshData& part, const fmat4& placed = fmat4(1));
 MeshData painted(MeshData mesh, fvec3 colour);
@@ -86,7 +86,7 @@ MeshData capsule(float radius, float height, int segments, fvec3 colour);
 /// A surface of revolution about +y. The profile is a line of points (radius, y) with the outside on its
 /// right. A solid therefore starts at its lowest point on the axis and runs outwards and up. The surface is
 /// closed if the profile starts and ends on the axis, or ends where it started. Edges that turn by less than
-/// `crease` (rad) are shaded round. The profile's y is kept.
+/// `crease` (rad) are shaded round. The mesh is not centred: it keeps the y of the profile.
 MeshData revolve(std::span<const fvec2> profile, int segments, fvec3 colour, float crease = 0.7F);
 
 /// A frame of `sides` sides, one corner up, that faces +z. The ring mark has many sides, the triangle mark

@@ -14,8 +14,8 @@ struct Block {
     vec3 low{}, high{};
 };
 
-/// Share of the sky that the block hides from a point with a unit normal, 0 to 1. A point inside the block is
-/// not covered by it.
+/// Share of the sky that the block hides from a point with a unit normal, 0 to 1. 0 for a point inside the
+/// block.
 double form_factor(const Block& block, vec3 point, vec3 normal);
 
 /// Returns true if the ray from `point` along `way` meets the block. `way` need not be unit.

@@ -12,7 +12,8 @@
 namespace thaum::render {
 namespace {
 
-constexpr int niceness = 5;  // gives a third of the usual share when both threads want to run
+// Niceness with which a thread gets a third of the usual share when both threads want to run.
+constexpr int niceness = 5;
 constexpr std::string_view rasteriser = "llvmpipe";
 
 void step_back(id_t thread) { static_cast<void>(setpriority(PRIO_PROCESS, thread, niceness)); }

@@ -1,5 +1,5 @@
-// render/priority.h: lowers the priority of drawing, and of work that nobody waits for. Software OpenGL takes every
-// core it can get, so threads with deadlines must come first.
+// render/priority.h: lowers the priority of drawing, and of background work. Software OpenGL takes every core
+// it can get, so threads with deadlines must come first.
 #pragma once
 
 namespace thaum::render {

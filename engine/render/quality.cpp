@@ -7,7 +7,8 @@ namespace {
 
 constexpr double slow_ms = 1000.0 / 30;
 constexpr double quick_ms = 9;
-constexpr int settling = 8;  // pictures after a change that are ignored, since shaders and memory are new
+// Number of pictures after a change that are not measured, since shaders and memory are new.
+constexpr int settling = 8;
 constexpr int judged = 60;
 constexpr int nearly_all = 57;
 
@@ -26,8 +27,8 @@ AutoQuality decided(const AutoQuality& state) {
 }  // namespace
 
 float internal_scale_of(Quality quality, int height) {
-    // A software rasteriser draws this many lines as fast as it draws a quarter of the pixels and enlarges
-    // them.
+    // Height up to which a software rasteriser draws the picture itself as fast as it would draw a quarter of
+    // the pixels and enlarge them (px).
     constexpr float lines = 720;
     if (quality == Quality::high || height <= 0) return 1;
     return std::clamp(lines / static_cast<float>(height), 0.25F, 1.0F);

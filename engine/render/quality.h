@@ -39,12 +39,12 @@ struct AutoQuality {
     Quality now{};
     Quality most = Quality::high;  ///< highest preset that has not proved too slow
     int frames{};                  ///< pictures since the last decision or change
-    int slow{}, quick{};           ///< numbers of slow and of quick pictures among `frames`
+    int slow{}, quick{};           ///< numbers of slow and of fast pictures among `frames`
 };
 
-/// Updates the state after a picture that took `frame_ms` to draw and present. It decides once per 60
-/// pictures. It goes down if more than half of them took longer than 1/30 s. It goes up if nearly all took
-/// less than 9 ms, since a preset costs up to three times the one below.
+/// Updates the state after a picture that took `frame_ms` to draw and present. It decides once every 60
+/// pictures. It lowers the preset if more than half of them took longer than 1/30 s. It raises the preset if
+/// nearly all took less than 9 ms, since a preset costs up to three times as much as the one below.
 AutoQuality after_frame(AutoQuality state, double frame_ms);
 
 }  // namespace thaum::render

@@ -52,7 +52,7 @@ int scaled_length(int length, float scale) {
     return std::max(1, static_cast<int>(std::lround(static_cast<float>(length) * scale)));
 }
 
-/// Scales the edges rather than the size, so that adjacent rectangles stay adjacent.
+/// Scales the edges instead of the size, so that adjacent rectangles stay adjacent.
 Rect scaled_rect(const Rect& r, float scale) {
     const auto edge = [&](int at) { return static_cast<int>(std::lround(static_cast<float>(at) * scale)); };
     const int x = edge(r.x), y = edge(r.y);
@@ -88,12 +88,13 @@ void stretch(const ViewPlace& view) {
                       to.y + to.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
 }
 
-/// The batches that one view draws, from `first` on in the frame's Batches.
+/// The batches that one view draws; they begin at index `first` in the frame's Batches.
 struct ViewBatches {
     Sight sight;
     Rect at{};  // viewport inside the target (px)
     std::size_t first{}, solid{}, shades{}, mists{};
-    std::size_t patchworks{};  // number of patchworks, the last of `solid`
+    // Number of batches that are patchworks (render/mesh.h); they are the last ones of `solid`.
+    std::size_t patchworks{};
     SeenVolume volume{};
     std::vector<SeenScan> scans{};
 };
@@ -109,22 +110,24 @@ struct Renderer::State {
     std::vector<Levels> mesh_levels;            // coarser copies of each mesh
     std::vector<PatchTable> mesh_patches;       // patches of each mesh
     std::vector<std::uint64_t> mesh_revisions;  // number of changes of each mesh
-    std::vector<std::uint64_t> mesh_versions;   // MeshChange::version sent last for each mesh; 0: none
+    // Last MeshChange::version that was sent for each mesh; 0: none.
+    std::vector<std::uint64_t> mesh_versions;
     Buffer instance_buffer, patch_buffer;
     VertexArray no_attributes;
     OverlayBuffers overlay;
-    Target pixels, light;       // smaller than the window; linear light for Quality::high
-    std::vector<Bloom> blooms;  // one per view
+    // Targets smaller than the window; `light` holds linear light for Quality::high.
+    Target pixels, light;
+    std::vector<Bloom> blooms;  // the bloom of each view
     ShadowMap shadow_map;
     Volumes volumes;
     Scans scans;
     Batches batches;
     DrawStatistics statistics;
     int drawn_width{}, drawn_height{};  // size that read_pixels reads (px)
-    bool cleared_to_fog{};              // this frame was cleared to the fog's colour
+    bool cleared_to_fog{};              // true: this frame was cleared to the fog's colour
     SkyCells sky;                       // scratch memory, kept between frames
     std::vector<Hidden> hidden;         // regions hidden in the view being collected
-    std::vector<Instance> dipped;       // instances that stand in its volume
+    std::vector<Instance> dipped;       // instances that are partly inside the view's volume
 
     void draw_views(const Frame& frame);
     std::vector<ViewBatches> collect_views(const Frame& frame, float scale, int height);
@@ -354,7 +357,7 @@ void Renderer::State::collect_volume(const ViewScene& view, int height, Quality 
     its.volume.count = collect(dipped, {mesh_bounds, mesh_levels}, its.sight, batches);
 }
 
-/// Runs before the views are drawn. The march needs no result of them, so it does not wait for them.
+/// Runs before the views are drawn. Marching does not need the views, so it need not wait for them.
 void Renderer::State::march_volumes(const Frame& frame, std::span<const ViewBatches> of_views, int width,
                                     int height) {
     const auto is_seen = [](const ViewBatches& its) { return its.volume.volume != nullptr; };
@@ -362,7 +365,8 @@ void Renderer::State::march_volumes(const Frame& frame, std::span<const ViewBatc
     const auto before = volumes.sent();
     const int share = march_share(frame.quality);
     volumes.begin((width + share - 1) / share, (height + share - 1) / share, frame.quality);
-    // Ordered by target, not by view: each change of target is a separate pass over all of its tiles.
+    // Ordered by target, not by view: each change of the target makes the rasteriser pass over all of the
+    // target's tiles.
     for (const auto& its : of_views) {
         if (!is_seen(its)) continue;
         volumes.begin_depth(its.volume, its.sight, programs.shadow);
@@ -377,8 +381,8 @@ void Renderer::State::march_volumes(const Frame& frame, std::span<const ViewBatc
     statistics.volumes_sent = volumes.sent() - before;
 }
 
-/// Runs after all views, so that the vertices of the last one are processed before anything waits for the
-/// march.
+/// Runs after all views, so that the vertices of the last view are processed before anything waits for the
+/// marching.
 void Renderer::State::show_volumes(std::span<const ViewBatches> of_views, int height) {
     for (const auto& its : of_views) {
         if (its.volume.volume == nullptr) continue;
@@ -387,7 +391,7 @@ void Renderer::State::show_volumes(std::span<const ViewBatches> of_views, int he
         glEnable(GL_DEPTH_TEST);
         glEnable(GL_CULL_FACE);
         volumes.show(its.volume, its.sight, at, no_attributes);
-        statistics.draws += 2;  // the skin and the march
+        statistics.draws += 2;  // two draw calls: the skin, and the marched part
     }
 }
 
@@ -484,8 +488,8 @@ void Renderer::State::draw_patchworks(const MeshProgram& program, const ViewBatc
     }
 }
 
-/// Draws the patchworks. At medium, patches without sun use the program of low, which has no shadow map, but
-/// with all lights.
+/// Draws the patchworks. At Quality::medium, patches without sun use the program of Quality::low, which has
+/// no shadow map, but with all lights.
 void Renderer::State::draw_stone(const ViewScene& view, const ViewBatches& its, Quality quality,
                                  const ShadowView& shadow) {
     const auto& program = programs.alone[static_cast<std::size_t>(quality)];

@@ -1,7 +1,7 @@
 // render/renderer.h: draws a Frame (render/scene.h) with OpenGL 3.3 on the thread that owns the context.
 //
 // One forward shader has three variants (render/quality.h): sun, hemisphere ambient light, up to 8 point
-// lights, fog, filmic tone curve. On a software rasteriser the pixels are the cost, so all variants but the
+// lights, fog, filmic tone curve. On a software rasteriser pixels cost most, so all variants except the
 // highest compute light at each vertex. All instances of one mesh are one draw call; instances out of view
 // are not drawn. The sun's shadows are kept from frame to frame (Casters).
 #pragma once
@@ -22,9 +22,10 @@ namespace thaum::render {
 struct DrawStatistics {
     std::size_t draws{};  ///< OpenGL draw calls, including sky and overlay
     std::size_t instances_drawn{};
-    std::size_t instances_culled{};  ///< instances out of view or not finite
-    std::size_t triangles{};         ///< triangles of the drawn instances
-    std::size_t shadow_draws{};      ///< draw calls into the shadow map; 0 if no caster has moved
+    /// Instances that were not drawn because they are out of view or not finite.
+    std::size_t instances_culled{};
+    std::size_t triangles{};     ///< triangles of the drawn instances
+    std::size_t shadow_draws{};  ///< draw calls into the shadow map; 0 if no caster has moved
     std::size_t shadow_triangles{};
     std::size_t volumes_drawn{};
     /// Volumes whose texels and skin were sent again because their version changed.
@@ -39,14 +40,16 @@ struct DrawStatistics {
 class Renderer {
 public:
     /// Loads the shaders; `assets` is the folder that holds shaders/. A context must be current, and must
-    /// outlive the Renderer. Errors: a shader file (with its name and the driver's line), no font.
+    /// outlive the Renderer. Errors: a faulty shader file (the error has its name and the driver's message),
+    /// or no font.
     static Expected<Renderer> create(const std::filesystem::path& assets);
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
     ~Renderer();
 
-    /// Uses all that pictures of this quality need, so that none of them waits: drivers compile a shader at its
-    /// first use. Takes up to a second at a program's first run. It spoils the picture that is not presented yet.
+    /// Draws everything once that pictures of this quality need, so that none of them is delayed: drivers
+    /// compile a shader at its first use. Takes up to a second at a program's first run. It overwrites the
+    /// picture that is not presented yet.
     void warm_up(Quality quality);
 
     MeshId upload(const MeshData& mesh);

@@ -2,8 +2,9 @@
 //
 //     seeds --trace--> points --ribbon--> one mesh per seed --> instances
 //
-// Only ribbons whose seed moved are traced again, so one that a hand drags is live beside any number of
-// others. Both sides are drawn. The colour follows the speed and glows, so that ribbons show in the dark.
+// Only ribbons whose seed has moved are traced again, so one ribbon can follow a hand while any number of
+// others stay. Both sides are drawn. The colour follows the speed and glows, so that ribbons show in the
+// dark.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -20,20 +21,21 @@ using SpeedColours = std::array<fvec3, 256>;
 
 struct RibbonLook {
     float width = 0.004F;             ///< width of the ribbon (m)
-    const SpeedColours* colours{};    ///< null: white
+    const SpeedColours* colours{};    ///< colours by speed; null: white
     double slowest = 0, fastest = 1;  ///< speeds of the first and the last colour (m/s)
-    float glow = 0.3F;                ///< 0: lit by the scene; 1: emits its own colour
+    /// Share of its own colour that the ribbon emits; 0: lit by the scene only.
+    float glow = 0.3F;
 };
 
-/// Mesh of one ribbon. No triangles for fewer than two points. The width shrinks to a point over its own
-/// length at both ends.
+/// Mesh of one ribbon; without triangles if there are fewer than two points. At both ends the ribbon tapers
+/// to a point over a length equal to its width.
 MeshData ribbon(std::span<const field::StreamPoint> line, const RibbonLook& look);
 
 class Ribbons {
 public:
-    /// Traces the ribbons of all seeds that are new or moved, and all if `version` differs from the call before.
-    /// The caller counts it up when field, settings or look change. Returns the number of ribbons traced. The
-    /// context of the renderer must be current.
+    /// Traces the ribbons of all seeds that are new or have moved; traces all ribbons if `version` differs
+    /// from that of the previous call. The caller increments `version` when field, settings or look change.
+    /// Returns the number of ribbons traced. The context of the renderer must be current.
     std::size_t update(Renderer& renderer, const field::VectorField& field, std::span<const vec3> seeds,
                        const field::StreamlineSettings& settings, const RibbonLook& look,
                        std::uint64_t version);
@@ -46,8 +48,8 @@ private:
         MeshId mesh{};
         vec3 seed{};
     };
-    std::vector<One> all_;  // one per mesh ever made
-    std::size_t used_ = 0;  // ribbons with a seed, first in `all_`
+    std::vector<One> all_;  // ribbons, one for each mesh that was ever made
+    std::size_t used_ = 0;  // number of ribbons with a seed; they come first in `all_`
     std::uint64_t version_ = 0;
     float glow_ = 0;
     std::vector<field::StreamPoint> line_;

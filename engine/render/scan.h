@@ -4,15 +4,15 @@
 //                                             '-- level ------> surface: the places of one density
 //     model: own frame -> world; own frame: m, the middle of all samples is the origin
 //
-// Between samples the density is trilinear. A view shows any number of scans, drawn after all solid objects.
-// Surfaces write depth, so they hide and are hidden like meshes, also where they cross each other. A ray
-// through a translucent scan ends at the depth of the scene, so a tool inside is seen through the part in
-// front of it.
+// Between samples the density is trilinear. A view may show any number of scans. They are drawn after all
+// solid objects. Surfaces write depth, so they hide and are hidden like meshes, also where they cross each
+// other. A ray through a translucent scan ends at the depth of the scene, so a tool inside is seen through
+// the part in front of it.
 //
 // Translucent scans are drawn one after another, the one with the farthest middle first. Where two of them
-// overlap, this is not exact: the whole of one covers the whole of the other. Shadows ignore scans.
+// overlap, this is not exact: one of them is drawn completely over the other. Scans cast no shadows.
 //
-// A ray leaps over bricks of 8^3 samples in which the table or the level shows nothing. An edit sends only the
+// A ray skips bricks of 8^3 samples in which the table or the level shows nothing. An edit sends only the
 // bricks whose version changed, within the same picture.
 #pragma once
 #include <array>
@@ -31,19 +31,19 @@ using ScanId = std::uint32_t;
 /// Samples along one side of a brick.
 inline constexpr int scan_brick = 8;
 
-/// Number of bricks along each axis for a number of samples. The last brick of an axis may be cut.
+/// Number of bricks along each axis for a given number of samples. The last brick of an axis may be smaller.
 constexpr std::array<int, 3> bricks_of(const std::array<int, 3>& samples) {
     return {(samples[0] + scan_brick - 1) / scan_brick, (samples[1] + scan_brick - 1) / scan_brick,
             (samples[2] + scan_brick - 1) / scan_brick};
 }
 
-/// One sample per place, x contiguous. A float that is not a number counts as Scan::low.
+/// One sample for each place, x contiguous. A float that is NaN counts as Scan::low.
 using ScanSamples =
     std::variant<std::span<const std::uint8_t>, std::span<const std::uint16_t>, std::span<const float>>;
 
 /// Entry of a transfer function.
 struct ScanEntry {
-    fvec3 colour{1};  ///< linear light
+    fvec3 colour{1};  ///< colour in linear light
     float opacity{};  ///< share of the light behind it that a layer of thickness Scan::unit hides, 0 to 1
 };
 
@@ -66,35 +66,40 @@ struct Scan {
     /// the scan is not drawn.
     std::array<int, 3> count{};
     ScanSamples samples{};
-    float low = 0, high = 1;  ///< samples of type float with density 0 and 1; integers fill their range
+    /// For samples of type float, the values that mean density 0 and 1; integers use their whole range.
+    float low = 0, high = 1;
     /// Version of each brick, x contiguous. Bricks with a new version are sent. Empty: all bricks are sent.
     std::span<const std::uint32_t> brick_versions{};
-    /// Factor of the colour of each sample, as the square root of its share. Empty: 1.
+    /// Factor for the colour of each sample, stored as the square root of the factor. Empty: 1.
     std::span<const field::Rgb8> colours{};
-    std::span<const std::uint8_t> materials{};       ///< index into `material_table` of each sample; empty: 0
-    std::span<const ScanMaterial> material_table{};  ///< up to 256 materials; a missing one changes nothing
+    std::span<const std::uint8_t> materials{};  ///< index into `material_table` of each sample; empty: 0
+    /// At most 256 materials; an index without a material changes nothing.
+    std::span<const ScanMaterial> material_table{};
 
     fvec3 spacing{1};  ///< distance between samples along each axis (m, own frame)
-    fmat4 model{1};    ///< own frame to world: turn, scale and place; must be invertible
+    /// From the scan's own frame to the world: rotation, scale and translation; must be invertible.
+    fmat4 model{1};
 
     ScanLook look = ScanLook::translucent;
-    // Translucent:
-    const ScanTable* table{};  ///< null: not drawn
+    // Values of a translucent scan:
+    const ScanTable* table{};  ///< transfer function; null: not drawn
     float unit = 0.01F;        ///< thickness of a layer with an entry's opacity (m, own frame)
-    bool lit = false;          ///< true: the gradient takes the light of sky and sun; false: matter glows
-    float step = 0.5F;  ///< length between samples on a ray (sample distances); a quick picture doubles it
+    /// true: shaded by sky and sun, with the density's gradient as normal; false: the matter glows.
+    bool lit = false;
+    /// Distance between samples along a ray (in sample distances); a quick picture doubles it.
+    float step = 0.5F;
     // Surface:
     float level = 0.5F;  ///< density of the surface; denser places are inside
-    fvec3 colour{1};     ///< linear light
-    float sun = 1;       ///< share of the sun that arrives
+    fvec3 colour{1};     ///< colour in linear light
+    float sun = 1;       ///< share of the sunlight that reaches it
 
-    bool leaps = true;  ///< false: rays do not leap over empty bricks; for checks
+    bool leaps = true;  ///< false: rays do not skip empty bricks; for tests
 };
 
-/// Resolution of the scans of a view. In a quick picture a ray serves 3 x 3 pixels at Quality::low, 2 x 2 at
-/// medium and one at high.
+/// Resolution of the scans of a view. In a quick picture one ray serves 3 x 3 pixels at Quality::low, 2 x 2
+/// at medium and one at high.
 enum class ScanDetail : std::uint8_t {
-    automatic,  ///< sharp if the scans look the same as in the picture before, otherwise quick
+    automatic,  ///< sharp if the scans look the same as in the previous picture, otherwise quick
     quick,
     sharp,
 };

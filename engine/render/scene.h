@@ -38,21 +38,23 @@ struct Instance {
     MeshId mesh{};
     fmat4 model{1};
     fvec3 tint{1};  ///< factor of the mesh's colours
-    float glow{};   ///< 0: lit by the scene; 1: emits its own colour
-    float sun = 1;  ///< share of the sun that arrives; ignored if a shadow map decides
+    float glow{};   ///< share of its own colour that the object emits; 0: lit by the scene only
+    float sun = 1;  ///< share of the sunlight that reaches it; ignored where a shadow map decides
 };
 
 struct PointLight {
     fvec3 position{0};
     fvec3 colour{1};
-    float radius = 8;  ///< distance beyond which nothing is lit (m)
+    float radius = 8;  ///< distance beyond which the light has no effect (m)
 };
 
-/// Most lights of a view. Draw uses the first ones, at Quality::low the first four.
+/// Largest number of lights of a view. If there are more, draw() uses the first ones; at Quality::low it uses
+/// the first four.
 inline constexpr std::size_t max_lights = 8;
 
 struct Sun {
-    fvec3 direction = glm::normalize(fvec3(-0.55F, 0.32F, -0.78F));  ///< unit, from the ground to the sun
+    /// Direction from the ground to the sun (unit).
+    fvec3 direction = glm::normalize(fvec3(-0.55F, 0.32F, -0.78F));
     fvec3 colour = 1.0F * render::colour(0xFFCBA4);
 };
 
@@ -62,7 +64,7 @@ struct Sky {
     fvec3 sun_glow = render::colour(0xC8683A);  ///< colour added around the sun
 };
 
-/// Fades far objects into a colour, by half at the distance 0.83 / density.
+/// Blends far objects into a colour; at the distance 0.83 / density the colour has a share of one half.
 struct Fog {
     fvec3 colour = render::colour(0x5C4470);
     float density = 0.012F;  ///< density (1/m)
@@ -88,8 +90,8 @@ struct Rect {
 
 enum class Split : std::uint8_t { none, side_by_side, top_bottom };
 
-/// Viewports of the two players. They touch, cover the window and do not overlap. Split::none returns the
-/// whole window and an empty one.
+/// Viewports of the two players. They are adjacent, cover the window and do not overlap. Split::none returns
+/// the whole window and an empty rectangle.
 std::array<Rect, 2> split_window(int width, int height, Split split);
 
 /// One view of the world.
@@ -97,14 +99,14 @@ struct ViewScene {
     Camera camera;
     Rect viewport;
     std::span<const Instance> instances;
-    std::span<const PointLight> lights;  ///< up to max_lights
+    std::span<const PointLight> lights;  ///< point lights, up to max_lights
     Environment environment;
     /// Flat shade on the ground, drawn after all solid objects. It multiplies the colour below by the mesh's
     /// colour. tint.r from 0 (no effect) to 1 sets the strength.
     std::span<const Instance> shades{};
-    /// Soft translucent objects, drawn after everything else in the world and in no order. They are round
-    /// meshes, densest where they face the eye. The tint is their light. `glow` is the greatest share of the
-    /// background that they hide.
+    /// Soft translucent objects, drawn after everything else in the world, in any order. They are round
+    /// meshes, densest where they face the eye. The tint is the light that they emit. `glow` is the greatest
+    /// share of the background that they hide.
     std::span<const Instance> mists{};
     /// Blocks filled by `instances`, or slightly larger ones. Objects hidden by one of these blocks are not
     /// drawn. The first 64 also hide the sky.
@@ -120,7 +122,7 @@ struct Casters {
     std::span<const Instance> fixed, moving;
 };
 
-// The overlay: flat shapes and text over the views, drawn in order and blended by alpha. Slanted edges are
+// The overlay: flat shapes and text over the views, drawn in order with alpha blending. Slanted edges are
 // smoothed. Lengths are in px.
 
 struct RectItem {
@@ -170,7 +172,8 @@ struct Overlay {
 /// New triangles of a mesh that changes, such as a line that follows a hand.
 struct MeshChange {
     MeshId mesh{};
-    /// The triangles are sent only if it differs from the version sent last for this mesh; above 0.
+    /// Version of the triangles, above 0. They are sent only if it differs from the last version that was
+    /// sent for this mesh.
     std::uint64_t version{};
     const MeshData* triangles{};
 };
@@ -182,8 +185,9 @@ struct Frame {
     Overlay overlay{};
     float internal_scale = 1;  ///< scale of the views' resolution, 0.25 to 1; the result is stretched
     Quality quality = Quality::low;
-    bool bloom = true;                      ///< used at Quality::high only
-    Casters casters{};                      ///< things that cast shadows in the sun of the first view
+    /// true: bright light spreads (bloom); used at Quality::high only.
+    bool bloom = true;
+    Casters casters{};                      ///< objects that cast shadows in the sunlight of the first view
     std::span<const MeshChange> changes{};  ///< meshes that may have changed; sent before anything is drawn
 };
 

@@ -33,7 +33,7 @@ void convex_face(MeshData& mesh, std::span<const std::uint32_t> corners, fvec3 i
     }
 }
 
-/// Adds a flat convex polygon, counter-clockwise seen from outside, with its own vertices.
+/// Adds a flat convex polygon with vertices of its own; its corners are counter-clockwise seen from outside.
 void flat_face(MeshData& mesh, std::span<const fvec3> corners, fvec3 colour) {
     const fvec3 normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -114,8 +114,8 @@ void add_box_bevels(MeshData& mesh) {
 // Revolution. Each edge of the profile becomes a separate band between two rings.
 
 struct Band {
-    fvec2 low, high;                // (radius, y)
-    fvec2 low_normal, high_normal;  // in the plane of the profile
+    fvec2 low, high;                // ends of the edge, as (radius, y)
+    fvec2 low_normal, high_normal;  // normals in the plane of the profile
 };
 
 fvec2 edge_normal(fvec2 from, fvec2 to) {
@@ -184,7 +184,8 @@ void add_band(MeshData& mesh, const Band& band, int segments, fvec3 colour) {
     }
 }
 
-/// Points of a half circle from the bottom to the top, the halves moved apart by `lift` from the origin.
+/// Points of a half circle from the bottom to the top, whose lower and upper halves are moved apart: each by
+/// `lift` from the origin.
 std::vector<fvec2> half_circle(float radius, float lift, int stacks) {
     std::vector<fvec2> out{{0, -radius - lift}};
     for (int i = 1; i < stacks; ++i) {
@@ -230,7 +231,7 @@ MeshData sphere(float radius, int segments, fvec3 colour) {
 
 MeshData capsule(float radius, float height, int segments, fvec3 colour) {
     const int stacks = std::max(2, segments / 2);
-    // An even number puts a ring where each half sphere meets the cylinder.
+    // An even number, so that there is a ring where each half sphere meets the cylinder.
     return revolve(half_circle(radius, height / 2, stacks + stacks % 2), segments, colour, 1.6F);
 }
 

@@ -1,6 +1,6 @@
 // render/volume.h: a translucent body that emits and absorbs light, such as the cauldron's brew. A box of
-// texels gives the emission and absorption at each place. A round vessel bounds it, and the eye looks in
-// through a skin.
+// texels gives the emission and absorption at each place. A round vessel (an ellipsoid, called the round)
+// bounds it, and the eye looks in through a surface, called the skin.
 //
 //        skin (triangles)
 //     \~~~~~~~~~~~~~~~/
@@ -12,7 +12,7 @@
 // volume rendering", section 4). From outside the volume is visible only through the skin, so the vessel must
 // hide the rest.
 //
-// Outside the box its outermost texels continue, so neither the skin nor the round need fit the box.
+// Outside the box the outermost texels are repeated, so neither the skin nor the round must fit the box.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -33,7 +33,7 @@ struct Texel {
 
 struct SkinVertex {
     fvec3 position{0};
-    fvec3 normal{0, 1, 0};  ///< unit, pointing out of the volume
+    fvec3 normal{0, 1, 0};  ///< normal of the skin, pointing out of the volume (unit)
     float foam{};           ///< share covered by foam, 0 to 1
 };
 
@@ -43,13 +43,13 @@ struct Volume {
     /// id.
     std::uint64_t version{};
     std::array<int, 3> cells{};       ///< texels along x, y, z; x is contiguous
-    std::span<const Texel> texels{};  ///< one per cell; otherwise the volume is not drawn
+    std::span<const Texel> texels{};  ///< one texel for each cell; otherwise the volume is not drawn
     /// Corner and size of the box of texels (m).
     fvec3 origin{0}, size{1};
-    /// Round: an ellipsoid, whose centre is at the level of the skin (m).
+    /// The round: an ellipsoid, whose centre is at the level of the skin (m).
     fvec3 centre{0}, radii{1};
-    float brightness = 1;  ///< light emitted by a texel of 255
-    /// Absorption where alpha is 255: light falls to 1/e over 1 / thickness (1/m).
+    float brightness = 1;  ///< light that a texel of 255 emits
+    /// Absorption where alpha is 255 (1/m): light falls to 1/e over a length of 1 / thickness.
     float thickness = 4;
     std::span<const SkinVertex> skin{};
     std::span<const std::uint32_t> skin_indices{};  ///< triangles, counter-clockwise seen from outside

@@ -19,14 +19,14 @@ struct Window::State {
     GLFWwindow* handle = nullptr;
     WindowSpec spec;
 
-    // Readable by any thread.
+    // Any thread may read the size.
     std::atomic<Size> size{Size{}};
     std::atomic<bool> minimised = false, focused = false, closing = false;
 
     // Used by the main thread only.
-    const WindowEvents* events = nullptr;  // set during poll
+    const WindowEvents* events = nullptr;  // callbacks of the current poll; null otherwise
     bool captured = false;
-    /// true: the next position of the cursor in this poll is a jump and no motion of the mouse
+    /// true: the next change of the cursor's position in this poll is a jump, not a motion of the mouse
     bool jumps = false;
     double last_x = 0, last_y = 0;
     int windowed_x = 0, windowed_y = 0;
@@ -40,7 +40,7 @@ struct Window::State {
 
 namespace {
 
-bool alive = false;  // a Window exists; main thread only
+bool alive = false;  // true: a Window exists; used by the main thread only
 
 // GLFW reports errors only through a callback, on the calling thread.
 thread_local std::string last_glfw_error;
@@ -84,7 +84,8 @@ GLFWwindow* open_window(const WindowSpec& spec) {
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_DEPTH_BITS, 24);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
-    // A lost focus must not change the screen's mode, since the other player may be in a menu.
+    // A window that loses the focus must not change the screen's mode, since the other player may be in a
+    // menu.
     glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
     GLFWmonitor* monitor = full_screen_monitor(spec);
     Size size = size_on_screen(spec.size);
@@ -126,7 +127,7 @@ void on_focus(GLFWwindow* w, int focused) {
 void on_close(GLFWwindow* w) { state_of(w).closing = true; }
 
 void on_key(GLFWwindow* w, int key, int scancode, int action, int) {
-    // Keys switch layouts, too.
+    // Keys may switch the keyboard layout, too.
     if (action == GLFW_PRESS) read_key_labels();
     if (action != GLFW_REPEAT) tell(events_of(w).key, key, scancode, action == GLFW_PRESS);
 }
@@ -141,15 +142,15 @@ void on_mouse_button(GLFWwindow* w, int button, int action, int) {
 
 void on_wheel(GLFWwindow* w, double, double steps) { tell(events_of(w).wheel, steps); }
 
-/// Framebuffer pixels per unit of the window's coordinates; not 1 on some dense screens.
+/// Framebuffer pixels for each unit of window coordinates; not 1 on some high-density screens.
 double pixels_per_unit(GLFWwindow* w) {
     int width = 0, height = 0;
     glfwGetWindowSize(w, &width, &height);
     return width > 0 ? static_cast<double>(state_of(w).size.load().width) / width : 1;
 }
 
-/// A window that becomes smaller than the way to the cursor pulls the cursor in. GLFW then reports the place of entry
-/// even for a captured cursor, which has no place.
+/// If a window is made so small that the cursor would be outside, the cursor is moved into it. GLFW then
+/// reports where it entered, even for a captured cursor, which has no position.
 void on_enter(GLFWwindow* w, int) { state_of(w).jumps = true; }
 
 void on_cursor(GLFWwindow* w, double x, double y) {

@@ -1,4 +1,4 @@
-// render/with_renderer.h: runs what draws in a window.
+// render/with_renderer.h: runs a function that draws in a window.
 #pragma once
 #include <filesystem>
 #include <utility>
@@ -8,8 +8,8 @@
 
 namespace thaum::render {
 
-/// Makes the window's OpenGL current, and calls the function with a renderer, which ends before OpenGL is released.
-/// Returns the function's error, or why there is no renderer.
+/// Makes the window's OpenGL context current, and calls the function with a renderer, which is destroyed
+/// before the context is released. Returns the function's error, or why there is no renderer.
 template <class Run>
 Expected<void> with_renderer(Window& window, const std::filesystem::path& assets, Run&& run) {
     window.make_current();

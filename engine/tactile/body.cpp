@@ -10,7 +10,7 @@ namespace {
 /// Joints of the shoulders of a wizard of 1.8 m (m, body frame).
 constexpr vec3 left_joint{-0.19, 1.38, 0}, right_joint{0.19, 1.38, 0};
 
-/// A turn that raises a hanging arm to the front. In this frame a positive turn about x takes -y to -z.
+/// Rotation that raises a hanging arm to the front. In this frame, a positive angle about x takes -y to -z.
 quat raised(double angle) { return rotation({1, 0, 0}, -angle); }
 
 }  // namespace
@@ -90,7 +90,8 @@ vec2 Torso::chart(vec3 at) const {
 
 vec3 Torso::point(vec2 chart) const {
     const double whole = round();
-    const double way = chart.x - whole * std::floor(chart.x / whole + 0.5);  // in half a turn either way
+    // Limited to half a turn either way.
+    const double way = chart.x - whole * std::floor(chart.x / whole + 0.5);
     const double on_front = std::abs(way);
     const bool behind = on_front > quarter_.back();
     const double part = behind ? 2 * quarter_.back() - on_front : on_front;

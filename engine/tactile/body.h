@@ -17,7 +17,7 @@
 
 namespace thaum::tactile {
 
-/// `whole` is for an actuator that stands for its side of the body, such as a motor of a pad.
+/// `whole` means the whole side of the body, for an actuator such as a motor of a pad.
 enum class Part : std::uint8_t { front, back, shoulder_left, shoulder_right, arm_left, arm_right, whole };
 inline constexpr std::size_t part_count = 7;
 
@@ -33,26 +33,27 @@ Region region_of(Part part);
 /// One place on the skin.
 struct BodyPoint {
     Part part{};
-    vec3 at{};  ///< (m, body frame, at rest)
+    vec3 at{};  ///< position of the point on the body at rest (m, body frame)
 };
 
-/// Motion of one part from its place at rest: first turned about the origin, then shifted.
+/// Motion of one part from its rest position: first a rotation about the origin, then a translation.
 struct Transform {
     quat turn{1, 0, 0, 0};
-    vec3 shift{};  ///< (m, body frame)
+    vec3 shift{};  ///< translation (m, body frame)
 };
 
 struct Pose {
     std::array<Transform, part_count> parts{};
 };
 
-/// A turn about a joint instead of the origin.
+/// A rotation about a joint instead of the origin.
 Transform turned_about(vec3 joint, quat turn);
 
-/// Pose of a wizard whose arms are raised forwards from hanging down (rad). Each shoulder follows half as far.
+/// Pose of a wizard whose hanging arms are raised forwards by these angles (rad). Each shoulder turns by half
+/// the angle.
 Pose pose_with_arms(double left, double right);
 
-/// Place of a point of one part in a pose (m, body frame).
+/// Position of a point of one part in a pose (m, body frame).
 vec3 posed(const Pose& pose, Part part, vec3 at_rest);
 /// Inverse of `posed`.
 vec3 at_rest(const Pose& pose, Part part, vec3 posed);
@@ -67,20 +68,21 @@ public:
     /// Half the width and half the depth of the torso, both > 0 (m).
     Torso(double half_width, double half_depth);
 
-    /// Way round the body and height of the point on the skin nearest in angle (m).
+    /// Distance round the body and height of the skin point that is nearest in angle (m).
     vec2 chart(vec3 at) const;
     /// Inverse of `chart` for points on the skin (m, body frame).
     vec3 point(vec2 chart) const;
     /// Point of the skin that faces a direction, at a height (m). A direction without a horizontal part gives the
     /// middle of the front.
     vec3 facing(vec3 direction, double height) const;
-    /// Way once round the body (m).
+    /// Length of the way once round the body (m).
     double round() const { return 4 * quarter_.back(); }
 
 private:
     double half_width_{};
     double half_depth_{};
-    /// Way from the middle of the front for equal steps of the ellipse's angle, up to a quarter turn (m).
+    /// Distance along the skin from the middle of the front, at equal steps of the ellipse's angle, up to a
+    /// quarter turn (m).
     std::array<double, 33> quarter_{};
 };
 

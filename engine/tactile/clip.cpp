@@ -3,7 +3,8 @@
 namespace thaum::tactile {
 
 BodyPoint clip_place(std::size_t cell) {
-    // Cells of a jacket of usual size (m); the skin between two columns is about 100 mm, between two rows 90 mm.
+    // Positions of the cells of a jacket of usual size (m). On the skin, columns are about 100 mm apart and
+    // rows 90 mm.
     constexpr std::array across{-0.145, -0.05, 0.05, 0.145};
     constexpr double top = 1.29, row = 0.09, outer_depth = 0.055, inner_depth = 0.11;
     const std::size_t column = cell % 4, row_number = cell % clip_side / 4;

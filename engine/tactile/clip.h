@@ -1,4 +1,4 @@
-// tactile/clip.h: a recorded course of strengths on a jacket of 4x5 cells in front and 4x5 at the back.
+// tactile/clip.h: a recording of strengths over time on a jacket of 4x5 cells in front and 4x5 at the back.
 //
 // This is what a .tact file holds (tact.h): 50 frames a second, a strength for each cell. A clip plays on every
 // layout, because each cell is a place on the body.
@@ -13,11 +13,11 @@
 
 namespace thaum::tactile {
 
-inline constexpr std::size_t clip_side = 20;  ///< cells of the front, and of the back
+inline constexpr std::size_t clip_side = 20;  ///< number of cells of the front, and of the back
 inline constexpr std::size_t clip_cells =
-    40;  ///< front, then back; rows from the top, each from the wearer's left
+    40;  ///< front cells, then back cells; rows from the top, each from the wearer's left
 inline constexpr Tick clip_frame_ticks = 20;
-inline constexpr std::size_t most_clip_frames = 3000;  ///< one minute
+inline constexpr std::size_t most_clip_frames = 3000;  ///< largest number of frames: one minute
 
 struct ClipFrame {
     std::array<std::uint8_t, clip_cells> strength{};  ///< 0 to 100
@@ -27,7 +27,7 @@ struct ClipFrame {
 
 struct Clip {
     std::string name;
-    std::vector<ClipFrame> frames;  ///< at most most_clip_frames
+    std::vector<ClipFrame> frames;  ///< strengths; at most most_clip_frames
 
     bool operator==(const Clip&) const = default;
 };

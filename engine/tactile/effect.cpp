@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t most_effects = 1000;
 constexpr std::size_t longest_caption = 32;  // letters
 
-/// Rises from 0 to 1 without corners.
+/// Curve that rises from 0 to 1; smooth if `smooth` is true, else straight.
 double eased(double x, bool smooth) { return smooth ? x * x * (3 - 2 * x) : x; }
 
 double positive(const ConfigTable& table, const char* key, double most) {
@@ -131,7 +131,7 @@ double Effect::duration_ms() const {
 Signal signal(const Effect& effect, double strength, double ms) {
     const Grating grating{effect.amplitude(strength), effect.wavelength};
     const double shape = effect.envelope.at(ms);
-    const vec2 p(ms * 1e-3 * skin_speed, 0);  // drawn along the wall
+    const vec2 p(ms * 1e-3 * skin_speed, 0);  // moving along the wall
     const double deepening = slope(grating, p.x) * skin_speed;
     const double push =
         reaction(effect.stiffness, effect.damping, impact_depth(grating, p), deepening) * shape / full_force;

@@ -1,4 +1,5 @@
-// tactile/effect.h: what is felt when something happens, as data. Files: assets/tactile/effects.
+// tactile/effect.h: effects on the body as data: what players feel when something happens. Files:
+// assets/tactile/effects.
 //
 // An effect is a grating that is drawn over the skin at 1 m/s (paper 004, section 3.2, see grating.h), so a wavelength
 // of 12 mm lasts 12 ms and gives a carrier of 83 Hz. Its force, as a share of the 5 N of the paper's motors, is the
@@ -32,7 +33,7 @@ inline constexpr double second_beat = 0.6;
 /// How the force is made. `both` is the mean of the two.
 enum class Method : std::uint8_t { impact, vibration, both };
 
-/// Each purpose has a fader.
+/// Purposes of effects. Each has a fader of its own.
 enum class Purpose : std::uint8_t {
     impact,
     blast,
@@ -49,17 +50,17 @@ inline constexpr std::size_t purpose_count = 10;
 /// Names as in data files, in the order of Purpose.
 const std::vector<std::string_view>& purpose_names();
 
-/// Course of the strength in time (ms): up, held, down.
+/// Strength over time: the strength rises, is held, and falls (ms).
 struct Envelope {
     double attack{};
     double hold{};
     double decay{};
-    bool smooth{};  ///< true: a swell without corners; false: straight lines
+    bool smooth{};  ///< true: smooth curves; false: straight lines
 
     double length() const { return attack + hold + decay; }
     /// Strength at a time since the beginning (ms), 0 to 1.
     double at(double ms) const;
-    /// Greatest strength within a span of time (ms). Frames take it, so that none misses a short effect.
+    /// Greatest strength within a span of time (ms). Frames use it, so that even a short effect is felt.
     double peak(double from, double to) const;
 };
 
@@ -74,29 +75,31 @@ enum class Pattern : std::uint8_t { single, spread, sweep, heartbeat, clip };
 
 struct Effect {
     std::string name{};
-    std::string description{};  ///< plain words for a table of what is felt
-    std::string caption{};      ///< words on the screen while it is felt; empty: none
-    bool important{};           ///< true: the caption is shown even to those who want few
+    std::string description{};  ///< plain description for a table of effects
+    std::string caption{};      ///< words on the screen while the effect is felt; empty: none
+    bool important{};           ///< true: the caption is shown even to players who want few captions
     Method method{};
     double weakest{};     ///< amplitude A at strength 0 (m)
     double strongest{};   ///< amplitude A at strength 1 (m)
     double wavelength{};  ///< L (m)
     double stiffness{};   ///< k (N/m)
-    double damping{};     ///< B (N s/m)
+    double damping{};     ///< damping B (N s/m)
     Envelope envelope{};
     Pattern pattern{};
     double speed{};                   ///< speed of a spread over the skin (m/s)
     double reach{};                   ///< distance at which a spread has faded away (m)
     double slowest_hz{};              ///< heartbeats a second at strength 0 (Hz)
     double fastest_hz{};              ///< heartbeats a second at strength 1 (Hz)
-    double length_ms{};               ///< length of a sweep or of heartbeats that nobody holds (ms)
-    std::vector<BodyPoint> places{};  ///< one or two; empty: where the caller says
+    double length_ms{};               ///< length of a sweep, or of heartbeats that `drive` does not hold (ms)
+    std::vector<BodyPoint> places{};  ///< one or two places; empty: at the place that the caller gives
     std::optional<BodyPoint> to{};    ///< end of a sweep
     vec2 sigma_cells{0.7};            ///< width along the chart's two directions (cells of the layout)
     std::string clip_file{};          ///< name of the .tact file beside the effect's own file
     std::vector<ClipFrame> clip{};    ///< frames of a clip
     Purpose purpose{};
-    int priority{};  ///< 0 to 9; a higher one replaces a lower one when all places are taken
+    /// priority from 0 to 9. When all places for playing effects are taken, a higher priority replaces a
+    /// lower one.
+    int priority{};
 
     /// Frequency of the carrier (Hz).
     double carrier() const { return skin_speed / wavelength; }
@@ -104,16 +107,16 @@ struct Effect {
     double amplitude(double strength) const { return weakest + (strongest - weakest) * strength; }
     /// Amplitude of the motors, 0 to 1: half of the force's swing over a period, as a share of full_force.
     double level(double strength) const;
-    /// Time until the last place is silent (ms).
+    /// Time until the effect is silent at every place (ms).
     double duration_ms() const;
 };
 
 /// Force of an effect at one moment, as a share of full_force.
 struct Signal {
-    double into_skin{};   ///< along the wall's normal
-    double along_skin{};  ///< along the wall; 0 for impacts
+    double into_skin{};   ///< component along the wall's normal
+    double along_skin{};  ///< component along the wall; 0 for impacts
 };
-/// For outputs that play the wave itself: the force at a time since the beginning (ms), before any limit.
+/// Force at a time since the beginning (ms), before any limit, for outputs that play the wave itself.
 Signal signal(const Effect& effect, double strength, double ms);
 
 /// Reads an effect file. An error names file, line and key. The frames of a clip are not read; `load_effects` reads
@@ -123,14 +126,15 @@ Expected<Effect> read_effect(const Config& file, std::string name);
 /// All effects of a program, sorted by name. An effect's number is its index.
 struct EffectBank {
     std::vector<Effect> effects;
-    std::vector<LeftOut> faulty{};  ///< effects that are left out, sorted by name
+    std::vector<LeftOut> faulty{};  ///< effects that were left out because of faults, sorted by name
 
-    /// Returns the number of the effect of this name, or nothing.
+    /// Returns the number of the effect with this name; std::nullopt: there is none.
     std::optional<std::uint32_t> find(std::string_view name) const;
 };
 
-/// Reads every .toml file of a folder, each at most 64 KiB, and the .tact files that they name. A faulty effect costs no
-/// other one. The error: the folder cannot be read, or has too many effects.
+/// Reads every .toml file of a folder, each at most 64 KiB, and the .tact files that they name. A faulty
+/// effect is left out; the others are kept. The error says that the folder cannot be read, or has too many
+/// effects.
 Expected<EffectBank> load_effects(const std::filesystem::path& folder);
 
 }  // namespace thaum::tactile

@@ -11,7 +11,7 @@ namespace {
 /// Farthest coordinate of an actuator (m), and least distance between two (m).
 constexpr double farthest = 2.5, least_distance = 0.005;
 
-/// Fault of the place of one actuator; empty: none.
+/// Describes what is wrong with the position of one actuator; empty: nothing.
 std::string fault_of(const BodyPoint& place) {
     const vec3 at = place.at;
     if (!is_finite(at) || std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}) > farthest)

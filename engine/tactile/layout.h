@@ -22,7 +22,7 @@ struct Actuator {
     double limit{1};      ///< largest amplitude sent, 0 to 1
 };
 
-/// A place for the calculation: a region that has actuators, and a point on its chart.
+/// A place on the chart of a region that has actuators.
 struct ChartPlace {
     Region region{};
     vec2 at{};  ///< (m)
@@ -33,10 +33,10 @@ class Layout {
 public:
     std::string name{};
     Torso torso{};
-    std::vector<Actuator> actuators{};  ///< 1 to most_actuators
+    std::vector<Actuator> actuators{};  ///< the actuators, 1 to most_actuators of them
 
-    /// Place where a point of the body is rendered. A part without actuators is rendered on the torso, and on a
-    /// device without a torso by the side of the body alone.
+    /// Chart place at which a point of the body is rendered. A part without actuators is rendered on the
+    /// torso. On a device without actuators on the torso, only the side of the body is rendered.
     ChartPlace chart_place(const BodyPoint& point) const;
     /// Numbers of the actuators that render a region; never empty for a region of a ChartPlace.
     std::span<const std::uint8_t> group(Region region) const;
@@ -44,9 +44,10 @@ public:
     vec2 chart_of(Region region, std::size_t actuator) const;
     /// Mean distance from an actuator of a region to the nearest other (m): the size of one cell.
     double pitch(Region region) const { return pitch_[static_cast<std::size_t>(region)]; }
-    /// Difference of two places on the chart of a region (m). The way round the torso is taken the shorter way.
+    /// Difference of two places on the chart of a region (m). Round the torso, the shorter way counts.
     vec2 between(Region region, vec2 from, vec2 to) const;
-    /// Point of the body at rest for a point of a posed body (m, body frame). It gets the part of the nearest actuator.
+    /// Point of the body at rest for a point of the posed body (m, body frame). Its part is that of the
+    /// nearest actuator.
     BodyPoint nearest(const Pose& pose, vec3 point) const;
     /// Place on the torso that a direction comes from (body frame), at a height (m).
     BodyPoint facing(vec3 from, double height) const;
@@ -56,7 +57,8 @@ private:
     void prepare();
 
     std::array<std::vector<std::uint8_t>, region_count> groups_{};
-    std::array<std::array<vec2, most_actuators>, 2> charts_{};  ///< own region's chart; chart of `whole`
+    /// Chart of the actuator's own region, and chart of Region::whole.
+    std::array<std::array<vec2, most_actuators>, 2> charts_{};
     std::array<double, region_count> pitch_{};
 };
 

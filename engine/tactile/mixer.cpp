@@ -9,9 +9,9 @@
 namespace thaum::tactile {
 namespace {
 
-/// Amplitudes below this are nothing to a motor with 256 steps.
+/// Smaller amplitudes are 0 for a motor with 256 steps.
 constexpr double least_amplitude = 1.0 / 256;
-/// Longest time between two frames that is made up for (ms).
+/// Longest time between two frames that the next frame still covers (ms).
 constexpr double longest_frame = 1000;
 
 /// True for a jacket whose actuators are the cells of a clip, in their order.
@@ -46,7 +46,7 @@ TactileMixer::TactileMixer(const Layout& layout, const EffectBank& bank, const M
 double TactileMixer::checked(double value) {
     if (value >= 0 && value <= 1) return value;
     ++counts_.clipped;
-    return value > 1 ? 1 : 0;  // NaN gives 0
+    return value > 1 ? 1 : 0;  // NaN becomes 0
 }
 
 void TactileMixer::set_faders(const Faders& faders) {
@@ -63,7 +63,7 @@ void TactileMixer::set_pose(const Pose& pose) {
         ++counts_.clipped;
 }
 
-// ---- beginnings ------------------------------------------------------------------------------------------------
+// ---- starting effects ------------------------------------------------------------------------------------------
 
 BodyPoint TactileMixer::point_of(const Where& where) {
     constexpr double farthest = 10;  // largest distance of a place from the body (m)
@@ -134,7 +134,7 @@ void TactileMixer::place_sweep(Playing& playing, const Effect& effect, const Bod
     }
 }
 
-/// A clip begins at the strongest cell of its first frame that is not still.
+/// Finds the strongest cell of the first frame of a clip that is not silent: the place where the clip begins.
 void TactileMixer::place_clip(Playing& playing, const Effect& effect) {
     for (const auto& frame : effect.clip) {
         const auto strongest = std::max_element(frame.strength.begin(), frame.strength.end());
@@ -146,7 +146,7 @@ void TactileMixer::place_clip(Playing& playing, const Effect& effect) {
     }
 }
 
-/// The latest event that plays or waits at an actuator; null: none.
+/// The latest event that plays or waits at an actuator; null if there is none.
 TactileMixer::Playing* TactileMixer::running_at(std::uint8_t actuator, Tick now) {
     Playing* latest = nullptr;
     for (std::size_t i = 0; i < count_; ++i) {
@@ -158,7 +158,8 @@ TactileMixer::Playing* TactileMixer::running_at(std::uint8_t actuator, Tick now)
     return latest;
 }
 
-/// The effect of lowest priority, the oldest of several; null: none. `felt`: only of those that have been in a frame.
+/// The effect of lowest priority; of several, the oldest; null if there is none. `felt`: consider only
+/// effects that have already been in a frame.
 TactileMixer::Playing* TactileMixer::least_important(bool felt) {
     Playing* least = nullptr;
     for (std::size_t i = 0; i < count_; ++i) {
@@ -172,7 +173,8 @@ TactileMixer::Playing* TactileMixer::least_important(bool felt) {
     return least;
 }
 
-/// A place for an effect of this priority; null: all are taken by more important ones, or by ones not felt yet.
+/// A place for an effect of this priority; null if all are taken by more important effects, or by effects
+/// that have not been felt yet.
 TactileMixer::Playing* TactileMixer::free_place(int priority) {
     if (count_ < most_playing) return &playing_[order_[count_++]];
     auto* least = least_important(true);
@@ -181,10 +183,10 @@ TactileMixer::Playing* TactileMixer::free_place(int priority) {
     return least;
 }
 
-/// Lets an event begin, now or when the gap of its actuator is over, or merges it.
+/// Starts an event now or when the gap of its actuator is over, or merges it with another event.
 void TactileMixer::schedule(Playing& next, Tick now) {
     auto& free_at = free_at_[next.main];
-    // An event that waits until the gap is over makes a gap of its own.
+    // An event that waits for the gap begins a gap of its own.
     const bool in_gap = free_at > now && free_at - now <= 2 * settings_.gap;
     auto* running = in_gap || count_ == most_playing ? running_at(next.main, now) : nullptr;
     if (in_gap && running != nullptr) {
@@ -195,7 +197,7 @@ void TactileMixer::schedule(Playing& next, Tick now) {
     }
     if (in_gap) next.begin = free_at;
     auto* place = free_place(effect_of(next).priority);
-    if (place == nullptr) {  // the effect that plays stays, at least as strong as the event
+    if (place == nullptr) {  // the effect that plays continues, at least as strong as the new event
         auto& kept = running != nullptr ? *running : *least_important(false);
         ++counts_.merged;
         kept.level = std::max(kept.level, next.level);
@@ -262,7 +264,7 @@ void TactileMixer::stop() {
     frame_.amplitude.fill(0);
 }
 
-// ---- frames ----------------------------------------------------------------------------------------------------
+// ---- making frames ---------------------------------------------------------------------------------------------
 
 /// The frame covers the time since the last one. A driven effect stays in its hold until it is released.
 TactileMixer::Span TactileMixer::span_of(const Playing& playing, double ms) const {
@@ -332,7 +334,7 @@ void TactileMixer::add_clip(const Playing& playing, const Effect& effect, double
     add_shares(playing, amplitude, energies);
 }
 
-/// Returns false when the heart has beaten for the last time.
+/// Returns false after the last heartbeat.
 bool TactileMixer::add_heartbeat(Playing& playing, bool held, double ms) {
     const auto& effect = effect_of(playing);
     const double rate = effect.slowest_hz + (effect.fastest_hz - effect.slowest_hz) * playing.strength;
@@ -360,10 +362,10 @@ void TactileMixer::release(Playing& playing, Tick now) {
     playing.released = now;
 }
 
-/// Adds what one effect gives to this frame. Returns false when it has ended, or lies in the future because time has
-/// jumped back.
+/// Adds the contribution of one effect to this frame. Returns false when the effect has ended, or begins in
+/// the future because time has jumped back.
 bool TactileMixer::add(Playing& playing, Tick now, double ms) {
-    const Tick ahead = 2 * settings_.gap;  // an event waits no longer than that
+    const Tick ahead = 2 * settings_.gap;  // longest time for which an event waits
     if (playing.begin > now) return playing.begin - now <= ahead;
     playing.felt = true;
     const auto& effect = effect_of(playing);
@@ -396,7 +398,7 @@ bool TactileMixer::add(Playing& playing, Tick now, double ms) {
     return !over;
 }
 
-/// Lets a beginning through, or makes it wait until the gap since the last beginning is over.
+/// Lets an actuator begin now, or makes it wait until the gap since its last beginning is over.
 double TactileMixer::pass_gap(std::size_t actuator, double amplitude, Tick now) {
     auto& waiting = waiting_[actuator];
     const double wanted = std::max(amplitude, waiting);

@@ -8,8 +8,9 @@
 // place of several effects is the centroid of their places. A frame then passes three limits, in this order: the
 // limit of each actuator, the least gap between two beginnings at one actuator, and the limit of all energies.
 //
-// No event is lost. Two events at one actuator within the gap are merged into the stronger one. If all places are
-// taken, an event replaces one of lower or equal priority that has been felt, or is merged. Every such case is counted.
+// No event is lost. Two events at one actuator within the gap are merged into the stronger one. If all places
+// for effects are taken, an event replaces an effect of lower or equal priority that has been felt, or is
+// merged. Every such case is counted.
 //
 // A mixer has a fixed size, never allocates, and computes the same bits on every machine.
 #pragma once
@@ -47,7 +48,7 @@ struct MixerSettings {
     Tick driven_for{24};    ///< time for which `drive` holds an effect (ticks)
 };
 
-/// Faders, 0 to 1. Walking is off until the player turns it up.
+/// Volume settings, 0 to 1. Walking is off until the player turns it up.
 struct Faders {
     std::array<double, purpose_count> values{1, 1, 1, 0, 1, 1, 1, 1, 1, 1};
 
@@ -56,22 +57,23 @@ struct Faders {
     bool operator==(const Faders&) const = default;
 };
 
-/// Numbers since the beginning. offered = started + merged, so no event is lost.
+/// Counts since the beginning. offered = started + merged, so no event is lost.
 struct MixerCounts {
     std::uint64_t offered{};     ///< calls of `start`
-    std::uint64_t started{};     ///< events that play by themselves
+    std::uint64_t started{};     ///< events that got a place of their own
     std::uint64_t merged{};      ///< events merged into a stronger one
     std::uint64_t delayed{};     ///< started events that wait until the gap is over
     std::uint64_t replaced{};    ///< effects cut short by one of higher or equal priority
     std::uint64_t clipped{};     ///< values that were not finite or outside of their range
-    std::uint64_t held{};        ///< beginnings at an actuator that waited until its gap was over
+    std::uint64_t held{};        ///< number of times that an actuator had to wait for its gap to end
     std::uint64_t limited{};     ///< frames scaled down by the limit of the sum
-    std::uint64_t not_driven{};  ///< calls of `drive` without a free place
+    std::uint64_t not_driven{};  ///< calls of `drive` for which there was no free place
 };
 
 class TactileMixer {
 public:
-    /// Keeps both references. The mixer takes about 170 KB, so keep it on the heap.
+    /// Keeps references to both arguments `layout` and `bank`. The mixer takes about 170 KB, so allocate it
+    /// on the heap.
     TactileMixer(const Layout& layout, const EffectBank& bank, const MixerSettings& settings = {});
 
     void set_faders(const Faders& faders);
@@ -79,9 +81,10 @@ public:
     void set_pose(const Pose& pose);
     /// Starts an effect by its number in the bank. `strength` is 0 to 1.
     void start(std::uint32_t effect, const Where& where, double strength, Tick now);
-    /// Keeps an effect alive under a key other than 0 and sets its strength. Without further calls it fades out.
+    /// Keeps an effect playing under a key, which must not be 0, and sets its strength. Without further calls
+    /// the effect fades out.
     void drive(std::uint32_t key, std::uint32_t effect, const Where& where, double strength, Tick now);
-    /// Makes everything silent at once. Call it, too, when time jumps.
+    /// Makes everything silent at once. Must also be called when time jumps.
     void stop();
     /// The frame that begins at `now`. Call it once every frame_ticks.
     const TactileFrame& mix(Tick now);
@@ -96,17 +99,18 @@ private:
 
     struct Playing {
         std::uint32_t effect{};
-        std::uint32_t key{};  ///< 0: plays to its end
+        std::uint32_t key{};  ///< key of `drive`; 0: the effect plays to its end
         Tick begin{};
-        Tick driven_at{};     ///< last call of `drive`
+        Tick driven_at{};     ///< tick of the last call of `drive`
         double strength{};    ///< 0 to 1
         double level{};       ///< amplitude of the motors, 0 to 1
         double beat_ms{};     ///< time since the last heartbeat (ms)
         double held_ms{};     ///< time on the envelope at which the decay began (ms); below 0: still held
-        Tick released{};      ///< when the hold ended
-        std::uint8_t main{};  ///< actuator that feels the beginning most
-        bool felt{};          ///< has been in a frame
-        std::array<Shares, most_places> places{};  ///< shares; for a spread [0] has distances (m)
+        Tick released{};      ///< tick at which the hold ended
+        std::uint8_t main{};  ///< actuator at which the beginning is strongest
+        bool felt{};          ///< true: the effect has been in a frame
+        /// Shares for each place; for a spread, the first element holds distances instead (m).
+        std::array<Shares, most_places> places{};
     };
     /// Part of an effect's time that a frame covers (ms since the beginning).
     struct Span {
@@ -144,23 +148,26 @@ private:
     Pose pose_{};
     MixerCounts counts_{};
     std::array<Playing, most_playing> playing_{};
-    std::array<std::uint8_t, most_playing> order_{};  ///< places in use: the first count_
+    /// Indices of the places in use: the first count_ entries.
+    std::array<std::uint8_t, most_playing> order_{};
     std::size_t count_{};
-    std::array<Tick, most_actuators> free_at_{};    ///< when another event may begin at an actuator
+    /// Tick from which another event may begin at an actuator.
+    std::array<Tick, most_actuators> free_at_{};
     std::array<Shares, clip_cells> clip_shares_{};  ///< shares of each cell of a clip
-    // one frame
+    // sum of the energies of one frame at each actuator
     std::array<float, most_actuators> energy_{};
-    std::array<float, most_actuators> strongest_{};  ///< largest energy of one effect; it gives the carrier
+    /// Largest energy of a single effect at each actuator; that effect gives the carrier.
+    std::array<float, most_actuators> strongest_{};
     std::array<bool, most_actuators> on_{};
     std::array<Tick, most_actuators> may_begin_{};
     std::array<double, most_actuators> waiting_{};  ///< amplitude that waits until the gap is over
-    bool ringing_{};                                ///< some actuator is on or waits
+    bool ringing_{};                                ///< true: some actuator is on or waits
     Tick mixed_at_{};
     bool mixed_{};
     TactileFrame frame_{};
 };
 
-/// All frames of one effect on a layout, for files and tests. Faders are full.
+/// All frames of one effect on a layout, for files and tests, with all faders at 1.
 std::vector<TactileFrame> rendered(const Effect& effect, const Layout& layout, double strength,
                                    const Where& where = Where::own());
 

@@ -6,15 +6,17 @@ namespace thaum::tactile {
 namespace {
 
 constexpr double least_sigma = 0.2;   // cells
-constexpr double kept_share = 0.01;   // smallest share that is kept, relative to the largest ...
-constexpr double least_share = 1e-4;  // ... or this one, where the place needs it
-constexpr double tolerated = 0.01;    // error of the felt place for leaving actuators out (cells)
-constexpr double solved = 1e-4;       // cells; far below what skin resolves
+constexpr double kept_share = 0.01;   // smallest share that is kept, relative to the largest one
+constexpr double least_share = 1e-4;  // smallest share that is kept if the place cannot be rendered otherwise
+// Largest error of the felt place that is accepted when actuators are left out (cells).
+constexpr double tolerated = 0.01;
+constexpr double solved = 1e-4;  // error at which the search stops (cells); far below what skin resolves
 constexpr double longest_step =
-    4;  // largest change of l in one step, per cell; keeps Newton's method from overshooting
-constexpr double stiffening = 1e-4;  // keeps l finite where the place is on the edge; costs some 0.001 cells
+    4;  // largest change of l in one step, for each cell; keeps Newton's method from overshooting
+// Keeps l finite if the place is on the edge; costs an error of about 0.001 cells.
+constexpr double stiffening = 1e-4;
 
-/// The actuators that take part, in cells relative to the wanted place.
+/// Positions of the participating actuators relative to the wanted place, in cells.
 struct Cells {
     std::array<std::uint8_t, most_actuators> number{};
     std::array<vec2, most_actuators> offset{};
@@ -23,7 +25,7 @@ struct Cells {
     std::size_t count{};
 };
 
-/// Moves a place into the box that holds all actuators of its region.
+/// Moves a place into the bounding box of all actuators of its region.
 vec2 reachable(const Layout& layout, const ChartPlace& place) {
     vec2 low(1e9), high(-1e9);
     for (const auto i : layout.group(place.region)) {
@@ -72,8 +74,9 @@ vec2 newton_step(const Cells& cells, vec2 centroid, vec2 slope) {
     return length > longest_step ? step * (longest_step / length) : step;
 }
 
-/// Sets the shares whose centroid is the wanted place. A step that does not lower the potential enough is halved:
-/// where one cell has nearly all of the energy, the curvature is so small that full steps would jump to and fro.
+/// Finds the shares whose centroid is the wanted place. A step that does not lower the potential enough is
+/// halved: if one cell has nearly all of the energy, the curvature is so small that full steps would
+/// oscillate.
 void balance(Cells& cells) {
     vec2 l(0);
     auto here = set_shares(cells, l);
@@ -91,8 +94,8 @@ void balance(Cells& cells) {
     }
 }
 
-/// Removes actuators with less than a share of the largest one, then balances the rest. Returns false if the rest
-/// cannot render the place.
+/// Removes actuators whose share is less than `share` of the largest one, then balances the others. Returns
+/// false if those cannot render the place.
 bool drop_below(Cells& cells, double share) {
     const auto end = cells.share.begin() + static_cast<std::ptrdiff_t>(cells.count);
     const double least = share * *std::max_element(cells.share.begin(), end);
@@ -113,13 +116,14 @@ bool drop_below(Cells& cells, double share) {
     return glm::length(centroid) < tolerated;
 }
 
-/// The far side of the torso must be still, so its actuators take part only in effects that are wider than a side.
+/// The far side of the torso must stay silent, so its actuators are used only for effects that are wider than
+/// one side.
 bool is_far_side(const Layout& layout, std::size_t actuator, vec3 place) {
     const vec3 at = layout.actuators[actuator].place.at;
     return at.x * place.x + at.z * place.z < 0;
 }
 
-/// The actuators of a region about a target. `near_side`: without those on the far side of the torso.
+/// Actuators of a region, relative to a target. `near_side`: leave out those on the far side of the torso.
 Cells cells_about(const Layout& layout, const ChartPlace& target, vec2 sigma, bool near_side) {
     Cells cells;
     const vec3 place = near_side ? layout.torso.point(target.at) : vec3(0);

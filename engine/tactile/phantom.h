@@ -5,13 +5,14 @@
 //
 //     sum w_i = 1,   w_i >= 0,   sum w_i x_i = p            the felt place is p; the felt strength stays A
 //
-// Many shares fit. We take those nearest to a Gaussian about p in the sense of relative entropy:
+// Many sets of shares meet these conditions. We choose the one nearest to a Gaussian about p in relative
+// entropy:
 //
 //     w_i = g_i exp(l . (x_i - p)) / Z,   g_i = exp(-|x_i - p|^2 / 2 sigma^2)
 //
-// where l is the minimum of the convex function log Z(l), found by Newton's method in two unknowns. Interpolation of
-// the nearest cells would be cheaper, but needs a grid; this works for any layout. A place outside of all actuators is
-// moved to the nearest one that they can render.
+// where l is the minimum of the convex function log Z(l), found by Newton's method in two unknowns.
+// Interpolation between the nearest cells would be cheaper, but needs a grid; this method works for any
+// layout. A place outside of all actuators is moved to the nearest one that they can render.
 #pragma once
 #include "tactile/layout.h"
 
@@ -26,9 +27,10 @@ struct PhantomResult {
     double error{};            ///< distance on the chart from the wanted place to the felt one (m)
 };
 
-/// Shares for a place. `sigma_cells` is the width of the Gaussian along the chart's two directions in cells, each at
-/// least 0.2. Actuators with less than 1 % of the largest share get none, if the place can be rendered without them.
-/// The far side of the torso takes no part, unless the effect is wider than a side.
+/// Shares for a place. `sigma_cells` is the width of the Gaussian along the chart's two directions in cells,
+/// each at least 0.2. Actuators with less than 1 % of the largest share get none, if the place can be
+/// rendered without them. Actuators on the far side of the torso get none unless the effect is wider than one
+/// side.
 PhantomResult phantom(const Layout& layout, const ChartPlace& place, vec2 sigma_cells);
 
 /// Place that is felt when actuators of a region run with these amplitudes: the offset from `about` on the chart (m);

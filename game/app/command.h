@@ -17,8 +17,8 @@ namespace thaum::app {
 /// that is empty, there is no such command. `help` and --version are answered here. Returns the exit code.
 int dispatch(std::vector<std::string> words, std::string_view others);
 
-/// Runs a program of ours that stands in the same folder, such as thaum-bench, instead of this one. Returns only if it
-/// cannot be started: the exit code, after one line that says why.
+/// Replaces this process by another program of Thaum in the same folder, such as thaum-bench (exec). Returns
+/// only if it cannot be started: the exit code, after one line that says why.
 int become(std::string_view program, const std::vector<std::string>& words);
 
 }  // namespace thaum::app

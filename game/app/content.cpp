@@ -52,7 +52,7 @@ public:
         const auto known = check_file_names(assets_);
         read_matches(known.faults);
         if (!has_data_)
-            return {.files = known.files, .faults = std::move(faults_)};  // there is no such folder
+            return {.files = known.files, .faults = std::move(faults_)};  // the folder does not exist
         read_practice();
         read_tools();
         read_single_files();
@@ -74,7 +74,7 @@ private:
     void add(std::string line) {
         const auto folder = assets_.string() + "/";
         if (line.starts_with(folder)) line = game::shown_path(assets_, line.substr(folder.size()));
-        // A file that needs a faulty one tells the fault once more, behind words of its own.
+        // A file that refers to a faulty file would report the same fault again, after a prefix of its own.
         const auto is_told = [&](const std::string& other) { return line.ends_with(other); };
         if (std::ranges::none_of(faults_, is_told)) faults_.push_back(std::move(line));
     }
@@ -86,8 +86,8 @@ private:
         if (!read) add(read.error());
     }
 
-    /// Each arena with the rules of most matches, and the first one with the other rules, too.
-    /// `faults_of_names`: an arena with a wrong name is told there.
+    /// Loads each arena with the rules of most matches, and the first arena also with the other rules.
+    /// `faults_of_names`: faults of arena names, which are not reported a second time.
     void read_matches(std::span<const std::string> faults_of_names) {
         std::vector<game::DataChoice> choices;
         for (const auto& arena : files_in(assets_ / "arenas", ".toml").value_or({})) {
@@ -121,7 +121,7 @@ private:
         add_fault_of(game::load_lessons(assets_));
     }
 
-    /// Reads a file and parses it as version 1. The error is added.
+    /// Reads a file and parses it as version 1. An error is added to the report.
     std::optional<Config> config_of(const std::string& name) {
         const auto words = read_text_file(assets_ / name, most_bytes);
         if (!words) return add(words.error()), std::nullopt;
@@ -130,14 +130,14 @@ private:
         return std::move(*config);
     }
 
-    /// Files of a folder; the error is added.
+    /// Files of a folder. An error is added to the report.
     std::vector<fs::path> toml_in(const std::string& folder) {
         auto files = files_in(assets_ / folder, ".toml");
         add_fault_of(files);
         return files ? std::move(*files) : std::vector<fs::path>();
     }
 
-    /// Tools and devices that no match uses: the lab has them.
+    /// Reads tools and devices that no match uses, only the lab.
     void read_tools() {
         for (const auto& file : toml_in("devices")) {
             const auto config = config_of(text("devices/", file.filename().string()));
@@ -161,7 +161,8 @@ private:
         if (settings) check_last_choice(settings->settings.last);
     }
 
-    /// The start screen chooses what the settings name, and the first one where there is none.
+    /// The start screen begins with the arena and match that the settings name, or with the first ones if the
+    /// settings name none.
     void check_last_choice(const LastChoice& last) {
         std::vector<std::string> arenas;
         for (const auto& file : files_in(assets_ / "arenas", ".toml").value_or({}))
@@ -209,7 +210,7 @@ private:
         return text(table.place(missing.key), ": '", missing.key, "'");
     }
 
-    /// `folder`: that of the files which the program itself needs.
+    /// `folder`: the folder of the files that the program itself needs.
     void add_missing(const std::vector<game::MissingName>& all, std::string_view folder) {
         for (const auto& missing : all)
             add(missing.file.empty()
@@ -217,7 +218,7 @@ private:
                     : text(place_of(missing), ": ", missing.words));
     }
 
-    /// Sounds that are missing, and, if all else is right, those that nothing uses.
+    /// Reports missing sounds and, if all other files are right, sounds that nothing uses.
     void compare_sounds(bool whole) {
         const auto bank = audio::load_sounds(assets_ / "sounds", audio::WithSamples::no);
         if (!bank) return add(bank.error());
@@ -294,7 +295,8 @@ private:
         for (const auto& file : gestures) note_name_of_gesture(file);
     }
 
-    /// Spells and potions name a gesture as its file does, so another name of the file is confusing.
+    /// Spells and potions refer to a gesture by its file's name, so a different name inside the file is
+    /// confusing.
     void note_name_of_gesture(const fs::path& file) {
         const auto name = text("gestures/", file.filename().string());
         const auto gesture = gesture::load_gesture(file);
@@ -305,7 +307,8 @@ private:
                               printable(gesture->name, 64), "'"));
     }
 
-    /// Characters that nobody sees make a name another one. Comments may have them, and words no-break spaces.
+    /// Invisible characters make two names differ that look the same. Comments may have them, and shown texts
+    /// may have no-break spaces.
     void find_invisible(const std::string& file) {
         auto words = read_text_file(assets_ / file, most_bytes).value_or("");
         auto rest = without_byte_order_mark(words);

@@ -1,5 +1,5 @@
-// game/app/content.h: all data files at once. They are read by the readers that the game uses, and the names in them are
-// compared with the files that are there, in both directions.
+// game/app/content.h: checks all data files at once. The game's own readers read them, and names in them are
+// compared with the files that exist: every name needs its file, and every file must be named.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -8,12 +8,13 @@
 namespace thaum::app {
 
 struct ContentReport {
-    std::size_t files{};                ///< files of the folder, without those that nothing reads
+    std::size_t files{};                ///< number of files in the folder, without those that nothing reads
     std::vector<std::string> faults{};  ///< one line each: file, line, key, what is wrong, what is allowed
-    std::vector<std::string> notes{};   ///< lines on what can be played, and is probably not meant
+    /// One line for each thing that can be played but is probably a mistake.
+    std::vector<std::string> notes{};
 };
 
-/// Reads all data files of a folder. A file that nothing reads, and one that nothing names, are faults.
+/// Reads all data files of a folder. A file that nothing reads or that nothing names is a fault.
 ContentReport check_content(const std::filesystem::path& assets);
 
 /// One line on a report for the start screen: the first fault, and how many more there are. Empty: no fault.

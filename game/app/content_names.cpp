@@ -19,11 +19,11 @@ using Names = std::vector<std::string_view>;
 
 constexpr std::size_t longest_shown = 200;
 
-/// The files that a folder may hold.
+/// File names that a folder may hold.
 struct FolderRule {
     Names endings;                     ///< endings of its files
     std::vector<std::string> names{};  ///< names without ending; empty: any
-    std::string_view what{};           ///< what has such a name, for messages
+    std::string_view what{};           ///< noun for a file of this folder, for messages
 };
 
 std::vector<std::string> bot_levels() {
@@ -133,7 +133,7 @@ private:
                                      did_you_mean(stem, names)));
     }
 
-    /// A name that the menu and the command line choose.
+    /// Reports a name that cannot be chosen in the menu and on the command line.
     void check_chosen_name(const std::string& name, const std::string& stem) {
         constexpr std::string_view allowed = "abcdefghijklmnopqrstuvwxyz0123456789_";
         if (stem.find_first_not_of(allowed) != stem.npos)

@@ -1,4 +1,4 @@
-// game/app/content_names.h: which files the folder of data files may have.
+// game/app/content_names.h: which files the folder of data files may contain.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -8,9 +8,9 @@ namespace thaum::app {
 
 /// The folder's files, and a line on each that nothing reads because of its name, ending or folder.
 struct KnownFiles {
-    std::size_t files{};  ///< files that something may read
+    std::size_t files{};  ///< number of files that something may read
     std::vector<std::string> faults;
-    std::vector<std::string> read{};  ///< TOML files with a right name: "wands/bolt.toml", sorted
+    std::vector<std::string> read{};  ///< TOML files with an allowed name: "wands/bolt.toml", sorted
 };
 
 KnownFiles check_file_names(const std::filesystem::path& assets);

@@ -27,7 +27,7 @@ bool can_brew(const MatchData& reading, const game::Recipe& recipe) {
            });
 }
 
-/// Focus never exceeds its cap, so a dearer spell is never cast.
+/// Focus never exceeds its cap, so a spell that costs more can never be cast.
 void find_dear_spells(const MatchData& reading, std::vector<MissingName>& faults) {
     for (const auto& spell : reading.spells)
         if (reading.casting && spell.stats.focus > reading.casting->focus_cap)
@@ -85,7 +85,8 @@ void find_unbrewable(std::span<const MatchData> readings, std::vector<MissingNam
         }
 }
 
-/// Ingredients of which an arena has fewer niches than of others: one was forgotten, or half of a pair.
+/// Notes ingredients for which an arena has fewer niches than for others: probably a niche, or half of a
+/// mirrored pair, was forgotten.
 void note_few_niches(const MatchData& reading, std::vector<MissingName>& notes) {
     if (!reading.cauldron || reading.arena.niches.empty()) return;
     std::ptrdiff_t most = 0;
@@ -105,8 +106,8 @@ void note_few_niches(const MatchData& reading, std::vector<MissingName>& notes) 
         }
 }
 
-/// A potion that is half of the Great Work, in an arena whose other half nobody can get. An orb may be missing: it only
-/// tells orders sooner.
+/// Notes a potion that is half of the Great Work, in an arena where the other half cannot be had. An arena
+/// without an orb is not noted, since the orb only shows the orders of recipes sooner.
 void note_half_work(const MatchData& reading, std::vector<MissingName>& notes) {
     if (std::ranges::any_of(reading.arena.things, is_crystal)) return;
     for (const auto& recipe : reading.recipes)
@@ -119,7 +120,7 @@ void note_half_work(const MatchData& reading, std::vector<MissingName>& notes) {
                                recipe.name)});
 }
 
-/// The first reading of each arena: the others differ in rules and length.
+/// The first MatchData of each arena. The others of that arena differ only in rules and length.
 std::vector<const MatchData*> one_of_each_arena(std::span<const MatchData> readings) {
     std::vector<const MatchData*> all;
     for (const auto& reading : readings)

@@ -1,5 +1,5 @@
-// game/app/content_use.h: data that can be read and yet not be used: costs that nobody can pay, potions that no arena lets
-// brew, names that two things have.
+// game/app/content_use.h: finds data that can be read but not used: costs that no player can pay, potions
+// that cannot be brewed in any arena, names that two things share.
 #pragma once
 #include <span>
 #include <vector>
@@ -10,11 +10,11 @@ namespace thaum::app {
 
 /// Findings, each with the key that it is about.
 struct UseFindings {
-    std::vector<game::MissingName> faults;  ///< the game cannot use this
+    std::vector<game::MissingName> faults;  ///< faults that the game cannot work with
     std::vector<game::MissingName> notes;   ///< the game plays without it, but it is probably not meant
 };
 
-/// Compares the data of matches, one with each arena at least, that were read without a fault.
+/// Checks the data of matches, which must be free of reading errors. Every arena must appear at least once.
 UseFindings find_unusable(std::span<const game::MatchData> readings);
 
 }  // namespace thaum::app

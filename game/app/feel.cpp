@@ -21,9 +21,9 @@ namespace thaum::app {
 namespace {
 
 /// Number of ticks computed ahead of the arm. A busy machine may need longer to compute a tick than the arm
-/// needs to play one.
+/// needs to play it.
 constexpr std::size_t ahead = 12'000;
-constexpr std::int64_t look_ns = 5'000'000;    ///< longest time between two looks at keys and arm (ns)
+constexpr std::int64_t look_ns = 5'000'000;    ///< longest time between two checks of keyboard and arm (ns)
 constexpr std::int64_t fade_ns = 150'000'000;  ///< time in which the last force fades to zero (ns)
 
 // ---- requests to end -----------------------------------------------------------------------------------
@@ -64,8 +64,8 @@ public:
     RecordedForces(game::Playback playback, std::uint32_t player)
         : playback_(std::move(playback)), player_(player), felt_(playback_.match().match().played) {}
 
-    /// Computes ahead until enough ticks wait, or for about `budget_ns`. Returns false if the log has ended
-    /// or the replay has diverged from the recorded match.
+    /// Computes ahead until enough ticks are queued, or for about `budget_ns`. Returns false if the log has
+    /// ended or the replay has diverged from the recorded match.
     bool fill(input::ArmPlayback& hand, std::int64_t budget_ns) {
         const auto end_ns = monotonic_ns() + budget_ns;
         while (hand.waiting() < ahead && monotonic_ns() < end_ns) {
@@ -74,7 +74,8 @@ public:
         }
         return true;
     }
-    /// Computes ahead until enough ticks wait. Returns false as above.
+    /// Computes ahead until enough ticks are queued. Returns false if the log has ended or the replay has
+    /// diverged from the recorded match.
     bool fill(input::ArmPlayback& hand) {
         while (hand.waiting() < ahead) {
             if (!fill(hand, look_ns)) return false;
@@ -109,7 +110,7 @@ private:
 
 // ---- the arm ----------------------------------------------------------------------------------------------
 
-/// Largest share of the arm's peak force in this machine's settings; 0: no forces.
+/// Largest share of the arm's peak force that the settings of this machine allow; 0: no forces.
 double wished_share() {
     const auto settings = settings_to_play_with(settings_file(), game::find_assets()).settings;
     const auto percent = force_choices[settings.players[0].force].percent;
@@ -145,8 +146,8 @@ std::optional<std::string> play(RecordedForces& forces, input::ArmPlayback& hand
         if (watch.asked()) return "ended by hand: no force any more";
         if (const auto status = arm.status(); status.state != input::ArmPresence::present) return status.text;
         if (!more && hand.waiting() == 0 && until == 0) until = monotonic_ns() + fade_ns;
-        // Computing ahead goes before sleeping: a machine that slept as long as it computes would fall
-        // behind.
+        // Computing ahead has priority over sleeping. If the thread slept each time for as long as it
+        // computes, it would fall behind.
         if (!more || hand.waiting() >= ahead) sleep_until_ns(monotonic_ns() + look_ns);
     }
     return {};
@@ -177,7 +178,7 @@ int feel(game::Playback playback, const FeelPlan& plan) {
     const bool fault = (*arm)->status().state != input::ArmPresence::present;
     hand.stop();
     tell(hand, **arm);
-    arm->reset();  // ends the arm's thread before `hand`, which that thread uses, is destroyed
+    arm->reset();  // stops the arm's thread before `hand` is destroyed, which that thread uses
     if (why) print_line(*why);
     if (forces.divergence()) print_line(game::described(*forces.divergence()));
     return fault || forces.divergence() ? does_not_hold : done;

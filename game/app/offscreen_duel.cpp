@@ -46,12 +46,12 @@ Expected<Played> play(const OffscreenDuel& plan, const std::shared_ptr<const gam
 }
 
 struct Picture {
-    std::string line;            ///< its file, or the reason why there is none
-    std::optional<Error> fault;  ///< reason why a picture that could be drawn was not saved
+    std::string line;            ///< path of the picture, or the reason why there is none
+    std::optional<Error> fault;  ///< error if a drawn picture could not be saved
 };
 
-/// Draws and saves the highlight. Plays a new match up to that tick with the same input frames, which gives the
-/// same state.
+/// Draws and saves the highlight. The highlight is known only at the end, so this plays a second match with
+/// the same input frames up to that tick.
 Expected<void> save_highlight(Still& still, const std::shared_ptr<const game::MatchData>& data,
                               const Played& played, const std::filesystem::path& file) {
     if (played.highlight.tick == 0) return still.save(*played.duel.match, {}, file);

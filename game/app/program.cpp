@@ -31,8 +31,8 @@ int dispatch_guarded(Dispatch dispatch, std::vector<std::string> words) {
     }
 }
 
-/// Tests whether all printed text was written: a disk may be full, or a pipe closed. Without that a command
-/// would succeed silently.
+/// Tests whether all printed text was written: a disk may be full, or a pipe closed. Without this test the
+/// command would report success.
 int with_output_checked(int code) {
     const bool failed = std::ferror(stdout) != 0;
     if (std::fflush(stdout) == 0 && !failed) return code;
@@ -45,8 +45,8 @@ int run_program(int argc, char** argv, Dispatch dispatch) {
     // Resets the rounding mode, which a parent process may have changed; no result may depend on it. Threads
     // inherit the mode.
     std::fesetenv(FE_DFL_ENV);
-    // Without this signal a file beyond the shell's size limit is a failed write, as on a full disk, and does
-    // not end the program.
+    // With SIGXFSZ ignored, exceeding the shell's limit on file size is a failed write, as on a full disk,
+    // and does not kill the program.
     std::signal(SIGXFSZ, SIG_IGN);
     occupy_closed_streams();
     tell_unhandled_exceptions();
@@ -79,7 +79,8 @@ void protect_inputs(std::string_view command) {
     for (const auto& entry : std::filesystem::directory_iterator(game::find_assets(), unreadable)) {
         const auto name = entry.path().filename();
         if (name == "gestures" && command == "gesture")
-            protect_files_in(entry.path());  // `gesture record` may put a new one beside them
+            // `gesture record` may add a new file to this folder, so only its present files are protected.
+            protect_files_in(entry.path());
         else if (name != "pictures")
             protect_input(entry.path());
     }

@@ -32,7 +32,7 @@ void ReplaySound::follow(const game::Simulation& match) {
 }
 
 Expected<void> ReplaySound::close() {
-    constexpr int tail = 190;  // frames: 1.5 s, as long as the longest sound
+    constexpr int tail = 190;  // audio frames written after the end: 1.5 s, the length of the longest sound
     frame_.begins.count = frame_.lasts.count = 0;
     for (int i = 0; i < tail; ++i) {
         mixer_.play(frame_, block_);

@@ -1,4 +1,5 @@
-// game/app/replay_sound.h: writes what players hear of a replayed match to a WAV file. Equal logs give equal files.
+// game/app/replay_sound.h: writes what players hear of a replayed match to a WAV file. Equal logs give equal
+// files.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -15,9 +16,9 @@ public:
     static Expected<ReplaySound> create(const std::filesystem::path& file, std::optional<std::uint32_t> ears,
                                         const game::MatchData& data, const std::filesystem::path& assets);
 
-    /// Appends the sound of the eight ticks that have passed, at every eighth tick.
+    /// Appends the sound of the last eight ticks, at every eighth tick.
     void follow(const game::Simulation& match);
-    /// Lets the last sounds end, and completes the file.
+    /// Lets the last sounds end, then completes the file.
     Expected<void> close();
 
 private:

@@ -45,7 +45,7 @@ Expected<Shots> Shots::create(ShotPlan plan, const game::MatchData& data,
     return Shots(std::move(plan), std::move(*still), senses_of(data, assets));
 }
 
-/// Suffix of the due picture's file name; std::nullopt if no picture is due.
+/// Ending of the file name for a picture that is due now; std::nullopt if none is due.
 std::optional<std::string> Shots::due(const game::Playback& playback) {
     const auto& match = playback.match();
     const auto now = match.now();

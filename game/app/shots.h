@@ -15,7 +15,7 @@ struct ShotPlan {
     std::filesystem::path folder{};
     Tick every = 0;          ///< ticks between two pictures; 0: no regular pictures
     std::vector<Tick> at{};  ///< single ticks with a picture, sorted
-    /// True for each game::EventKind that gets a picture.
+    /// For each game::EventKind, whether it gets a picture.
     std::vector<bool> on = std::vector<bool>(game::event_kinds().kinds.size());
     bool on_marks = false;
     render::Size size{1280, 720};
@@ -29,8 +29,8 @@ public:
     /// Makes the folder. The error is one line: the folder cannot be made, or there is no OpenGL.
     static Expected<Shots> create(ShotPlan plan, const game::MatchData& data,
                                   const std::filesystem::path& assets);
-    /// Saves the picture that is due in the playback's state now; at most one per tick. Call it after each tick, so
-    /// that pictures show what was heard and felt.
+    /// Saves the picture that is due in the playback's state now; at most one per tick. Call it after each
+    /// tick, so that pictures show what was heard and felt.
     Expected<void> follow(const game::Playback& playback);
     /// Marks all pictures so far as true to the record; call this when a state hash has agreed.
     void confirm() { unconfirmed_.clear(); }
@@ -46,9 +46,9 @@ private:
 
     ShotPlan plan_;
     Still still_;
-    std::unique_ptr<game::Senses> senses_;  ///< null: a data file is faulty
+    std::unique_ptr<game::Senses> senses_;  ///< null if a data file has a fault
     std::size_t next_at_ = 0, next_mark_ = 0, taken_ = 0;
-    std::uint64_t seen_ = 0;  ///< value of EventJournal::count at the last look
+    std::uint64_t seen_ = 0;  ///< value of EventJournal::count when events were last read
     std::vector<std::filesystem::path> unconfirmed_{};
 };
 

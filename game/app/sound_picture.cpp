@@ -21,10 +21,10 @@ struct Box {
 
 constexpr Colour paper{18, 18, 24}, ink{225, 222, 214}, dim{120, 118, 126}, wave{110, 190, 240},
     line{52, 52, 62};
-/// Colours of a spectrogram from silence to its loudest place.
+/// Colours of a spectrogram, from silence to its loudest point.
 constexpr std::array<Colour, 5> heat{
     {{8, 8, 14}, {52, 20, 92}, {170, 44, 96}, {242, 130, 48}, {252, 246, 190}}};
-constexpr double shown_db = 60;  // range of the colours
+constexpr double shown_db = 60;  // range of levels that the colours show (dB)
 
 render::Image blank(int width, int height) {
     render::Image image{width, height, {}};
@@ -70,7 +70,7 @@ Colour heat_at(double share) {
             mix(heat[low].blue, heat[low + 1].blue)};
 }
 
-/// Draws the range of the samples in each column.
+/// Draws, in each pixel column, the range of the samples.
 void draw_waveform(render::Image& image, Box box, const std::vector<float>& samples) {
     fill(image, {box.x, box.y + box.height / 2, box.width, 1}, line);
     for (int x = 0; x < box.width; ++x) {
@@ -117,7 +117,7 @@ std::string title_of(const audio::Sound& sound) {
     return text(sound.name, "  ", fixed(seconds, 2), " s", sound.loops ? ", loops" : "");
 }
 
-/// Name and length, narrow enough for a place on the sheet.
+/// Name and length of a sound, short enough for one cell of the picture with many sounds.
 std::string short_title_of(const audio::Sound& sound) {
     const double seconds = static_cast<double>(sound.samples.size()) / audio::sample_rate;
     return text(sound.name, " ", fixed(seconds, 2), sound.loops ? "~" : "");

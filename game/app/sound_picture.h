@@ -8,7 +8,7 @@
 
 namespace thaum::app {
 
-/// One sound with its name, its scales and its description.
+/// Picture of one sound with its name, axes and description.
 render::Image draw_sound(const audio::Sound& sound, render::Font& font);
 
 /// Spectrograms and names of several sounds, side by side.

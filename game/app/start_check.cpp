@@ -1,6 +1,6 @@
-// Processor check that runs before every constructor of the program and its libraries. Those are compiled for
-// x86-64-v3 and would die of an illegal instruction on an older processor, without a message. This file is
-// compiled for older processors (tools/cmake/targets.cmake).
+// Processor check that runs before every constructor of the program and its libraries. Those constructors are
+// compiled for x86-64-v3, and an older processor would stop them at an illegal instruction, without a
+// message. This file is compiled for older processors (tools/cmake/targets.cmake).
 #include <unistd.h>
 
 #include "core/processor.h"

@@ -1,4 +1,5 @@
-// thaum: the program that players start. For the commands that it does not have itself it becomes thaum-tools.
+// thaum: the program that players start. For a command that it lacks, it replaces itself by thaum-tools
+// (exec).
 #include <string>
 #include <utility>
 #include <vector>

@@ -15,14 +15,14 @@ namespace thaum::app {
 
 namespace {
 
-/// Exit code of a shown replay: does_not_hold, with a message, if the replay diverged from the record.
+/// Exit code of a watched replay: does_not_hold, with a message, if the replay diverged from the record.
 int verdict(const std::optional<game::Divergence>& divergence) {
     if (!divergence) return done;
     print_line(game::described(*divergence));
     return does_not_hold;
 }
 
-/// Starts a thread that fills the index behind more urgent work.
+/// Starts a thread that fills the index, at lower priority than the replay itself.
 Expected<std::jthread> fill_beside(const game::Playback& playback, game::ReplayIndex& index,
                                    const std::atomic<bool>& stop) {
     auto again = playback.open_again();
@@ -33,8 +33,8 @@ Expected<std::jthread> fill_beside(const game::Playback& playback, game::ReplayI
     });
 }
 
-/// Shows the replay while its index is filled. Without an index a jump ahead takes as long as computing all up to
-/// there.
+/// Shows the replay while its index is filled. Without an index, a jump ahead must compute every tick on the
+/// way.
 int run_with_index(const LivePlan& plan, const game::Playback& playback, game::ReplayIndex& index) {
     std::atomic<bool> stop{false};
     const auto filling = fill_beside(playback, index, stop);

@@ -44,7 +44,7 @@ void read_bowl(const ConfigTable& table, Arena& arena, Body& body) {
     const BowlSize size{.radius = table.number("radius", extent),
                         .height = table.number("height", extent),
                         .thickness = table.number("thickness", {0.01, 1})};
-    // Below a fifth of the height lies the whole bottom, so the inside is hollow from any filling on.
+    // From the bowl's bottom to a fifth of its height all is solid, so it is hollow at every allowed filling.
     if (size.thickness > 0.2 * size.height || size.thickness > 0.4 * size.radius)
         table.report("thickness",
                      text("'thickness' is ", size.thickness,
@@ -80,7 +80,8 @@ std::uint32_t read_ramp(const ConfigTable& table, Symmetry symmetry, Arena& aren
     return body.mesh + 1;
 }
 
-/// Adds a thing and its twin. Every shape but a ramp is its own mirror image, and its own image after the turn.
+/// Adds a thing and its twin. Only a ramp needs another mesh for its twin: all other shapes look the same
+/// mirrored or turned.
 void add_thing(Symmetry symmetry, Arena& arena, const Thing& thing) {
     arena.things.push_back(thing);
     if (symmetry == Symmetry::none) return;
@@ -141,7 +142,8 @@ void refuse_outside(const ConfigTable& table, const GroundBounds& ground, vec3 a
                            ground.high.x, ", z from ", ground.low.z, " to ", ground.high.z));
 }
 
-/// Calls add(place) for the entry's position and for that of its twin. A place outside of the ground is an error.
+/// Calls add(place) for the entry's position and for that of its twin. A position outside of the ground is an
+/// error.
 template <class Add>
 void read_places(const ConfigTable& table, const GroundBounds& ground, Add&& add) {
     const auto at = table.vector("position", place);
@@ -199,7 +201,7 @@ void read_pads(const ConfigTable& root, const GroundBounds& ground, Arena& arena
     if (!starts[0] || !starts[1]) root.report("pad", "each of the players 0 and 1 needs a pad to start from");
 }
 
-/// Reads `[range]`. Without this table the range uses the pads from which the players start.
+/// Reads `[range]`. Without this table, practice takes place at the pads where players start.
 void read_practice(const ConfigTable& root, const GroundBounds& ground, Arena& arena) {
     constexpr std::array<std::string_view, 2> names{"player", "dummy"};
     const auto range = root.table("range");
@@ -234,7 +236,7 @@ vec3 half_extent(const Arena& arena, const Thing& thing) {
     return half;
 }
 
-/// Reads the name that is shown of an arena. It is printed as it is, so it may hold no control characters.
+/// Reads the display name of an arena. The name is printed unchanged, so it may hold no control characters.
 std::string read_name(const ConfigTable& root) {
     constexpr std::size_t longest_name = 64;  // bytes
     auto name = root.string("name");
@@ -266,7 +268,7 @@ GroundBounds ground_bounds(const Arena& arena) {
         vec3 low = thing.position - half;
         const vec3 high = thing.position + half;
         if (thing.body.shape != physics::Shape::mesh)
-            low.y = high.y;  // only a ramp is walked on below its top
+            low.y = high.y;  // only on a ramp does a wizard walk below the top
         bounds.low = glm::min(bounds.low, low);
         bounds.high = glm::max(bounds.high, high);
     }

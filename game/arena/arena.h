@@ -12,7 +12,7 @@
 
 namespace thaum::game {
 
-/// A body of the arena and its look. Ramps and the bowl are static meshes.
+/// A body of the arena and its look. Ramps and bowls are static meshes.
 struct Thing {
     Body body;
     Surface surface{};
@@ -51,13 +51,13 @@ struct Arena {
     std::vector<PowerUpPlace> power_ups;
     std::optional<BowlPlace> bowl;
     std::vector<NichePlace> niches;  ///< places to pick up ingredients for the cauldron
-    /// Places of the practising player and of the dummy on the range.
+    /// places of the player and of the dummy on the practice range
     std::array<Pad, 2> practice{};
     bool operator==(const Arena&) const = default;
 };
 
-/// Box round all ground (solids with the surface floor or pit) (m, world). `low.y` is the height of the lowest
-/// ground, `high.y` that of the highest.
+/// Box around all ground (solids with the surface floor or pit) (m, world). `low.y` is the height of the
+/// lowest ground, `high.y` that of the highest.
 struct GroundBounds {
     vec3 low{}, high{};
 };
@@ -70,7 +70,8 @@ const Thing* orb_of(const Arena& arena);
 /// Whether a body is a crystal that can be carved: a box with the surface crystal.
 bool is_crystal(Surface surface, physics::Shape shape);
 
-/// Reads all tables of an arena's file but `[look]` (look.h). Errors are kept in the Config (core/config.h).
+/// Reads all tables of an arena's file except `[look]` (look.h). Errors are collected in the Config
+/// (core/config.h).
 Arena read_arena(const Config& file);
 
 }  // namespace thaum::game

@@ -1,4 +1,4 @@
-// game/arena/basin.h: the inside of a bowl below the level of what fills it.
+// game/arena/basin.h: the inside of a bowl below the surface of its contents.
 #pragma once
 #include <cmath>
 #include <vector>
@@ -7,15 +7,16 @@
 
 namespace thaum::game {
 
-/// The inside of a bowl below the level of its contents.
+/// The inside of a bowl below the surface of its contents.
 struct Basin {
     double radius{};  ///< greatest radius (m)
     double depth{};   ///< greatest depth (m)
-    /// Points (radius, height) from the level at height 0 down to the middle (m). Heights are zero or negative.
+    /// Points (radius, height) from the edge of the surface, at height 0, down to the middle of the bottom
+    /// (m). Heights are zero or negative.
     std::vector<vec2> profile;
 };
 
-/// Height of the contents' level above the bowl's middle (m).
+/// Height of the contents' surface above the bowl's middle (m).
 inline double level_of(const BowlSize& bowl, double filled) { return bowl.height * (filled - 0.5); }
 
 Basin basin_of(const BowlSize& bowl, double filled);
@@ -23,8 +24,8 @@ Basin basin_of(const BowlSize& bowl, double filled);
 /// Horizontal length of a vector (m).
 inline double off_axis(vec3 way) { return std::sqrt(way.x * way.x + way.z * way.z); }
 
-/// Radius of the basin at a height (m). Negative heights are below the level. Returns 0 below the floor, and
-/// the radius at the level for heights above it.
+/// Radius of the basin at a height above the surface of the contents (m). 0 below the floor; the radius at
+/// the surface for positive heights.
 double width_at(const Basin& basin, double height);
 
 }  // namespace thaum::game

@@ -1,5 +1,5 @@
-// game/arena/look.h: the picture of an arena beyond its solids: light, sky, and decoration around the walls.
-// Its data is the table `[look]` of the arena's file. No match reads it.
+// game/arena/look.h: what a picture of an arena shows besides the solids: light, sky, and decoration around
+// the walls. Read from the table `[look]` of the arena's file. It has no effect on a match.
 #pragma once
 #include <string_view>
 #include <vector>
@@ -30,8 +30,8 @@ struct BannerLook {
 
 /// A tower outside of the arena.
 struct TowerLook {
-    vec3 foot{};      ///< middle of its foot (m, world)
-    double radius{};  ///< radius at the foot (m)
+    vec3 foot{};      ///< middle of the tower's base (m, world)
+    double radius{};  ///< radius at the base (m)
     double height{};  ///< height of the shaft (m)
     bool operator==(const TowerLook&) const = default;
 };
@@ -40,7 +40,7 @@ struct TowerLook {
 struct MenuCameraLook {
     double distance{15.5};  ///< distance from the vertical axis through the arena's middle (m)
     double height{7.5};     ///< height (m, world)
-    double down{0.36};      ///< angle of the view below the horizon (rad)
+    double down{0.36};      ///< angle of the view direction below the horizon (rad)
     bool operator==(const MenuCameraLook&) const = default;
 };
 
@@ -52,16 +52,16 @@ struct ArenaLook {
     Tint fog{0x5A4274};
     double fog_density{0.0105};                        ///< density of the fog (1/m)
     Tint above{0x8078CC, 0.85}, below{0x5C4254, 0.8};  ///< light of the sky, and light from the ground
-    bool merlons = true, pilasters = true;             ///< decoration of the outer walls
-    double lamp_height{3.4};                           ///< height of the lamps on the outer walls (m, world)
-    std::vector<vec3> lamps;                           ///< more lamps (m, world)
+    bool merlons = true, pilasters = true;  ///< true: the outer walls have merlons; true: they have pilasters
+    double lamp_height{3.4};                ///< height of the lamps on the outer walls (m, world)
+    std::vector<vec3> lamps;                ///< positions of further lamps (m, world)
     std::vector<BannerLook> banners;
     std::vector<TowerLook> towers;
     MenuCameraLook menu_camera;
     bool operator==(const ArenaLook&) const = default;
 };
 
-/// Reads the table `[look]`, which may be missing. Errors are kept in the Config.
+/// Reads the table `[look]`, which may be missing. Errors are collected in the Config.
 ArenaLook read_arena_look(const Config& file);
 
 }  // namespace thaum::game

@@ -9,19 +9,22 @@
 namespace thaum::game {
 namespace {
 
-constexpr double slack = 0.03;        ///< depth in a solid that rounding, or a thing at rest, may have (m)
-constexpr double deepest_drop = 0.5;  ///< fall of a wizard who appears (m)
-constexpr double step_up = 0.1;       ///< ground above the feet of a wizard who appears (m)
-// Radius of a standing wizard, and the heights between which its body is looked for in solids (m).
+/// Depth in a solid that is tolerated, for rounding or contact of bodies at rest (m)
+constexpr double slack = 0.03;
+constexpr double deepest_drop = 0.5;  ///< largest tolerated fall of a wizard who appears (m)
+/// Largest tolerated height of ground above the feet of a wizard who appears (m)
+constexpr double step_up = 0.1;
+// Radius of a standing wizard, and the heights above the feet between which a wizard must be clear of solids
+// (m).
 constexpr double standing_radius = 0.25, lowest_probe = 0.2, highest_probe = 1.5;
 
-/// Line of a table in its file: "12".
+/// Number of a table's line in its file, as text: "12".
 std::string line_of(const ConfigTable& table, std::string_view key) {
     const auto place = table.place(key);
     return place.substr(place.rfind(':') + 1);
 }
 
-/// Half the extent of a ramp's mesh, and the vector along which it rises from -1 to 1.
+/// Half the size of a ramp's mesh, and the horizontal vector along which the ramp rises from -1 to 1.
 struct Slope {
     vec3 half{0}, up{0};
 };
@@ -30,13 +33,13 @@ Slope slope_of(const physics::TriangleMesh& mesh) {
     Slope slope;
     for (const auto& v : mesh.vertices) slope.half = glm::max(slope.half, glm::abs(v));
     for (const auto& v : mesh.vertices)
-        if (v.y > 0) slope.up += vec3(v.x, 0, v.z) / 2.0;  // two vertices are the high edge
+        if (v.y > 0) slope.up += vec3(v.x, 0, v.z) / 2.0;  // halved, because the high edge has two vertices
     slope.up = {slope.up.x / (slope.half.x * slope.half.x), 0, slope.up.z / (slope.half.z * slope.half.z)};
     return slope;
 }
 
-/// Height of a solid's top over a point of the ground, relative to its middle; std::nullopt beside the solid, and for
-/// spheres and bowls, on which nobody appears.
+/// Height of a solid's top above its middle, at a point of the ground; std::nullopt beside the solid, and for
+/// spheres and bowls, on which wizards never appear.
 std::optional<double> top_at(const Arena& arena, const Thing& solid, vec3 at) {
     const vec3 d = at - solid.position;
     const auto& size = solid.body.size;
@@ -64,7 +67,7 @@ bool is_inside(const Arena& arena, const Thing& solid, vec3 at) {
     return d.y > slack - half;
 }
 
-/// Points within a body, most of them near its surface.
+/// Sample points within a body, most of them near its surface.
 std::vector<vec3> probes_of(const Body& body) {
     constexpr double near_surface = 0.9;
     vec3 half = body.size;
@@ -97,7 +100,7 @@ public:
         }
     }
 
-    /// Reports a body or a wizard, given by its probes, that is inside of a solid.
+    /// Reports a body or a wizard, given by sample points, that lies inside of a solid.
     bool check_free(const ConfigTable& table, std::string_view key, vec3 at, std::span<const vec3> probes,
                     std::string_view who) const {
         std::size_t line = 0;
@@ -117,7 +120,7 @@ public:
         return true;
     }
 
-    /// Reports a wizard who would fall.
+    /// Reports a wizard who would fall on appearing.
     void check_ground(const ConfigTable& table, std::string_view key, vec3 feet) const {
         double ground = -1e9;
         for (const auto& solid : arena_.things) {
@@ -138,7 +141,8 @@ public:
 
 private:
     const Arena& arena_;
-    std::vector<std::string> lines_;  ///< lines of the solids, in the order of the arena's static things
+    /// Line numbers of the solids, in the order of the arena's static things.
+    std::vector<std::string> lines_;
 };
 
 }  // namespace

@@ -19,12 +19,12 @@ physics::TriangleMesh ramp_along_x(vec3 size, bool rises_east) {
     // high edge.
     mesh.vertices = {{-high, -h.y, -h.z}, {-high, -h.y, h.z}, {high, -h.y, h.z},
                      {high, -h.y, -h.z},  {high, h.y, h.z},   {high, h.y, -h.z}};
-    quad(mesh, 0, 3, 2, 1);  // base; its front side faces down
+    quad(mesh, 0, 3, 2, 1);  // the base, whose front side faces down
     quad(mesh, 0, 1, 4, 5);  // slope
     quad(mesh, 3, 5, 4, 2);  // back
     mesh.triangles.push_back({1, 2, 4});
     mesh.triangles.push_back({0, 5, 3});
-    if (!rises_east) {  // mirroring in x turned counter-clockwise triangles clockwise
+    if (!rises_east) {  // mirroring along x has turned counter-clockwise triangles clockwise
         for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
     }
     return mesh;
@@ -63,7 +63,7 @@ std::vector<vec2> bowl_profile(const BowlSize& size) {
 physics::TriangleMesh bowl(const BowlSize& size) {
     const auto profile = bowl_profile(size);
     physics::TriangleMesh mesh;
-    // A profile point on the axis is one vertex. Every other profile point is a ring of vertices.
+    // A profile point on the axis becomes one vertex, every other one a ring of vertices.
     std::vector<std::uint32_t> first;
     for (const auto& p : profile) {
         first.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));

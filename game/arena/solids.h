@@ -11,7 +11,7 @@ namespace thaum::game {
 enum class Rise : std::uint8_t { east, west, north, south };
 inline constexpr std::array<std::string_view, 4> rise_names{"east", "west", "north", "south"};
 
-/// A wedge, half of a box of that size (m), centred on the box.
+/// A wedge that fills half of a box of the given size (m); the origin is the middle of the box.
 physics::TriangleMesh ramp(vec3 size, Rise rise);
 
 struct BowlSize {
@@ -21,8 +21,8 @@ struct BowlSize {
     bool operator==(const BowlSize&) const = default;
 };
 
-/// A solid of revolution about the y axis with a foot, a belly and an open top. The origin is on the axis at
-/// half the height.
+/// A solid of revolution about the y axis with a foot, a rounded body and an open top. The origin is on the
+/// axis at half the height.
 physics::TriangleMesh bowl(const BowlSize& size);
 
 /// Profile of the bowl as points (radius, y) in m: first the outside from the middle of the foot up to the

@@ -1,17 +1,18 @@
-// game/arena/symmetry.h: entries of an arena's file that exist twice, so that the arena is fair to both players.
+// game/arena/symmetry.h: entries of an arena's file that are placed twice, so that the arena is fair to both
+// players.
 #pragma once
 #include "core/config.h"
 
 namespace thaum::game {
 
-/// Relation of an entry to its twin: none, its mirror image at -z (`mirror`), or turned by 180 degrees about the
-/// vertical axis through the origin (`turned`).
+/// Relation of an entry to its twin: none, its mirror image at -z (`mirror`), or turned by 180 degrees about
+/// the vertical axis through the origin (`turned`).
 enum class Symmetry : std::uint8_t { none, mirror, turned };
 
-/// Reads `mirror` and `turned` of an entry. It is an error if both are true.
+/// Reads the keys `mirror` and `turned` of an entry. Both true is an error.
 Symmetry read_symmetry(const ConfigTable& table);
 
-/// Place of the twin of a thing at `place` (m, world).
+/// Position of the twin of a thing at `place` (m, world).
 vec3 twin_place(Symmetry symmetry, vec3 place);
 
 }  // namespace thaum::game

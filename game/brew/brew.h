@@ -1,5 +1,5 @@
 // game/brew/brew.h: the contents of the cauldron as plain data: a flow, up to three substances, and the
-// surface on top. The match, the lab, scenarios and benchmarks all stir this one brew.
+// surface on top. The match, the lab, scenarios and benchmarks all use it.
 //
 //            level ──── ~~~~~~~~~~~~~ ────   origin of the brew's frame: middle of the surface, +y up
 //                   \               /
@@ -17,7 +17,7 @@
 
 namespace thaum::game {
 
-/// Ingredient in each substance.
+/// Number of the ingredient in each substance of the fluid.
 using Contents = std::array<std::uint32_t, fluid::substances_most>;
 
 struct Brew {
@@ -39,8 +39,8 @@ std::optional<std::size_t> substance_for(const Contents& contents, std::uint32_t
 /// Makes a substance hold this ingredient from now on.
 void assign(Brew& brew, const CauldronRules& rules, std::size_t substance, std::uint32_t ingredient);
 
-/// Adds `amount` of an ingredient within `radius` of a place (m^3; m, brew's frame). Returns false if nothing
-/// was added.
+/// Adds `amount` (m^3) of an ingredient within `radius` (m) of `place` (m, brew frame). Returns false if
+/// nothing was added.
 bool drop(Brew& brew, const CauldronRules& rules, std::uint32_t ingredient, vec3 place, double radius,
           double amount);
 

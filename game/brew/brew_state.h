@@ -1,5 +1,5 @@
 // game/brew/brew_state.h: samples of the brew as blobs in the World, where they are part of the state.
-// The haptics and the picture read the newest two fluid states there while a job computes the next one.
+// Haptics and picture read the two newest fluid states there while a job computes the next one.
 #pragma once
 #include <span>
 
@@ -20,13 +20,13 @@ void read_fluid(const ecs::World& world, std::size_t which, fluid::Fluid& fluid)
 void write_surface(ecs::World& world, Cauldron& cauldron, const fluid::SpringSurface& surface);
 void read_surface(const ecs::World& world, const Cauldron& cauldron, fluid::SpringSurface& surface);
 
-/// One array of a state: 0 to 2 are the velocity components, the substances start at 3. The span stays valid
+/// One array of a state: 0 to 2 are the velocity components, 3 and above the substances. The span stays valid
 /// until the World is cleared or restored.
 std::span<const float> brew_samples(const ecs::World& world, std::size_t which, const fluid::Fluid& fluid,
                                     std::size_t array);
 
-/// One state of the fluid as fields, in the frame of the fluid's box. They stay valid until the World is
-/// cleared or restored.
+/// One state of the fluid as fields, in the frame of the fluid's box. The fields stay valid until the World
+/// is cleared or restored.
 struct BrewFields {
     field::StaggeredGrid velocity{};
     std::array<field::Grid, fluid::substances_most> substances{};

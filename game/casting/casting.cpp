@@ -18,12 +18,12 @@ using input::Button;
 
 // ---- the stroke -------------------------------------------------------------------------------------------
 
-/// Point of a hand that draws in the air.
+/// Position of a hand that draws in the air, as a point of the stroke.
 vec3 point_in_air(const HandState& hand_state, const DrawnStroke& trace) {
     return hand_state.device.position + trace.beyond;
 }
 
-/// Point of a hand that draws on the brew with the ladle.
+/// Position of a hand that draws on the brew with the ladle, as a point of the stroke.
 vec3 point_on_brew(const HandState& hand_state, const DrawnStroke& trace) {
     const vec3 at = hand_state.device.position + trace.beyond;
     return {at.x, -at.z, at.y};
@@ -36,9 +36,9 @@ void thin(DrawnStroke& trace) {
     trace.every *= 2;
 }
 
-/// Adds the present place of the hand. The force is that of the viscous space also on the brew. With the drag of the brew,
-/// which grows with the square of the speed, half of the slow strokes would not be read, and each brew would have another
-/// measure of what is gentle.
+/// Adds the current position of the hand to the stroke. The stored force is always that of the viscous space,
+/// even on the brew. With the brew's drag, which grows with the square of the speed, half of the slow strokes
+/// would not be recognised, and each brew would have another limit between gentle and harsh.
 void append(const CastingRules& rules, const HandState& hand_state, const Ladle* ladle, DrawnStroke& trace) {
     if (trace.waits > 0) {
         --trace.waits;
@@ -115,7 +115,7 @@ void act_on(MatchContext& context, const Caster& caster, const Reading& reading,
 
 namespace {
 
-/// The reading of a key chord: a stroke of the slot's gesture without any doubt.
+/// The reading for a key chord: the gesture of the spell's slot, with probability 1.
 Reading chord_reading(const MatchContext& context, const GestureSet& gestures, const Controls& controls) {
     const auto& rules = *context.data.casting;
     Reading reading;
@@ -125,12 +125,12 @@ Reading chord_reading(const MatchContext& context, const GestureSet& gestures, c
         reading.nearest = reading.stroke.gesture = *gesture;
         reading.stroke.probability = 1;
         reading.stroke.force = controls.harsh != 0 ? rules.harsh_from : rules.gentle_below / 2;
-        // A key has no sense of turning, so its circle fits recipes of both senses.
+        // A key chord has no sense of rotation, so its circle fits recipes that ask for either sense.
     }
     return reading;
 }
 
-/// Casts by a key chord, and keeps its key for the picture.
+/// Casts the spell of a key chord, and records the key for the picture.
 void act_by_chord(MatchContext& context, const Caster& caster, const Reading& chord, std::uint32_t slot) {
     auto& ended = context.output.strokes.write()[caster.player];
     ended.chord_at = std::max<Tick>(caster.tick, 1);
@@ -138,7 +138,7 @@ void act_by_chord(MatchContext& context, const Caster& caster, const Reading& ch
     act_on(context, caster, chord, *gestures_of(context, caster.player));
 }
 
-/// Keeps the finished stroke for the picture.
+/// Records the finished stroke for the picture.
 void keep(MatchContext& context, const Caster& caster, const DrawnStroke& trace) {
     const auto& reading = context.world.get<LastReading>(caster.wizard);
     const bool read = reading.at == std::max<Tick>(caster.tick, 1) && reading.gesture != no_gesture;
@@ -153,7 +153,7 @@ bool is_at(const ecs::World& world, ecs::Entity wizard, StationKind kind) {
     return station != nullptr && station->kind == kind;
 }
 
-/// Follows the stroke of one wizard for a gameplay tick.
+/// Updates the stroke of one wizard for one gameplay tick.
 void follow(MatchContext& context, ReadingSpace& space, const Caster& caster, DrawnStroke& trace) {
     auto& world = context.world;
     const auto& controls = std::as_const(world).get<Controls>(caster.wizard);
@@ -181,7 +181,7 @@ void follow(MatchContext& context, ReadingSpace& space, const Caster& caster, Dr
     world.commands().remove<DrawnStroke>(caster.wizard);
 }
 
-/// Focus comes back over time, but not to a wizard who scries or carves: it would cost nothing.
+/// Focus comes back over time, but not while a wizard scries or carves: those would then cost nothing.
 void add_focus_system(MatchContext& context, ecs::Schedule& schedule) {
     schedule.add(
         {.name = "focus",
@@ -207,7 +207,7 @@ CastingAccess access_of_casting(const MatchContext& context) {
     CastingAccess access{.reads = world.mask<Wizard, Controls, Dead, Ladle, AtStation, Motion>(),
                          .writes = world.mask<DrawnStroke, HandState, Focus, LastReading, EventLog,
                                               resource::Journal, resource::Strokes>()};
-    // A spell may ask the wand in hand what it holds.
+    // A spell may ask the wand in hand what the wand holds.
     for (const auto& wand : context.data.wands) access.reads |= wand.rules->writes(world);
     if (context.data.cauldron) {
         access.reads |= brew_by_stroke_reads(world);

@@ -1,11 +1,11 @@
 // game/casting/casting.h: strokes in the match, and the spells that they cast.
 //
-//     Trace goes down -> the wizard has a DrawnStroke, the space round the hand is viscous
+//     Trace goes down -> the wizard has a DrawnStroke, a viscous force acts on the hand
 //     while it is held -> a point of the stroke in every gameplay tick
 //     Trace goes up    -> the stroke is read (casting/reading.h); its gesture's spell is cast
 //
-// A press of a wand's key while Trace is held is a key chord. It takes the stroke's place: the spell of that slot is
-// cast, harsh if fire is held too. So everything can be cast by keys alone.
+// A press of a wand's key while Trace is held is a key chord. It takes the stroke's place: the spell of that
+// slot is cast, harsh if fire is held too. So everything can be cast by keys alone.
 #pragma once
 #include "game/components/casting.h"
 #include "game/components/stroke_reading.h"
@@ -14,31 +14,31 @@
 
 namespace thaum::game {
 
-/// Lets a wizard begin a stroke. Does nothing if there is one, or if the match has no gestures. Reads HandState,
-/// writes DrawnStroke.
+/// Lets a wizard begin a stroke. Does nothing if a stroke has begun already or the match has no gestures.
+/// Reads HandState, writes DrawnStroke.
 void begin_stroke(MatchContext& context, ecs::Entity wizard);
 
-/// The spell that a gesture casts; null if there is none.
+/// The spell that a gesture casts; null if the gesture casts none.
 const LoadedSpell* spell_of(const MatchData& data, std::string_view gesture);
 
-/// The wizard who casts, and the tick of play.
+/// The wizard who casts, and the time (ticks of play).
 struct Caster {
     ecs::Entity wizard;
     std::uint32_t player{};
     Tick tick{};
 };
 
-/// Takes note of a reading, and casts the spell of its gesture. A wizard who stirs casts nothing.
+/// Stores a reading, and casts the spell of its gesture. A wizard who stirs casts no spell.
 void act_on(MatchContext& context, const Caster& caster, const Reading& reading, const GestureSet& gestures);
 
-/// Components and resources that a system reads and writes which calls act_on.
+/// Components and resources that a system must declare if it calls act_on.
 struct CastingAccess {
     ecs::Mask reads, writes;
 };
 CastingAccess access_of_casting(const MatchContext& context);
 
-/// Adds the system that follows strokes and casts spells, every gameplay tick. Does nothing if the match has no
-/// gestures.
+/// Adds the system that updates strokes and casts spells in every gameplay tick. Does nothing if the match
+/// has no gestures.
 void add_casting_systems(MatchContext& context, ecs::Schedule& schedule);
 
 }  // namespace thaum::game

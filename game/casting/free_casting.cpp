@@ -15,7 +15,7 @@ namespace {
 using input::Button;
 namespace hand = input::hand;
 
-/// Limit of mouse counts per tick, as in player/controls.cpp.
+/// Limit of mouse counts per tick, equal to the limit in player/controls.cpp.
 constexpr std::int32_t most_counts = 10'000;
 
 const input::DeviceSpec* free_device(const MatchContext& context, std::uint32_t player, std::size_t& number) {
@@ -27,7 +27,7 @@ const input::DeviceSpec* free_device(const MatchContext& context, std::uint32_t 
     return nullptr;
 }
 
-/// Moves the hand of a mouse by the counts of one tick, at the pace of a stroke.
+/// Moves a mouse player's hand by the counts of one tick, with the same scale as in a stroke.
 void move_along(const MatchContext& context, std::uint32_t player, FreeHand& free) {
     std::size_t number = 0;
     const auto* spec = free_device(context, player, number);
@@ -41,7 +41,7 @@ void move_along(const MatchContext& context, std::uint32_t player, FreeHand& fre
     free.path += vec3(way(hand::look_right), way(hand::look_up), 0);
 }
 
-/// Place of the hand (m): that of an arm, or that of a mouse with that of a stick.
+/// Position of the hand (m): from the arm, or from mouse and stick together.
 vec3 place_of(const MatchContext& context, ecs::Entity wizard, std::uint32_t player, const FreeHand& free) {
     if (plays_by_arm(context.world, player)) return context.world.get<HandState>(wizard).device.position;
     std::size_t number = 0;
@@ -54,14 +54,14 @@ vec3 place_of(const MatchContext& context, ecs::Entity wizard, std::uint32_t pla
     return free.path + vec3(by_stick(hand::turn_right), by_stick(hand::turn_up), 0);
 }
 
-/// Whether the hand does something else now.
+/// Whether the hand is in use for something other than free casting.
 bool is_busy(const ecs::World& world, ecs::Entity wizard) {
     constexpr auto other = bit(Button::fire) | bit(Button::trace) | bit(Button::clutch) | bit(Button::stir);
     return (world.get<Controls>(wizard).held & other) != 0 || world.has<Dead>(wizard) ||
            at_station(world, wizard);
 }
 
-/// What the hand drew does not cast: keeps it for the picture if it was near to it.
+/// Records for the picture a motion that casts nothing, if it was similar to a gesture.
 void note_miss(const CastingRules& rules, Tick tick, const FreeWindow& window, Miss reason, NearMiss& miss) {
     if (window.gesture == no_gesture || window.probability < rules.free_near_probability) return;
     miss = {.at = std::max<Tick>(tick, 1),
@@ -70,7 +70,8 @@ void note_miss(const CastingRules& rules, Tick tick, const FreeWindow& window, M
             .reason = reason};
 }
 
-/// Casts the spell of what the hand drew before it came to rest, if that is sure enough and none was cast just now.
+/// Casts the spell of the gesture drawn before the hand came to rest, if the reading is certain enough and no
+/// spell was cast just before.
 void cast_drawn(MatchContext& context, const GestureSet& gestures, const Caster& caster, FreeHand& hand) {
     const auto& rules = *context.data.casting;
     const auto& drawn = hand.best;
@@ -79,7 +80,7 @@ void cast_drawn(MatchContext& context, const GestureSet& gestures, const Caster&
         drawn.gesture != no_gesture && drawn.miss == Miss::none && drawn.probability >= drawn.needed;
     const bool soon = hand.cast_at != 0 && caster.tick < hand.cast_at + rules.free_apart;
     if (!sure) {
-        if (soon) return;  // the rest of the motion that has just cast
+        if (soon) return;  // this is the end of the motion that has just cast a spell
         const auto& odd = hand.odd;
         if (odd.gesture != no_gesture && odd.miss != Miss::unclear && odd.probability >= odd.needed)
             return note_miss(rules, caster.tick, odd, odd.miss, miss);

@@ -22,7 +22,7 @@ const Option* find_option(std::span<const Option> options, std::string_view name
     return found == options.end() ? nullptr : &*found;
 }
 
-/// Error if a file that one option writes is named by another word.
+/// Error if another argument names a file that an option will write.
 Expected<void> check_written(std::span<const Option> options, const Given& given,
                              const std::vector<std::string>& plain) {
     for (const auto& option : options) {
@@ -50,8 +50,8 @@ Expected<void> check_written(std::span<const Option> options, const Given& given
 
 }  // namespace
 
-// Not CLI11: with it this function is longer, since its messages differ from ours and must be translated; this file then
-// compiles in 11.4 s instead of 2.0 s, and its code is ten times as large.
+// Why not CLI11: this function would be longer with it, since its messages differ from ours and must be
+// translated; this file would compile in 11.4 s instead of 2.0 s, and its code would be ten times as large.
 Expected<Arguments> Arguments::parse(std::span<const std::string> words, std::span<const Option> options) {
     Arguments result;
     for (std::size_t i = 0; i < words.size(); ++i) {

@@ -1,5 +1,5 @@
-// game/command_line/arguments.h: the words that follow a command on the command line, parsed against the command's
-// options.
+// game/command_line/arguments.h: the words that follow a command on the command line, parsed against the
+// command's options.
 #pragma once
 #include <filesystem>
 #include <map>
@@ -22,13 +22,13 @@ struct Option {
     bool writes = false;     ///< true if its last value names a file that the command writes
 };
 
-/// An option that names a file to be written; "-" is no file.
+/// An option that names a file to be written. The value "-" is not a file.
 constexpr Option output(std::string_view name, std::size_t values = 1) { return {name, values, false, true}; }
 
 class Arguments {
 public:
-    /// Parses `words`. The error names the first wrong word, or a file to be written that another word names, too: such a
-    /// file would be lost at the end of the command's work.
+    /// Parses `words`. The error names the first wrong word, or an output file that another word names as
+    /// well, because the command would overwrite it.
     static Expected<Arguments> parse(std::span<const std::string> words, std::span<const Option> options);
 
     const std::vector<std::string>& plain() const { return plain_; }
@@ -53,7 +53,8 @@ private:
     std::map<std::string, std::vector<std::string>> given_;
 };
 
-/// Parts of a word between commas or the like: "a,b" -> "a", "b". There is always one part, which may be empty.
+/// Parts of a word between commas or another separator: "a,b" -> "a", "b". There is always one part, which
+/// may be empty.
 std::vector<std::string> parts_of(std::string_view word, char between = ',');
 
 /// Parses a size in pixels such as "1280x720".

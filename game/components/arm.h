@@ -1,5 +1,6 @@
-// game/components/arm.h: state of a real force feedback arm in a match, and the past haptic models it may
-// still use. Both components live on entities of their own. A match without a real arm has none of them.
+// game/components/arm.h: state of a real force feedback arm in a match, and past haptic models that the arm's
+// thread may still be using. Both components live on entities of their own. A match without a real arm has
+// none of them.
 #pragma once
 #include "ecs/component.h"
 #include "game/components/hand_state.h"
@@ -15,25 +16,25 @@ THAUM_FIELDS_OF(ArmState, servo, hand, offset, rest, position_um, rotation_urad,
 namespace thaum::game {
 
 struct Arm {
-    /// A real arm held by one player.
+    /// state of the arm that the player holds
     input::ArmState state{};
-    /// Ring of past models: model n is in place n modulo the size.
+    /// Ring buffer of past models: model n is at index n modulo the size.
     std::array<ecs::Entity, input::remembered_models> models{};
     std::uint32_t player{};
     std::uint32_t device{};  ///< index of the arm among the match's devices
-    /// Ticks left in which published models carry the panic press; the arm does not use every model.
+    /// Ticks left in which published models carry the panic press, repeated because the arm may skip a model.
     std::uint32_t panic_left{};
     std::uint32_t rearm_left{};  ///< ticks left in which published models carry the rearm press
-    std::uint32_t away{};        ///< 1 from losing the arm until it is back and has been held still
-    std::uint32_t still{};       ///< ticks for which the arm has been held still
+    std::uint32_t away{};   ///< 1 from losing the arm until it is connected again and has been held still
+    std::uint32_t still{};  ///< ticks for which the arm has been held still
     /// Position about which the arm is held still (um, device frame).
     std::array<std::int32_t, 3> still_um{};
     std::uint32_t spare{};
     THAUM_COMPONENT(Arm, state, models, player, device, panic_left, rearm_left, away, still, still_um, spare);
 };
 
-/// One published haptics::HapticModel, kept because a sample computed with it may still be on its way. Only
-/// the servo reads the model, so its raw bytes are stored. A model has no padding (haptics/servo.h).
+/// One published haptics::HapticModel, kept because the arm may still send a sample computed with it. The
+/// model is stored as raw bytes, because only the servo reads it. A model has no padding (haptics/servo.h).
 struct PastModel {
     static_assert(sizeof(haptics::HapticModel) % sizeof(std::uint64_t) == 0);
     static constexpr std::size_t words = sizeof(haptics::HapticModel) / sizeof(std::uint64_t);

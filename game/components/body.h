@@ -27,7 +27,7 @@ inline constexpr physics::Layers prop = 1U << 1U;
 inline constexpr physics::Layers wizard = 1U << 2U;
 }  // namespace layer
 
-/// Kind of surface, from which the renderer chooses mesh and colour.
+/// Kind of a surface. The renderer chooses mesh and colour by it.
 enum class Surface : std::uint32_t {
     floor,
     wall,
@@ -55,11 +55,11 @@ struct Look {
     THAUM_COMPONENT(Look, surface);
 };
 
-/// Loose thing: it can be pushed, and it hurts a wizard whom it hits. For a while its hits count for the
-/// player who set it going.
+/// A loose thing: it can be pushed, and it hurts a wizard whom it hits. For a while its hits count for the
+/// player who moved it.
 struct Prop {
-    Tick moved_at{};                    ///< when a player last moved it (ticks of play)
-    std::uint32_t moved_by{no_player};  ///< player who last shot, threw or pushed it
+    Tick moved_at{};                    ///< when a player last moved the thing (ticks of play)
+    std::uint32_t moved_by{no_player};  ///< player who last shot, threw or pushed the thing
     std::uint32_t spare{};
     THAUM_COMPONENT(Prop, moved_at, moved_by, spare);
 };

@@ -14,15 +14,16 @@ struct Focus {
     THAUM_COMPONENT(Focus, points);
 };
 
-/// One point of a stroke (m): x to the right, y up on the page, z towards the wizard. A ladle draws on the brew: there y
-/// is away from the wizard and z is up.
+/// One point of a stroke (m): x to the right, y up on the page, z towards the wizard. A ladle draws on the
+/// brew: there y is away from the wizard and z is up.
 struct DrawnPoint {
     float x{}, y{}, z{};
-    float force{};  ///< force of the stroke, before caps and faders (N)
+    float force{};  ///< force of the stroke at this point, before caps and faders (N)
     THAUM_FIELDS(DrawnPoint, x, y, z, force);
 };
 
-/// Room for a stroke of 4 s. A longer one keeps every second point, and so on.
+/// Capacity of a stroke: 4 s. When it is full, every second point is dropped and later points are half as
+/// dense, repeatedly.
 inline constexpr std::size_t most_drawn_points = 512;
 
 /// Value of DrawnStroke::over: a key chord has taken the stroke's place.
@@ -34,31 +35,33 @@ struct DrawnStroke {
     std::uint32_t count{};
     std::uint32_t every{1};  ///< gameplay ticks between two points
     std::uint32_t waits{};   ///< gameplay ticks until the next point
-    /// 0: it is read at its end; 1: the ladle or the probe came or went, so nothing is read of it; by_chord
+    /// 0: read when the stroke ends; 1: not read, because the ladle or the probe came or went; or by_chord
     std::uint32_t over{};
-    std::uint32_t on_brew{};  ///< 1: the ladle draws
-    std::uint32_t on_orb{};   ///< 1: a wizard who scries draws, so it is no spell's stroke
+    std::uint32_t on_brew{};  ///< 1: the ladle draws on the brew
+    std::uint32_t on_orb{};   ///< 1: drawn by a wizard who scries, so the stroke casts no spell
     vec3 home{};              ///< hand position chosen by the player before the stroke (m, device frame)
-    /// Way of the hand beyond its device's workspace (m). The hand of a mouse is stopped there; its stroke goes on.
+    /// Distance by which the stroke is beyond the device's workspace (m). The hand of a mouse is stopped at
+    /// its edge, but the stroke goes on.
     vec3 beyond{};
     double reached{};  ///< Cauldron::reached when the ladle began to draw
     THAUM_COMPONENT(DrawnStroke, points, count, every, waits, over, on_brew, on_orb, home, beyond, reached);
 };
 
-/// What was read last of a wizard's strokes, for the picture and for recipes.
+/// Result of the last reading of a wizard's strokes, for the picture and for recipes.
 struct LastReading {
     Tick at{};                ///< tick of the reading; 0: none yet
     double probability{};     ///< 0 to 1
-    double force{};           ///< mean force (N)
-    double turns{};           ///< see StrokeReading
-    std::uint32_t gesture{};  ///< number of the gesture; no_gesture: nothing was meant
+    double force{};           ///< mean force of the stroke (N)
+    double turns{};           ///< turns of the stroke, as in StrokeReading::turns
+    std::uint32_t gesture{};  ///< number of the gesture; no_gesture: no gesture was recognised
     std::uint32_t nearest{};  ///< number of the nearest gesture; no_gesture: there is none
     THAUM_COMPONENT(LastReading, at, probability, force, turns, gesture, nearest);
 };
 
 /// Loose thing that a wizard took up or threw last.
 struct LastProp {
-    ecs::Entity thing{};  ///< no entity: none yet
+    /// Thing that the wizard took up or threw last; not a valid entity if there is none.
+    ecs::Entity thing{};
     THAUM_COMPONENT(LastProp, thing);
 };
 

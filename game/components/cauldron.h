@@ -35,30 +35,30 @@ struct Strokes {
     THAUM_FIELDS(Strokes, list, count, spare);
 };
 
-/// Bursts at the brew that wait for the next step of the surface.
+/// Bursts at the brew that are queued for the next step of the surface.
 struct BrewBursts {
     static constexpr std::size_t most = 8;
 
     std::array<vec3, most> place{};    ///< position (m, brew frame)
-    std::array<double, most> times{};  ///< number of bursts at that position
+    std::array<double, most> times{};  ///< number of bursts at each position
     std::uint32_t count{};
     std::uint32_t spare{};
     THAUM_FIELDS(BrewBursts, place, times, count, spare);
 };
 
-/// Why a step of a recipe does not fit. The first four spoil the recipe: nothing comes of the brew any more.
+/// Why a step of a recipe does not fit. After one of the first four, the brew can no longer become a potion.
 enum class BrewFault : std::uint32_t {
     none,
-    order,       ///< no recipe has this ingredient here
-    early,       ///< the next ingredient came before its moment
-    late,        ///< the next step came after its moment
-    off,         ///< a stroke for a brew from which nothing can come
+    order,       ///< no recipe has this ingredient as the next one
+    early,       ///< the next ingredient was added too early
+    late,        ///< the next step was done too late
+    off,         ///< a stroke for a brew that can no longer become a potion
     full,        ///< a fourth ingredient: the brew holds three
-    soon,        ///< the first stroke came before its moment
+    soon,        ///< the first stroke came too early
     unfinished,  ///< a stroke for a brew that lacks an ingredient, or holds none
-    foreign,     ///< a stroke for the foe's brew
-    gesture,     ///< another gesture comes next
-    sense,       ///< a circle in the wrong sense
+    foreign,     ///< a stroke for a brew owned by the other player
+    gesture,     ///< the recipe asks for another gesture
+    sense,       ///< a circle in the wrong direction of rotation
     gentle,      ///< a stroke that was too gentle
     hard         ///< a stroke that was too hard
 };
@@ -76,33 +76,34 @@ struct Cauldron {
     std::array<std::uint32_t, 3> contents{no_ingredient, no_ingredient, no_ingredient};
     std::array<std::uint32_t, 4> inside{};  ///< 1 for each ladle that has broken through the surface
     std::uint32_t surface_asleep{1};
-    std::uint32_t newest{};          ///< index of the newest of the two stored fluid states: 0 or 1
-    std::uint32_t step_running{};    ///< 1 while a fluid step is being computed; 0 while the fluid is at rest
+    std::uint32_t newest{};  ///< index of the newest of the two stored fluid states: 0 or 1
+    /// 1 while a fluid step is being computed; 0: none, as while the fluid is at rest.
+    std::uint32_t step_running{};
     std::uint32_t owner{no_player};  ///< player who owns the brew
     std::uint32_t spoilt{};          ///< 1: the next fluid step first removes all ingredients
     Tick stepped{};                  ///< when the newest fluid state was stored (ticks of play)
     BrewBursts bursts{};
-    /// When the first ingredient was dropped in (ticks of play); 0: pure brew.
+    /// When the first ingredient was dropped in (ticks of play); 0: the brew has none.
     Tick begun{};
     /// How evenly the newest ingredient is spread: 1 - coefficient of variation, at least 0.
     double mixing{};
-    /// Share of the brew that the newest ingredient has reached, 0 to 1: where it has at least a quarter of its mean
-    /// density. The windows of recipes are ranges of it.
+    /// Share of the brew that the newest ingredient has reached, 0 to 1: where it has at least a quarter of
+    /// its mean density. Recipes allow a step while this share is in a given range.
     double reached{};
-    double viscosity{1};  ///< mean over the brew, relative to pure brew
-    double density{1};    ///< mean over the brew, relative to pure brew
-    double speed{};       ///< mean over the brew (m/s)
+    double viscosity{1};  ///< mean viscosity of the brew, relative to pure brew
+    double density{1};    ///< mean density of the brew, relative to pure brew
+    double speed{};       ///< mean speed of the flow in the brew (m/s)
     /// When the brew became well mixed under its present owner (ticks of play); 0: it is not.
     Tick mixed_since{};
-    Tick boon_until{};                  ///< tick before which the boon heals
-    std::uint32_t boon_for{no_player};  ///< player whom the boon heals
-    std::uint32_t boon_given{};         ///< 1: this brew has already given its boon
-    Tick more_time{};                   ///< time that right ingredients have added until the brew spoils
-    std::uint32_t strokes_done{};       ///< number of right strokes so far
-    BrewFault fault{};                  ///< what has spoilt the recipe; none: a potion can still come of it
-    std::uint32_t potion{no_potion};    ///< potion that has changed the brew; no_potion: the brew is as usual
-    std::uint32_t fluid_potion{no_potion};  ///< value of `potion` that the present fluid step goes by
-    Tick potion_until{};                    ///< tick before which the brew stays changed
+    Tick boon_until{};                  ///< end of the healing boon (ticks of play)
+    std::uint32_t boon_for{no_player};  ///< player whom the healing boon serves
+    std::uint32_t boon_given{};         ///< 1: the present brew has already given its boon (healing)
+    Tick more_time{};              ///< time by which right ingredients have delayed the spoiling of the brew
+    std::uint32_t strokes_done{};  ///< number of right strokes so far
+    BrewFault fault{};             ///< fault that has spoilt the recipe; none: a potion is still possible
+    std::uint32_t potion{no_potion};        ///< potion that has changed the brew; no_potion: unchanged
+    std::uint32_t fluid_potion{no_potion};  ///< value of `potion` that the current fluid step uses
+    Tick potion_until{};                    ///< tick of play at which the change of the brew ends
     THAUM_COMPONENT(Cauldron, middle, current, next, contents, inside, height, surface_speed, surface_asleep,
                     newest, step_running, owner, spoilt, stepped, bursts, begun, mixing, reached, viscosity,
                     density, speed, mixed_since, boon_until, boon_for, boon_given, more_time, strokes_done,
@@ -132,9 +133,9 @@ struct Ladle {
     vec3 force{};     ///< force on the brew (N, world)
     /// Work done on the brew, one sum for each of the last `spans` intervals of 1/8 s (J).
     std::array<double, spans> work{};
-    vec3 patch{};          ///< point around which the flow patch of the haptic model was read (m, brew frame)
-    Tick patched{};        ///< Cauldron::stepped of the fluid state in that patch
-    std::uint32_t span{};  ///< index in `work` of the current interval
+    vec3 patch{};    ///< point around which the haptic model's flow patch was sampled (m, brew frame)
+    Tick patched{};  ///< Cauldron::stepped of the fluid state from which the ladle's flow patch was sampled
+    std::uint32_t span{};  ///< index in `work` of the interval in which the tick is
     std::uint32_t spare{};
     THAUM_COMPONENT(Ladle, place, velocity, force, work, patch, patched, span, spare);
 };
@@ -151,7 +152,8 @@ struct Niche {
 /// Ingredient carried by a wizard.
 struct Pouch {
     std::uint32_t ingredient{};
-    /// Ingredient of the niche at which the wizard stands with full hands, told once; no_ingredient: at none.
+    /// Ingredient of the niche at which the wizard stands with full hands, so that it is reported once;
+    /// no_ingredient: none.
     std::uint32_t refused{no_ingredient};
     THAUM_COMPONENT(Pouch, ingredient, refused);
 };

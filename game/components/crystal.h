@@ -1,5 +1,5 @@
-// game/components/crystal.h: crystals, the wizards who carve them, and what comes of a carved key. A match without a
-// crystal has none of these components.
+// game/components/crystal.h: crystals, the wizards who carve them, and the rewards for carving the key. A
+// match without a crystal has none of these components.
 #pragma once
 #include <array>
 
@@ -10,58 +10,59 @@
 
 namespace thaum::game {
 
-/// A crystal of crystal_side^3 voxels. Its frame has its origin at `middle` and is turned about the vertical axis by
-/// `yaw`, which its carvers change.
+/// A crystal of crystal_side^3 voxels. Its frame has its origin at `middle` and is turned about the vertical
+/// axis by `yaw`, which its carvers change.
 struct Crystal {
-    vec3 middle{};         ///< (m, world)
+    vec3 middle{};         ///< middle of the crystal (m, world)
     double yaw{};          ///< (rad)
-    double turned{};       ///< angle by which carvers turned it in this tick (rad)
+    double turned{};       ///< angle by which carvers have turned the crystal in this tick (rad)
     double size{};         ///< edge length (m)
-    std::uint64_t seed{};  ///< decides the rough body and its ghost key
+    std::uint64_t seed{};  ///< seed of the initial rough body and of the ghost key to be carved
     /// Overlap of the body and the key, 0 to 1 (intersection over union); 0 while untouched.
     double overlap{};
-    std::uint32_t number{};           ///< place of its voxels in the blobs
-    std::uint32_t touched{};          ///< 1: its voxels are in the blobs; 0: it is the rough body of its seed
-    Tick chipped{};                   ///< when a hit last chipped it (ticks of play); 0: never
-    std::uint32_t carver{no_player};  ///< player who last used a tool on it; no_player: nobody yet
-    std::uint32_t edits{};            ///< number of changes of its voxels so far
+    std::uint32_t number{};  ///< index of the crystal's voxels in the blobs
+    /// 1: the crystal's voxels are in the blobs; 0: the crystal is still the rough body of its seed.
+    std::uint32_t touched{};
+    Tick chipped{};                   ///< when a hit last chipped the crystal (ticks of play); 0: never
+    std::uint32_t carver{no_player};  ///< player who last used a tool on the crystal; no_player: none yet
+    std::uint32_t edits{};            ///< number of changes of the crystal's voxels so far
     THAUM_COMPONENT(Crystal, middle, yaw, turned, size, seed, overlap, number, touched, chipped, carver,
                     edits);
 };
 
-inline constexpr int crystal_side = 48;  ///< voxels along each edge
+inline constexpr int crystal_side = 48;  ///< number of voxels along each edge of a crystal
 inline constexpr std::size_t crystal_voxels = std::size_t{crystal_side} * crystal_side * crystal_side;
 
-/// Blob with the densities of all crystals, one after another (0: nothing, 1: solid). It is empty until a crystal is
-/// first touched or hit.
+/// Blob with the densities of all crystals, one after another (0: nothing, 1: solid). It is empty until a
+/// crystal is first touched or hit.
 struct CrystalDensity {
     using Element = float;
     static constexpr std::string_view name = "CrystalDensity";
 };
 
-/// Blob with the colours of all crystals, in the order of CrystalDensity: red, green, blue of each voxel, one after
-/// another (field::Rgb8).
+/// Blob with the colours of all crystals, in the order of CrystalDensity: red, green, blue of each voxel, one
+/// after another (field::Rgb8).
 struct CrystalColour {
     using Element = std::uint8_t;
     static constexpr std::string_view name = "CrystalColour";
 };
 
-/// A wizard who carves: holds Stir at a crystal. AtStation::number is the crystal's.
+/// A wizard who carves: one who holds Stir at a crystal. AtStation::number is the crystal's number.
 struct Chisel {
     vec3 place{};             ///< position of the tool (m, world)
     vec3 force{};             ///< force of the crystal on the hand (N, device frame turned to the world)
     vec3 last{};              ///< place of the tool when it last acted (m, crystal's frame)
     std::uint32_t cutting{};  ///< 1: the tool acts on the crystal
-    std::uint32_t blunt{};    ///< 1: the player was told that there is no focus left
+    std::uint32_t blunt{};    ///< 1: the player has already been told that there is no focus left
     THAUM_COMPONENT(Chisel, place, force, last, cutting, blunt);
 };
 
 /// A hit on a crystal in this tick, an entity of its own.
 struct CrystalStrike {
     ecs::Entity crystal{};
-    vec3 place{};                     ///< (m, world)
-    vec3 way{};                       ///< direction of flight (world); zero: none, the nearest voxel is hit
-    std::uint32_t player{no_player};  ///< player who shot or threw
+    vec3 place{};  ///< position of the hit (m, world)
+    vec3 way{};    ///< direction of flight (world); zero: unknown, so the nearest voxel is hit
+    std::uint32_t player{no_player};  ///< player who fired the shot or threw the thing
     std::uint32_t spare{};
     THAUM_COMPONENT(CrystalStrike, crystal, place, way, player, spare);
 };
@@ -73,7 +74,8 @@ struct Lens {
     THAUM_COMPONENT(Lens, held, tool);
 };
 
-/// The Great Work: since when each player has held both halves of it (ticks of play); 0: does not.
+/// The Great Work: for each player, the time since when both halves of it are held (ticks of play); 0: not
+/// both.
 struct GreatWork {
     std::array<Tick, players> since{};
     THAUM_COMPONENT(GreatWork, since);

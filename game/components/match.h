@@ -8,7 +8,7 @@ namespace thaum::game {
 
 inline constexpr std::uint32_t no_player = 2;
 
-/// A match is one or more rounds. Play stands still between two rounds and after the last one.
+/// A match is one or more rounds. The clock of play stands still between two rounds and after the last one.
 enum class Phase : std::uint32_t { playing, between, over };
 enum class Ending : std::uint32_t { none, kills, time, great_work };
 
@@ -23,7 +23,7 @@ struct Match {
     std::array<std::uint32_t, 2> rounds_won{};
     std::uint32_t paused{};  ///< 1 while the match is paused
     std::uint32_t paused_by{no_player};
-    std::uint32_t skipped{};  ///< number of samples left out because the machine could not keep up
+    std::uint32_t skipped{};  ///< number of device samples skipped because the machine could not keep up
     THAUM_COMPONENT(Match, played, round_began, waited, phase, ending, winner, round, rounds_won, paused,
                     paused_by, skipped);
 };
@@ -34,7 +34,7 @@ inline std::uint32_t ahead(const Match& match) {
     return match.rounds_won[0] > match.rounds_won[1] ? 0 : 1;
 }
 
-/// Random number generators, one per use: one subsystem's draws do not shift another's sequence.
+/// Random number generators, one per use, so that draws by one system do not shift the sequence of another.
 struct Dice {
     Random spread;
     THAUM_COMPONENT(Dice, spread);
@@ -45,62 +45,69 @@ struct Dice {
 /// (game/data/event_kinds.h, which also names all kinds).
 enum class EventKind : std::uint32_t {
     none = 0,
-    shot = 1,        ///< detail: EventKind of a hit by this shot
-    object_hit = 3,  ///< detail: Surface of the thing (components/body.h)
+    shot = 1,        ///< a shot was fired; detail: EventKind of its hits
+    object_hit = 3,  ///< a loose thing hit a wizard; detail: Surface of the thing (components/body.h)
     fall = 4,
-    death = 5,  ///< detail: EventKind that caused the death
-    spawn = 6,  ///< detail: number of the pad
+    death = 5,  ///< a wizard died; detail: EventKind that caused the death
+    spawn = 6,  ///< a wizard appeared at a pad; detail: the pad's number
     /// Fire was pressed without enough energy for a shot.
     dry = 7,
-    round_end = 8,     ///< detail: Ending
-    power_up = 9,      ///< detail: PowerUpKind; amount: health (HP) or energy given
-    round_begin = 10,  ///< detail: Match::round
-    burst = 13,        ///< detail: EventKind of its hits; amount: reach (m)
+    round_end = 8,  ///< a round ended; detail: Ending
+    /// A wizard picked up a power-up; detail: PowerUpKind; amount: health (HP) or energy given.
+    power_up = 9,
+    round_begin = 10,  ///< a round began; detail: Match::round
+    burst = 13,        ///< a missile burst; detail: EventKind of its hits; amount: reach (m)
     ingredient = 14,   ///< an ingredient was picked up; detail: its number
     dropped = 15,      ///< an ingredient was dropped into the brew; detail: its number; amount: volume (m^3)
-    wrested = 16,      ///< a player took the brew over; amount: that player's work in the last 1.5 s (J)
+    /// A player has become the owner of the brew; amount: that player's work in the last 1.5 s (J)
+    wrested = 16,
     boiled_over = 17,  ///< the brew boiled over and lost its ingredients; subject: the owner
     spoilt = 18,       ///< a wizard was hurt by a brew that boiled over
     boon = 19,         ///< a well-mixed brew begins to heal its owner; amount: health that it can give (HP)
     cast = 20,         ///< a spell was cast; detail: its number; amount: its strength, 1 for a gentle one
-    unread = 21,  ///< a stroke meant nothing; detail: number of the nearest gesture; amount: its probability
-    unfocused = 22,  ///< a spell failed for lack of focus; detail: its number; amount: the focus that lacked
+    /// A stroke was not recognised; detail: number of the nearest gesture; amount: its probability.
+    unread = 21,
+    unfocused = 22,  ///< a spell failed for lack of focus; detail: its number; amount: the missing focus
     fizzled = 23,    ///< a spell had nothing to act on; detail: its number
-    held_off = 24,   ///< a shield took harm; detail: EventKind of the harm; amount: that harm (HP)
-    pushed = 25,     ///< a spell pushed a wizard; amount: the speed that it gave (m/s)
-    // Numbers from 32 on are those of potions.
+    held_off = 24,   ///< a shield absorbed harm; detail: EventKind of the harm; amount: that harm (HP)
+    pushed = 25,     ///< a spell pushed a wizard; amount: the speed given to the wizard (m/s)
+    // From here on, kinds of event about potions (32 to 47).
     potion = 32,       ///< a wizard has brewed and drunk a potion; detail: its number; amount: time (s)
-    potion_over = 33,  ///< a potion ends to act on a wizard; detail: its number
+    potion_over = 33,  ///< a potion stops acting on a wizard; detail: its number
     brew_step = 34,    ///< a step of a recipe was right; detail: number of right strokes, 0: an ingredient
     brew_fault = 35,   ///< a step of a recipe was wrong; detail: BrewFault
     poison = 36,       ///< poison hurts a wizard
-    recipe_told = 37,  ///< a player learns a drawn recipe; detail: potion, then its ingredients, 8 bits each
-    work_half = 38,    ///< a wizard holds half of the Great Work
-    work_lost = 39,    ///< a wizard has lost it by death
-    put_away = 40,     ///< a wizard has put a carried ingredient away; detail: its number
+    /// A player learns a recipe with a drawn order; detail: potion, then its ingredients, 8 bits each.
+    recipe_told = 37,
+    work_half = 38,  ///< a wizard holds half of the Great Work
+    work_lost = 39,  ///< a wizard has lost that half by dying
+    put_away = 40,   ///< a wizard has put a carried ingredient away; detail: its number
     hands_full =
-        41,       ///< a wizard who carries one ingredient stands at the niche of another; detail: its number
-    caught = 42,  ///< a wand has caught a thing that flew to its wizard; amount: its mass (kg)
-    // Numbers from 48 on are those of the orb.
+        /// A wizard who already carries an ingredient stands at another niche; detail: the niche's
+    /// ingredient.
+    41,
+    caught = 42,  ///< a wand has caught a thing that flew at its wizard; amount: the thing's mass (kg)
+    // From here on, kinds of event about the orb (48 to 55).
     core_near = 48,  ///< the probe of a wizard who scries came near the hidden core
-    core_lost = 49,  ///< that probe left it
-    scried = 50,     ///< the orb told a wizard what it tells; amount: health given (HP)
+    core_lost = 49,  ///< the probe of a wizard who scries left the hidden core
+    scried = 50,     ///< the orb gave a wizard its knowledge; amount: health given (HP)
     unscried = 51,   ///< a wizard who scried has no focus left
-    mode_worn = 52,  ///< a wizard put a mode on or took it off; detail: its number; amount: 1 on, 0 off
-    // Numbers from 56 on are those of crystals and of the Great Work.
+    /// A wizard put a haptic mode on or took it off; detail: its number; amount: 1 on, 0 off.
+    mode_worn = 52,
+    // From here on, kinds of event about crystals and the Great Work (56 and above).
     chipped =
         56,     ///< a hit has melted a part of a crystal; subject: its last carver; amount: volume (voxels)
     lens = 57,  ///< a wizard has carved the key and holds the Lens
-    lens_lost = 58,  ///< a wizard has lost it by death
+    lens_lost = 58,  ///< a wizard has lost the Lens by dying
     work_begun =
         59,  ///< a wizard holds both halves of the Great Work; amount: time that they must be held (s)
-    work_broken = 60,  ///< a wizard has lost one of them again
+    work_broken = 60,  ///< a wizard has lost one of the two halves again
     work_done = 61,    ///< a wizard has completed the Great Work
     blunt = 62,        ///< a wizard has no focus left for carving
     tool_taken = 63    ///< a wizard carves with another tool; detail: its number
 };
 
-/// Largest number of causes of harm, over the rules and all wands.
+/// Largest number of causes of harm, those of the rules and of all wands together.
 inline constexpr std::size_t most_causes = 16;
 
 struct Event {
@@ -118,14 +125,14 @@ struct Event {
 /// deaths.
 struct MatchStats {
     std::uint32_t shots{}, hits{}, kills{};
-    /// Deaths of this player by this cause that count as no kill of the other player.
+    /// Deaths of this player by this cause that do not count as kills of the other player.
     std::uint32_t own_deaths{};
     double damage{};  ///< health taken from the other player (HP)
     THAUM_FIELDS(MatchStats, shots, hits, kills, own_deaths, damage);
 };
 
-/// Ring buffer of the last events, newest at (count - 1) % size. A tick may record more than it holds, so
-/// readers take events from EventJournal. match_stats[player][cause] sums over all events of the match.
+/// Ring buffer of the last events, newest at (count - 1) % size. One tick may record more events than the
+/// buffer holds, so readers use EventJournal. match_stats[player][cause] sums over all events of the match.
 struct EventLog {
     std::uint64_t count{};
     std::array<Event, 64> events{};

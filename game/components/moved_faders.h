@@ -1,5 +1,6 @@
-// game/components/moved_faders.h: faders for the forces at the hands that players moved during the match. An entity
-// with this component exists from the first move on. For all other faders the settings in the log's header hold.
+// game/components/moved_faders.h: positions of the force faders that players have moved during the match (a
+// fader scales one kind of force at the hand). An entity with this component exists from the first move on.
+// Faders that were not moved have the settings in the log's header.
 #pragma once
 #include "ecs/component.h"
 #include "game/components/match.h"
@@ -9,12 +10,13 @@
 namespace thaum::game {
 
 struct MovedFaders {
-    /// Value of a fader that was not moved.
+    /// Value for a fader that has not been moved.
     static constexpr std::uint8_t at_rest = 255;
 
-    /// Values of all faders of the first player, then of the second (%). input::HandFader `n` is at n - 1.
+    /// Values of all faders of the first player, then of the second (%). input::HandFader `n` is at index n -
+    /// 1.
     std::array<std::uint8_t, players * input::hand_faders> percent{};
-    /// Ticks in which the forces of each player still change because of the last move.
+    /// Number of ticks for which the forces of each player still blend after the last move of a fader.
     std::array<std::uint8_t, players> settling{};
 
     THAUM_COMPONENT(MovedFaders, percent, settling);

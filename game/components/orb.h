@@ -1,6 +1,6 @@
-// game/components/orb.h: the scrying orb and the wizards who search it (Lundin, Cooper, Persson, Evestedt, Ynnerman
-// 2007, "Enabling design and interactive selection of haptic modes"). A match without an orb has none of these
-// components.
+// game/components/orb.h: the scrying orb and the wizards who search it (Lundin, Cooper, Persson, Evestedt,
+// Ynnerman 2007, "Enabling design and interactive selection of haptic modes"). A match without an orb has
+// none of these components.
 #pragma once
 #include <array>
 
@@ -16,10 +16,10 @@ THAUM_FIELDS_OF(TransferFunction, points, count)
 
 namespace thaum::game {
 
-/// The orb. Its flow is field::make_vortex_flow(2 radius, seed) about `middle`, with the axes of the world. The hidden
-/// core is the axis of the flow's first vortex.
+/// The orb. Its flow is field::make_vortex_flow(2 radius, seed) about `middle`, with the axes of the world.
+/// The hidden core is the axis of the flow's first vortex.
 struct Orb {
-    vec3 middle{};    ///< (m, world)
+    vec3 middle{};    ///< middle of the orb (m, world)
     double radius{};  ///< (m)
     std::uint64_t seed{};
     THAUM_COMPONENT(Orb, middle, radius, seed);
@@ -29,29 +29,30 @@ inline constexpr std::uint32_t no_mode = 0xFFFF'FFFF;
 inline constexpr std::size_t most_orb_modes = 8;
 inline constexpr std::size_t most_worn_modes = 2;
 
-/// Haptic modes that a wizard has put on for the orb, and their curves. They stay from visit to visit.
+/// Haptic modes that a wizard has switched on at the orb, and the curves of their strength. They remain when
+/// the wizard leaves the orb.
 struct WornModes {
     std::array<std::uint32_t, most_worn_modes> worn{no_mode,
-                                                    no_mode};  ///< numbers of modes; the oldest first
-    /// Strength of each mode by its property, as the rules give it or as the wizard drew it.
+                                                    no_mode};  ///< numbers of the modes, the oldest first
+    /// For each mode, strength as a function of its property, as the rules give it or as the wizard drew it.
     std::array<field::TransferFunction, most_orb_modes> strength{};
-    std::uint32_t told{};        ///< 1: the orb has told this wizard what it tells, in this life
-    std::uint32_t order_told{};  ///< 1: the orb has told this player the orders of recipes, in this match
-    std::uint32_t
-        spent{};  ///< 1: focus ran out while scrying; the wizard scries again after Stir was released
-    std::uint32_t version{};  ///< counts changes of modes and curves
+    std::uint32_t told{};  ///< 1: the orb has already rewarded this wizard in this life
+    /// 1: the orb has already shown this player the orders of recipes in this match.
+    std::uint32_t order_told{};
+    std::uint32_t spent{};    ///< 1: focus ran out while scrying; the wizard must release Stir to scry again
+    std::uint32_t version{};  ///< number of changes of modes and curves so far
     THAUM_COMPONENT(WornModes, worn, strength, told, order_told, spent, version);
 };
 
-/// A wizard who scries: holds Stir at the orb and moves a probe in its flow.
+/// A wizard who scries: one who holds Stir at the orb and moves a probe in its flow.
 struct Scrying {
-    vec3 place{};              ///< position of the probe (m, world)
-    vec3 force{};              ///< force of the modes on the probe (N, device frame turned to the world)
-    double distance{};         ///< distance of the probe from the hidden core (m, world)
-    Tick near_since{};         ///< when the probe came within reach of the core (ticks of play); 0: it is not
-    vec3 pen{};                ///< position of the hand when it last drew a curve (m, device frame)
-    std::uint32_t pen_down{};  ///< 1: Trace is held, and `pen` is known
-    std::uint32_t drawing{};   ///< 1: the hand draws the curve of the mode worn last, and feels no mode
+    vec3 place{};       ///< position of the probe (m, world)
+    vec3 force{};       ///< force of the haptic modes on the probe (N, device frame rotated to world axes)
+    double distance{};  ///< distance of the probe from the hidden core (m, world)
+    Tick near_since{};  ///< when the probe came within reach of the core (ticks of play); 0: not within reach
+    vec3 pen{};         ///< position of the hand when it last drew a curve (m, device frame)
+    std::uint32_t pen_down{};  ///< 1: Trace is held, and `pen` is valid
+    std::uint32_t drawing{};   ///< 1: the hand draws the strength curve of the newest mode, and feels no mode
     THAUM_COMPONENT(Scrying, place, force, distance, near_since, pen, pen_down, drawing);
 };
 

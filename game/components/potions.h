@@ -1,5 +1,5 @@
-// game/components/potions.h: what the potions of the cauldron do to the wizards who drank them. A match without a
-// cauldron has none of these components.
+// game/components/potions.h: what the potions of the cauldron do to the wizards who drank them. A match
+// without a cauldron has none of these components.
 #pragma once
 #include <array>
 
@@ -13,9 +13,11 @@ inline constexpr std::uint32_t no_potion = 0xFFFF'FFFF;
 inline constexpr std::size_t most_potions = 8;
 inline constexpr std::size_t most_recipe_ingredients = 3;
 
-/// Potions that act on a wizard. Harm and poison are in Health, a laced lob is in WandBelt.
+/// Potions that act on a wizard. The effects of harm and poison are in Health, that of a poisoned lob in
+/// WandBelt.
 struct Potions {
-    std::array<Tick, most_potions> until{};  ///< tick of play before which each potion acts, by its number
+    /// Time at which each potion stops acting, by its number (ticks of play)
+    std::array<Tick, most_potions> until{};
     /// 1: the wizard holds Azoth, which is half of the Great Work.
     std::uint32_t work_half{};
     std::uint32_t spare{};
@@ -23,9 +25,9 @@ struct Potions {
     bool operator==(const Potions&) const = default;
 };
 
-/// Order in which each player must drop the ingredients of a recipe with a drawn order. Drawn from the seed once a
-/// match. order[player][i] is the place in the recipe's list of the ingredient that comes i-th. A recipe with fewer
-/// ingredients leaves out the places that it lacks.
+/// Order in which each player must add the ingredients of recipes whose order is random. Drawn once a match
+/// from the seed. order[player][i] is the index in the recipe's list of the ingredient that comes i-th. For a
+/// recipe with fewer ingredients, indices that it lacks are skipped.
 struct DrawnOrders {
     std::array<std::array<std::uint32_t, most_recipe_ingredients>, players> order{};
     THAUM_COMPONENT(DrawnOrders, order);

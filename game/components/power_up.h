@@ -10,7 +10,7 @@ inline constexpr std::array<std::string_view, 3> power_up_names{"vial", "heart",
 
 /// Power-up on the ground. A wizard who walks over it picks it up. Its position is in Motion.
 struct PowerUp {
-    Tick back_at{};  ///< when it is available again (ticks of play)
+    Tick back_at{};  ///< when the power-up is available again (ticks of play)
     PowerUpKind kind{};
     std::uint32_t number{};  ///< index of the power-up in the arena file
     THAUM_COMPONENT(PowerUp, back_at, kind, number);

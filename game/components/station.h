@@ -7,14 +7,14 @@ namespace thaum::game {
 
 enum class StationKind : std::uint32_t { cauldron, orb, crystal };
 
-/// A wizard who holds Stir at a station. The wizard stands still, the hand moves a ladle, a probe or a tool, and the
-/// eyes turn to the station. The component Ladle, Scrying or Chisel says what the hand does there.
+/// A wizard who holds Stir at a station. The wizard stands still, the hand moves a ladle, a probe or a tool,
+/// and the view turns to the station. The component Ladle, Scrying or Chisel says what the hand does there.
 struct AtStation {
-    vec3 middle{};  ///< place to which the eyes turn (m, world)
-    /// Direction of the -z axis of the hand's frame, from the wizard to the middle when the work began (rad).
+    vec3 middle{};  ///< point to which the view turns (m, world)
+    /// Direction of the -z axis of the hand's frame: from the wizard to `middle` when the work began (rad).
     double yaw{};
     StationKind kind{};
-    std::uint32_t number{};  ///< which of several stations of this kind
+    std::uint32_t number{};  ///< number of the station among those of its kind
     THAUM_COMPONENT(AtStation, middle, yaw, kind, number);
 };
 

@@ -23,7 +23,7 @@ struct Controls {
     std::uint32_t wand_held{};     ///< wand whose key is down, 1 to wand_slots; 0: none
     std::uint32_t wand_pressed{};  ///< wand whose key was pressed last since the last gameplay tick; 0: none
     std::int32_t strafe{};         ///< sideways, -127 to 127; positive: right
-    std::int32_t forward{};        ///< -127 to 127
+    std::int32_t forward{};        ///< forward motion, -127 to 127; negative: backward
     std::int32_t trigger{};        ///< 0 to 255
     std::int32_t wheel{};          ///< wheel steps since the last gameplay tick
     /// Displacement of the hand in this tick while clutch, ladle or Trace is in use (um, device frame).
@@ -44,7 +44,7 @@ struct Gaze {
     THAUM_COMPONENT(Gaze, yaw, pitch);
 };
 
-/// How the wizard stands: the mover's state between steps.
+/// How the wizard stands: state that physics::Mover keeps between steps.
 struct Stance : physics::MoverState {
     double rope_lift{};  ///< upward part of the rope's force (N)
     Tick loose_until{};  ///< tick before which the feet slip on the ground after a push
@@ -52,17 +52,17 @@ struct Stance : physics::MoverState {
 };
 
 struct Health {
-    double points{};           ///< health left (HP)
+    double points{};           ///< health that the wizard has left (HP)
     Tick shielded_until{};     ///< tick before which nothing hurts the wizard
     Tick hurt_at{};            ///< tick of the last injury
     std::uint32_t hurt_by{};   ///< player who caused the last injury; no_player: none
     std::uint32_t hurt_how{};  ///< EventKind of the last injury
-    Tick foe_did_at{};         ///< tick at which the other player last hurt this wizard; 0: never
-    double ward{};             ///< harm that a shield still takes in the wizard's place (HP)
+    Tick foe_did_at{};         ///< tick of the last harm done by the other player; 0: never
+    double ward{};             ///< harm that the wizard's shield can still absorb (HP)
     Tick ward_until{};         ///< tick at which that shield ends
-    double harm_share{1};      ///< share of every harm that a potion leaves, before `hardened_until`
+    double harm_share{1};      ///< share of each harm that remains after a potion, until `hardened_until`
     Tick hardened_until{};
-    double poison{};  ///< harm by a poison before `poisoned_until` (HP/s)
+    double poison{};  ///< harm rate of a poison, until `poisoned_until` (HP/s)
     Tick poisoned_until{};
     std::uint32_t poisoned_by{};  ///< player who poisoned the wizard
     std::uint32_t spare{};
@@ -76,13 +76,13 @@ struct Dead {
     THAUM_COMPONENT(Dead, returns_at);
 };
 
-/// Blow by one thing that is hitting this wizard. Its impulse is summed until the blow ends, then turned into
-/// harm once.
+/// A blow by a thing that is in contact with the wizard. Its impulse is summed until the blow ends, then
+/// turned into harm once.
 struct Blow {
     ecs::Entity by{};
     Tick began{};
-    Tick counts_again{};  ///< tick before which another hit by this thing is ignored
-    double impulse{};     ///< impulse so far (N s); negative after the harm was counted
+    Tick counts_again{};  ///< tick before which another hit by the thing is ignored
+    double impulse{};     ///< impulse so far (N s); negative once the harm has been applied
     THAUM_FIELDS(Blow, by, began, counts_again, impulse);
     /// Blows of the last few things that hit the wizard.
 };
@@ -96,9 +96,9 @@ struct WandBelt {
     std::uint32_t selected{};
     std::uint32_t fired{};                    ///< number of shots so far, over all wands
     std::array<double, wand_slots> energy{};  ///< energy of each slot, indexed by WandStats::energy_slot
-    double venom{};      ///< harm that the next lob adds to those whom it hits (HP/s); 0: none
-    Tick venom_until{};  ///< tick before which that lob must be thrown
-    Tick venom_lasts{};  ///< time for which that harm goes on
+    double venom{};      ///< harm rate that the next lob adds for those whom it hits (HP/s); 0: none
+    Tick venom_until{};  ///< tick by which that lob must be thrown
+    Tick venom_lasts{};  ///< duration of the harm that the next lob adds (ticks)
     THAUM_COMPONENT(WandBelt, selected, fired, energy, venom, venom_until, venom_lasts);
 };
 

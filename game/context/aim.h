@@ -6,13 +6,13 @@ namespace thaum::game {
 
 /// Direction of view.
 struct Aim {
-    double yaw{}, pitch{};  ///< yaw to the left of -z, pitch upwards (rad)
+    double yaw{}, pitch{};  ///< yaw counted to the left from -z, pitch upwards (rad)
 };
 
 /// Direction from the eye to a position.
 Aim aim_at(vec3 eye, vec3 target);
 
-/// Signed angle from one direction to the other, the shorter way round (rad).
+/// Signed angle from the first direction to the second, the shorter way round (rad).
 double angle_between(double from, double to);
 
 }  // namespace thaum::game

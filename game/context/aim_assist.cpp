@@ -11,10 +11,13 @@
 namespace thaum::game {
 namespace {
 
-constexpr double slow_zone = 4 * radians_per_degree;  ///< angle beside the foe in which the view turns slowly
-constexpr double most_slowed = 0.7;  ///< share of the turn that is lost on the foe at full strength
-constexpr double draw_rate = 40;     ///< speed at which the view is drawn to the foe, per angle (1/s)
-constexpr double fastest_draw = 120 * radians_per_degree;  ///< largest speed of that turn (rad/s)
+/// Angle from the foe within which the view turns more slowly (rad)
+constexpr double slow_zone = 4 * radians_per_degree;
+/// Largest share of the turning speed that is taken away, with the crosshair on the foe.
+constexpr double most_slowed = 0.7;
+constexpr double draw_rate = 40;  ///< turning speed towards the foe per angle from the foe (1/s)
+/// Largest speed at which the view is turned towards the foe (rad/s)
+constexpr double fastest_draw = 120 * radians_per_degree;
 constexpr double help_ends = 40;  ///< distance of the foe beyond which there is no help (m)
 
 /// Strength of the help for a player, 0 to 1.
@@ -27,11 +30,11 @@ double strength_for(const MatchContext& context, std::uint32_t player) {
     return strength > 0 && plays_by_arm(context.world, player) ? 0 : strength;
 }
 
-/// The foe's body beside the aim.
+/// Position of the foe's body relative to the aim.
 struct FoeBeside {
     vec3 point{};         ///< point of the axis of the foe's body that is nearest to the aim (m, world)
-    double off{};         ///< angle from the aim to that point (rad)
-    double half_width{};  ///< half the angle that the body's width fills (rad)
+    double off{};         ///< angle from the aim to the nearest point of the foe's body (rad)
+    double half_width{};  ///< half of the angle that the body's width subtends (rad)
 };
 
 double angle_off(vec3 a, vec3 b) { return det::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
@@ -55,8 +58,8 @@ ecs::Entity foe_in_reach(const MatchContext& context, std::uint32_t player, vec3
     return glm::distance(centre, from) <= help_ends ? foe : ecs::Entity{};
 }
 
-/// Place at which a straight shot from `from` meets the middle of the foe, who walks on (m, world). A speed of 0 means
-/// that the wand in hand has no such shot.
+/// Point at which a straight shot from `from` meets the middle of the walking foe (m, world). `speed` 0: the
+/// wand in hand has no straight shot.
 vec3 meeting_point(const MatchContext& context, ecs::Entity foe, vec3 from, double speed) {
     const auto& body = context.physics.read().state(foe.index);
     if (!(speed > 0)) return body.position;
@@ -64,14 +67,14 @@ vec3 meeting_point(const MatchContext& context, ecs::Entity foe, vec3 from, doub
     return body.position + flight * vec3(body.velocity.x, 0, body.velocity.z);
 }
 
-/// Speed of straight shots of the wand in hand (m/s); 0: it has none.
+/// Speed of straight shots of the wand in hand (m/s); 0: the wand has none.
 double speed_in_hand(const MatchContext& context, ecs::Entity wizard) {
     const auto* wand = wand_in_slot(context.data, context.world.get<WandBelt>(wizard).selected);
     const auto shot = wand != nullptr ? wand->rules->shot(1) : std::nullopt;
     return shot && shot->fall == 0 ? shot->speed : 0;
 }
 
-/// Sets the turn of the view towards a point.
+/// Turns the view towards a point, by way of ViewHelp.
 void draw_to(vec3 eye, vec3 point, const Gaze& gaze, double strength, ViewHelp& help) {
     const auto aim = aim_at(eye, point);
     const double left = angle_between(gaze.yaw, aim.yaw), up = aim.pitch - gaze.pitch;

@@ -1,26 +1,30 @@
-// game/context/aim_assist.h: help with aiming for a player who turns the view by a stick or by keys. The player
-// chooses its strength (input::DeviceSpec::aim_assist), which is in the log. So a replay helps as the match did.
+// game/context/aim_assist.h: help with aiming for a player who turns the view by a stick or by keys. The
+// player chooses its strength (input::DeviceSpec::aim_assist), which is in the log, so a replay gives the
+// same help.
 //
 // It helps in three ways:
 // - The view turns more slowly while the crosshair is on the foe or near it.
 // - If the crosshair is less than 2 degrees beside the foe, and while the player does something, the view is drawn to
 //   the place where a shot meets the foe.
 // - A shot that would miss narrowly is turned by up to 2 degrees.
-// It does not help through walls, nor under rules without it (assets/rules). Bots, scripts and arms get no help.
+// It does not help through walls, nor under rules without it (assets/rules). Bots, scripts and arms get no
+// help.
 #pragma once
 #include "game/context/match_context.h"
 
 namespace thaum::game {
 
-/// Angle beside the foe from which the view is drawn to it, and largest turn of a shot at full strength (rad).
+/// Angle from the foe within which the view is drawn towards it, and largest turn of a shot at full strength
+/// (rad).
 inline constexpr double most_pull = 2 * radians_per_degree;
 
 /// Help with the view in one tick.
 struct ViewHelp {
-    double turn_share{1};  ///< share of the player's own turn that is left: 1 without help
-    double left{}, up{};   ///< turn of the view towards the foe, if the player does something (rad)
+    double turn_share{1};  ///< share of the player's own turn that is kept: 1 without help
+    double left{}, up{};   ///< added turn of the view towards the foe, if the player gives any input (rad)
 };
-/// Reads Wizard, Gaze, WandBelt, Dead, Arm and resource::Physics.
+/// Help with the view of a wizard in this tick. Reads Wizard, Gaze, WandBelt, Dead, Arm and
+/// resource::Physics.
 ViewHelp view_help(const MatchContext& context, ecs::Entity wizard);
 
 /// Direction of a straight shot with help (unit, world), from its direction without. `from` is its start (m,

@@ -3,7 +3,7 @@
 namespace thaum::game {
 namespace {
 
-/// Ticks without a sample after which the arm counts as gone and the simulated hand plays on.
+/// Ticks without a sample after which the arm counts as gone, so that the simulated hand takes over.
 constexpr std::uint32_t gone_after = 250;
 
 }  // namespace

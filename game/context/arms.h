@@ -5,8 +5,8 @@
 
 namespace thaum::game {
 
-/// Condition of a player's real arm. While the arm is gone, the simulated hand plays on, moved by mouse or
-/// gamepad. An arm that is back gives forces again after it was held still.
+/// Condition of a player's real arm. While the arm is gone, a simulated hand takes over, moved by mouse or
+/// gamepad. An arm that has come back gives forces again only after it was held still.
 enum class ArmCondition : std::uint8_t { none, felt, clutched, gone, back };
 ArmCondition arm_condition(const ecs::World& world, std::uint32_t player);
 
@@ -19,7 +19,7 @@ bool plays_by_arm(const ecs::World& world, std::uint32_t player);
 
 /// The arm of a player; null if there is none.
 const Arm* arm_of(const ecs::World& world, std::uint32_t player);
-/// Whether the arm sent no sample for so long that the simulated hand plays on.
+/// Whether the arm has sent no sample for so long that the simulated hand has taken over.
 bool is_gone(const Arm& arm);
 
 }  // namespace thaum::game

@@ -14,12 +14,13 @@ namespace thaum::game {
 
 class EventJournal {
 public:
-    /// Time for which events are kept at least (ticks of play).
+    /// Minimum time for which events are kept (ticks of play).
     static constexpr Tick kept = ticks(10);
 
     EventJournal() : events_(4096) {}
 
-    /// Adds the newest event. Allocates only if all memory is full of events that are still kept.
+    /// Adds the newest event. Allocates only if the buffer is full of events that are not yet old enough to
+    /// drop.
     void add(const Event& event) {
         if (count_ - first_ == events_.size()) {
             if (events_[first_ & mask()].tick + kept < event.tick)
@@ -31,7 +32,7 @@ public:
         ++count_;
     }
 
-    /// Forgets everything and takes over the events that a restored state still holds.
+    /// Clears the journal and takes over the events that a restored state still contains.
     void restart(const EventLog& log) {
         const auto held = std::min<std::uint64_t>(log.count, log.events.size());
         count_ = first_ = log.count - held;
@@ -40,13 +41,13 @@ public:
 
     /// Number of events of the match so far, equal to EventLog::count.
     std::uint64_t count() const { return count_; }
-    /// Number of the oldest event that is still here.
+    /// Number of the oldest event that is still in the journal.
     std::uint64_t first() const { return first_; }
     /// Event by its number, from first() up to count() - 1.
     const Event& operator[](std::uint64_t number) const { return events_[number & mask()]; }
 
-    /// Calls f(event) for each event from number `seen` on, and advances `seen` to count(). Returns the number
-    /// of events that are gone: 0 for a reader that reads at least every `kept` ticks.
+    /// Calls f(event) for each event from number `seen` on, and advances `seen` to count(). Returns how many
+    /// of these events were no longer in the journal: 0 for a reader that reads at least every `kept` ticks.
     template <class F>
     std::uint64_t each_new(std::uint64_t& seen, F f) const {
         const auto gone = std::max(seen, first_) - seen;
@@ -55,7 +56,8 @@ public:
     }
 
 private:
-    std::uint64_t mask() const { return events_.size() - 1; }  // the size is a power of two
+    // Works as a bit mask because the size is a power of two.
+    std::uint64_t mask() const { return events_.size() - 1; }
 
     void grow() {
         std::vector<Event> larger(2 * events_.size());

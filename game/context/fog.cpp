@@ -9,7 +9,7 @@
 namespace thaum::game {
 namespace {
 
-/// Length of the part of a straight way that is in a ball (m).
+/// Length of the part of a straight line that lies in a ball (m).
 double length_within(vec3 from, vec3 to, vec3 middle, double radius) {
     const double whole = glm::distance(from, to);
     if (!(whole > 0)) return 0;
@@ -25,7 +25,7 @@ double length_within(vec3 from, vec3 to, vec3 middle, double radius) {
 }  // namespace
 
 bool hidden_by_fog(const ecs::World& world, vec3 from, vec3 to) {
-    double hidden = 0;  // 1: nothing more is seen
+    double hidden = 0;  // optical depth of the fog so far; from 1 on nothing is seen
     world.view<const Fog, const Motion>().each([&](const Fog& fog, const Motion& motion) {
         hidden += length_within(from, to, motion.position, fog.radius) / fog.sight;
     });

@@ -5,8 +5,8 @@
 
 namespace thaum::game {
 
-/// Whether fog hides one place from another: the straight way between them leads far enough through clouds. Nobody sees
-/// through fog, not even the wizard who cast it. Reads Fog and Motion.
+/// Whether fog hides one position from another: true if the straight line between them is long enough inside
+/// clouds. All wizards, also the one who cast the fog, are blinded alike. Reads Fog and Motion.
 bool hidden_by_fog(const ecs::World& world, vec3 from, vec3 to);
 
 }  // namespace thaum::game

@@ -3,10 +3,11 @@
 namespace thaum::game {
 namespace {
 
-/// Peak force of the device for which forces in the wands' files are meant (N).
+/// Peak force of the device for which the forces in the wands' files are given (N).
 constexpr double reference_peak = 3.3;
 
-/// Force at this player's device for one newton in the wands' files (N/N). It depends on device and player.
+/// Force at this player's device per newton in the wands' files (N/N). It depends on the device and on the
+/// player's settings.
 double felt_share(const MatchContext& context, ecs::Entity wizard) {
     const auto player = context.world.get<Wizard>(wizard).player;
     return force_cap(context.input.haptic_setup, player) / reference_peak;

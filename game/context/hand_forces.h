@@ -1,36 +1,38 @@
-// game/context/hand_forces.h: forces that the game sets on a wizard's hand, and the position of the wand's tip. The
-// servo step of game/match/hand/hand_system.h applies the forces.
+// game/context/hand_forces.h: forces that the game sets on a wizard's hand, and the position of the wand's
+// tip. The servo step of game/match/hand/hand_system.h applies the forces.
 #pragma once
 #include "game/components/hand_state.h"
 #include "game/context/match_context.h"
 
 namespace thaum::game {
 
-/// Hand state with a device at rest.
+/// Initial hand state, with the device at rest.
 HandState empty_hand_state();
 
-/// Kicks the hand with half a sine wave: the recoil of a shot, for example. `newtons` is the peak for a device
-/// with a peak force of 3.3 N and a player who wants full force; for others it scales in proportion.
+/// Kicks the hand with half a sine wave: the recoil of a shot, for example. `newtons` is the peak for a
+/// device with a peak force of 3.3 N and a player who chose full force; for others it scales in proportion.
 /// `newtons` is in the device frame. Writes HandState.
 void kick(MatchContext& context, ecs::Entity wizard, vec3 newtons, Tick length);
 
-/// Kicks the hand towards the user with a share of the largest force that the player wants.
+/// Kicks the hand towards the user. `share` is relative to the largest force that the player chose.
 void kick_at_peak(MatchContext& context, ecs::Entity wizard, double share, Tick length);
 
-/// Kicks the hand towards the user by a shot of the user's own wand. The player's fader for recoil scales it.
+/// Kicks the hand towards the user for a shot of the user's own wand. The player's fader for recoil scales
+/// the kick.
 void recoil(MatchContext& context, ecs::Entity wizard, double newtons, Tick length);
 
-/// Sets a steady force on the hand (N, device frame), scaled like a kick. It may change smoothly from call to
-/// call. Writes HandState.
+/// Sets a steady force on the hand (N, device frame), scaled like a kick. The force may vary smoothly over
+/// successive calls. Writes HandState.
 void set_steady_force(MatchContext& context, ecs::Entity wizard, vec3 newtons);
 
-/// Ties the hand to a point by a spring. A moving point is set again every tick. Writes HandState.
+/// Ties the hand to a point by a spring. For a moving point, call this every tick. Writes HandState.
 void tether(MatchContext& context, ecs::Entity wizard, const haptics::Tether& to);
 
-/// Removes steady force, tether and displacement that a wand has set on the hand. Writes HandState.
+/// Removes the steady force, tether and displacement that a wand has set on the hand. Writes HandState.
 void let_go(MatchContext& context, ecs::Entity wizard);
 
-/// Position of the wand's tip (m, eye frame). The tip follows the hand and stays outside of touched surfaces.
+/// Position of the wand's tip (m, eye frame). The tip follows the hand, but does not enter surfaces that it
+/// touches.
 vec3 wand_tip_of(double wand_per_hand, const HandState& hand_state);
 
 }  // namespace thaum::game

@@ -35,7 +35,7 @@ void add_up(const Event& event, std::array<std::array<MatchStats, most_causes>, 
     }
 }
 
-/// Declares what belongs to the cauldron, and to strokes and spells.
+/// Declares the components of the cauldron, of strokes and of spells.
 void declare_magic(ecs::World& world) {
     declare_all<Cauldron, BrewSamples, SurfaceSamples, Ladle, Niche, Pouch, Focus, DrawnStroke, LastReading,
                 LastProp, Fog>(world);
@@ -45,7 +45,7 @@ void declare_magic(ecs::World& world) {
         if (kind.declare != nullptr) kind.declare(world);
 }
 
-/// Declares what belongs to work at stations, beside the cauldron's own.
+/// Declares the components of work at stations, except those of the cauldron.
 void declare_stations(ecs::World& world) {
     declare_all<AtStation, Orb, WornModes, Scrying, Crystal, CrystalDensity, CrystalColour, Chisel,
                 CrystalStrike, Lens, GreatWork>(world);
@@ -91,7 +91,7 @@ vec3 eye_of(const WizardRules& rules, vec3 body_centre) {
 }
 
 std::optional<double> distance_on_floor(const WizardRules& rules, vec3 body_centre, vec3 place, double most) {
-    // Height difference (m) up to which feet and place are on the same floor.
+    // Height difference up to which feet and a position are on the same floor (m).
     constexpr double same_floor = 1;
     const vec3 off = body_centre - vec3(0, rules.height / 2, 0) - place;
     const double distance = std::sqrt(off.x * off.x + off.z * off.z);

@@ -1,8 +1,8 @@
-// game/context/match_context.h: the context of a match, which its systems share, split by use: what they only read
-// (data and input), the state (World and physics), and the outputs.
+// game/context/match_context.h: the context of a match, which its systems share, split by use: what they only
+// read (data and input), the state (World and physics), and the outputs.
 //
-// Systems declare access to components of the World and to resources: the physics and each output. Every access
-// to one of these is checked while a system runs (ecs/schedule.h).
+// Systems declare access to components of the World and to resources: the physics and each output. Every
+// access to one of these is checked while a system runs (ecs/schedule.h).
 #pragma once
 #include <memory>
 #include <optional>
@@ -22,12 +22,12 @@ namespace thaum::game {
 struct HapticSetup {
     haptics::SimulatedDevice device;
     std::array<haptics::Servo, players> servos{};
-    std::array<bool, players> on{};  ///< whether the player feels forces at all
-    /// Largest force that a player has chosen during the match (% of the device's); 0: as `servos` say.
+    std::array<bool, players> on{};  ///< whether the player feels any forces
+    /// Largest force that a player has chosen during the match (% of the device's); 0: the value in `servos`.
     std::array<std::uint8_t, players> force_percent{};
     /// Share of a carried thing's weight that the player feels, 0 to 1.
     std::array<double, players> weight{};
-    /// Share of the blows on a carried thing that the player feels, 0 to 1.
+    /// Share of the blows that hit a carried thing and that the player feels, 0 to 1.
     std::array<double, players> blows{};
     /// Share of the wands' recoil that the player feels, 0 to 1.
     std::array<double, players> recoil{};
@@ -35,9 +35,9 @@ struct HapticSetup {
     std::array<double, players> roughness{};
     /// Strengths of the brew's effects on the player's hand.
     std::array<haptics::FluidModes, players> brew{};
-    /// Half the box of positions that the device reaches (m, device frame).
+    /// Half the size of the box of positions that the device can reach (m, device frame).
     std::array<vec3, players> reach{};
-    /// Scale of hand motion relative to a device with the usual workspace.
+    /// Scale of hand motion relative to a device with the reference workspace.
     std::array<double, players> workspace_scale{};
     /// Displacement of the wand's tip per displacement of the hand (m/m).
     std::array<double, players> wand_per_hand{};
@@ -46,19 +46,20 @@ struct HapticSetup {
 /// Largest force on a player's hand (N).
 double force_cap(const HapticSetup& setup, std::uint32_t player);
 
-/// The players' devices and what they give. The simulation owns it and fills in the frame of each tick.
+/// The players' devices and their input. The simulation owns this and fills in the frame of each tick.
 struct MatchInput {
     HapticSetup haptic_setup;
     std::vector<input::DeviceSpec> devices;  ///< in the order of the samples in `frame`
-    /// Gestures of players who drew their own; null: those of the match's data.
+    /// Gestures of players who recorded their own; null: those of the match's data.
     std::array<std::shared_ptr<const GestureSet>, players> gestures{};
-    /// Players whose strokes mean nothing at present, because the wall of the range records them. Never set in a match
-    /// that is logged.
+    /// Players whose strokes are not recognised at present, because the gesture wall of the range records
+    /// them. Never set in a logged match.
     std::array<bool, players> strokes_unread{};
     input::InputFrame frame;  ///< input frame of the current tick
 };
 
-/// Outputs of a match besides its state: haptic models, events, force traces, ended strokes. They are neither saved nor hashed.
+/// Outputs of a match besides its state: haptic models, events, force traces, ended strokes. They are neither
+/// saved nor hashed.
 struct MatchOutput {
     explicit MatchOutput(ecs::World& world) : models(world), journal(world), forces(world), strokes(world) {}
 
@@ -88,7 +89,7 @@ ecs::Entity wizard_of(const ecs::World& world, std::uint32_t player);
 /// Gestures of a player: the player's own, or those of the match's data; null if the match has none.
 const GestureSet* gestures_of(const MatchContext& context, std::uint32_t player);
 
-/// Position of a wizard's eye (m, world).
+/// Position of a wizard's eye (m, world). `body_centre`: middle of the wizard's body.
 vec3 eye_of(const WizardRules& rules, vec3 body_centre);
 
 /// Distance along the ground from a wizard's feet to a position (m). std::nullopt if that is farther than
@@ -99,14 +100,14 @@ std::optional<double> distance_on_floor(const WizardRules& rules, vec3 body_cent
 /// must have declared that it writes EventLog and resource::Journal.
 void record(MatchContext& context, const Event& event);
 
-/// Harm to a wizard.
+/// Harm to be done to a wizard.
 struct Hurt {
-    double points{};  ///< health to take (HP)
+    double points{};  ///< health to be taken (HP)
     std::uint32_t by = no_player;
     EventKind how{};
     vec3 place{};
     std::uint32_t detail{};  ///< Event::detail of the recorded event
-    bool pierces{};          ///< true: a shield takes none of it
+    bool pierces{};          ///< true: shields absorb none of the harm
 };
 
 /// Takes health and records the event, unless the wizard is shielded or dead. Writes Health, EventLog and

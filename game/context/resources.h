@@ -1,5 +1,5 @@
-// game/context/resources.h: the resources of a match, which its systems share beside components (ecs/resource.h).
-// A system declares those that it reads or writes together with its components:
+// game/context/resources.h: the resources of a match, which its systems share in addition to components
+// (ecs/resource.h). A system declares the resources that it reads or writes together with its components:
 //
 //     .reads = world.mask<Wizard, resource::Physics>(),
 #pragma once
@@ -15,48 +15,49 @@
 
 namespace thaum::game {
 
-/// Force magnitudes of the last ticks (N), ring buffer indexed by tick.
+/// Force magnitudes of the last ticks (N): a ring buffer indexed by tick.
 using ForceTrace = std::array<float, 2048>;
 
-/// The last stroke that a player has finished, the last key chord in place of one, and what came of them.
+/// The last finished stroke of a player, the last key chord used instead of a stroke, and their results.
 struct EndedStroke {
     DrawnStroke stroke;
-    Tick at{};                   ///< tick of play at which it ended; 0: there is none
-    bool read{};                 ///< true: it was a gesture
-    std::string_view refusal{};  ///< why the spell that fizzled last did nothing (SpellRules::refusal)
+    Tick at{};    ///< tick of play at which the stroke ended; 0: no stroke yet
+    bool read{};  ///< true: the stroke was recognised as a gesture
+    /// Why the last spell that was cast in vain had nothing to act on (SpellRules::refusal)
+    std::string_view refusal{};
     Tick outcome_at{};           ///< tick of play of `outcome`; 0: never
-    std::string_view outcome{};  ///< how a spell has ended after its cast, in words for its wizard
-    Tick chord_at{};             ///< tick of play of the last key chord; 0: there was none
-    std::uint32_t chord_slot{};  ///< its wand's key: slot of the spell
+    std::string_view outcome{};  ///< how the effect of a spell ended after its cast, as a text for its wizard
+    Tick chord_at{};             ///< tick of play of the last key chord; 0: none yet
+    std::uint32_t chord_slot{};  ///< slot of the last key chord's wand key, which is the spell's slot
 };
 
 namespace resource {
 
-/// Bodies and contacts.
+/// Resource: bodies and contacts of Bullet.
 struct Physics {
     using Value = physics::Physics;
     static constexpr std::string_view name = "physics";
 };
 
-/// Haptic models of this tick, one for each player. Parts that did not change are not written again.
+/// Haptic models of this tick, one for each player. Unchanged parts are not written again.
 struct Models {
     using Value = std::array<haptics::HapticModel, players>;
     static constexpr std::string_view name = "haptic models";
 };
 
-/// Every event of the last seconds. It is not part of the state; restoring a state restarts it.
+/// All events of the last seconds. Not part of the state; the journal starts anew when a state is restored.
 struct Journal {
     using Value = EventJournal;
     static constexpr std::string_view name = "event journal";
 };
 
-/// Traces of the forces on the players' hands, for display. They are not part of the state.
+/// Force curves of the players' hands, for display. Not part of the state.
 struct Forces {
     using Value = std::array<ForceTrace, players>;
     static constexpr std::string_view name = "force traces";
 };
 
-/// The strokes that players finished last, for display. They are not part of the state.
+/// The last finished strokes of the players, for display. Not part of the state.
 struct Strokes {
     using Value = std::array<EndedStroke, players>;
     static constexpr std::string_view name = "ended strokes";

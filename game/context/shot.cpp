@@ -13,8 +13,9 @@
 namespace thaum::game {
 namespace {
 
-constexpr double aim_reach = 60;  ///< distance of the aimed point if the crosshair meets nothing nearer (m)
-/// Least distance of the aimed point (m); aiming at nearer points would send a shot sideways.
+/// Distance of the point aimed at if nothing nearer is under the crosshair (m)
+constexpr double aim_reach = 60;
+/// Minimum distance of the point aimed at (m). A nearer one would send the shot sideways.
 constexpr double nearest_aim = 1.0;
 
 bool blocked(const physics::Physics& physics, vec3 from, vec3 to, double radius, physics::Key ignored) {
@@ -30,7 +31,7 @@ vec3 middle_towards(const Body& body, vec3 centre, vec3 from) {
 
 /// Effect of a burst on one body.
 struct Reached {
-    double share{};  ///< share of the full effect, > 0
+    double share{};  ///< fraction of the full effect, > 0
     vec3 away{};     ///< direction of the impulse (unit)
     vec3 point{};    ///< point on the body's surface (m, world)
 };

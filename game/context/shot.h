@@ -5,7 +5,8 @@
 
 namespace thaum::game {
 
-/// A number that grows linearly with the charge or draw of a wand, 0 to 1.
+/// A number that grows linearly from its least to its greatest value while the charge or draw of a wand grows
+/// from 0 to 1.
 struct GrowingValue {
     double least{}, most{};
     double at(double share) const { return least + (most - least) * share; }
@@ -31,41 +32,42 @@ struct Muzzle {
     vec3 ahead{};  ///< direction of view (unit, world)
     vec3 aim{};    ///< direction from the tip to the point under the crosshair (unit, world)
 };
-/// Muzzle for a missile with this radius (m). Reads Wizard, Gaze, Motion, HandState and resource::Physics.
+/// fraction of the full effect, > 0
 Muzzle muzzle_of(const WandUse& use, double radius);
 
-/// Turns the muzzle's aim by the help that the player has (context/aim_assist.h), for a straight shot of this
+/// Turns the muzzle's aim by the player's aim assist (context/aim_assist.h), for a straight shot of this
 /// speed (m/s). Reads Wizard, Dead, Arm and resource::Physics.
 void help_aim(const WandUse& use, double speed, Muzzle& muzzle);
 
-/// Records that a player pressed fire without enough energy for a shot. Writes EventLog and resource::Journal.
+/// Records that fire was pressed without enough energy for a shot. Writes EventLog and resource::Journal.
 void note_dry(const WandUse& use);
-/// Records a shot and ends the shooter's protection. `hit` is the kind of event of its hits. Writes WandBelt,
-/// Health, EventLog and resource::Journal.
+/// Records a shot and ends the shooter's protection after a return to life. `hit`: event kind of the shot's
+/// hits. Writes WandBelt, Health, EventLog and resource::Journal.
 void note_shot(const WandUse& use, EventKind hit, vec3 tip);
 
 /// A burst hurts and pushes all bodies near it. The distance of a body is measured to its surface, on the
 /// straight line to its middle. For a wizard, the line goes to the nearest point of the capsule's axis. The
 /// effect falls linearly from its full value at distance zero to nothing at `radius`. A body behind another
-/// one is spared. The shooter's body gives others no cover and is not spared.
+/// one is not affected. The shooter's body gives no cover to others, and is affected itself.
 struct Burst {
-    vec3 place{};             ///< middle of the missile (m, world)
-    double size{};            ///< radius of the missile (m); what the missile touches is at distance zero
-    double radius{};          ///< reach (m)
-    double damage{};          ///< harm at distance zero (HP)
-    double impulse{};         ///< impulse at distance zero (N s)
-    double fastest{};         ///< largest speed that a body gains (m/s)
-    std::uint32_t player{};   ///< player who shot
-    std::uint32_t shooter{};  ///< key of the shooter's body
+    vec3 place{};      ///< middle of the missile (m, world)
+    double size{};     ///< radius of the missile (m); bodies that the missile touches are at distance zero
+    double radius{};   ///< distance up to which the burst has an effect (m)
+    double damage{};   ///< harm at distance zero (HP)
+    double impulse{};  ///< impulse at distance zero (N s)
+    double fastest{};  ///< largest speed that a body gains by the burst (m/s)
+    std::uint32_t player{};   ///< player who fired the shot
+    std::uint32_t shooter{};  ///< physics key of the shooter's body
     EventKind how{};
-    std::uint32_t struck = physics::no_key;  ///< key of a body that takes `struck_damage` instead of `damage`
-    double struck_damage{};                  ///< harm to the struck body (HP)
-    bool pierces{};                          ///< shields do not stop the harm
-    double venom{};      ///< harm by poison to each wizard whom the burst hurts (HP/s); 0: none
-    Tick venom_lasts{};  ///< time for which the poison hurts
+    /// Physics key of a body that takes `struck_damage` instead of `damage`.
+    std::uint32_t struck = physics::no_key;
+    double struck_damage{};  ///< harm to the struck body (HP)
+    bool pierces{};          ///< true: shields do not stop the harm
+    double venom{};          ///< harm by poison to each wizard whom the burst hurts (HP/s); 0: none
+    Tick venom_lasts{};      ///< duration of the poison (ticks)
 };
-/// Applies and records a burst. Reads Body, Motion, Wizard, Dead and Crystal. Writes Health, Stance, EventLog,
-/// Prop, resource::Journal and resource::Physics.
+/// Applies and records a burst. Reads Body, Motion, Wizard, Dead and Crystal. Writes Health, Stance,
+/// EventLog, Prop, resource::Journal and resource::Physics.
 void burst(MatchContext& context, const Burst& burst, Tick tick);
 
 }  // namespace thaum::game

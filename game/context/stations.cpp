@@ -12,7 +12,8 @@
 namespace thaum::game {
 namespace {
 
-/// Time constant with which the eyes of a wizard turn to a station (s). After it, e^-1 of the angle is left.
+/// Time constant with which a wizard's view turns to a station (s): after this time, 1/e of the angle is
+/// left.
 constexpr double turning_time = 0.15;
 
 void turn_eyes(const WizardRules& rules, vec3 body, const AtStation& station, Gaze& gaze) {

@@ -8,17 +8,17 @@ namespace thaum::game {
 /// Whether a wizard works at a station. Reads AtStation.
 bool at_station(const ecs::World& world, ecs::Entity wizard);
 
-/// Whether a wizard with the body's middle at this place is within `reach` of a station's middle on the ground (m), and
-/// about as high.
+/// Whether a wizard, given by the middle of the body, is within `reach` of a station's middle (m, along the
+/// ground) and at about the same height.
 bool is_near_station(const WizardRules& rules, vec3 body, vec3 middle, double reach);
 
-/// The component of a wizard who begins to work at a place (m, world).
+/// The component AtStation of a wizard who begins to work, with body and station at these places (m, world).
 AtStation station_at(vec3 body, vec3 middle, StationKind kind, std::uint32_t number = 0);
 
-/// Ends a wizard's work at a station. Must not be called inside a view.
+/// Ends a wizard's work at a station. Must not be called while iterating over a view of the World.
 void leave_station(ecs::World& world, ecs::Entity wizard);
 
-/// Adds the system that turns the eyes of wizards to their stations, every tick.
+/// Adds the system that turns the view of wizards to their stations, every tick.
 void add_station_gaze_system(MatchContext& context, ecs::Schedule& schedule);
 
 }  // namespace thaum::game

@@ -5,7 +5,7 @@
 namespace thaum::game {
 namespace {
 
-/// Distance of a place from the surface of a crystal's box; 0 inside (m).
+/// Distance of a position from the surface of a crystal's box (m); 0 inside.
 double distance_from(const Crystal& crystal, vec3 place) {
     const vec3 at = rotation({0, 1, 0}, -crystal.yaw) * (place - crystal.middle);
     return glm::length(glm::max(glm::abs(at) - crystal.size / 2, vec3(0)));

@@ -23,7 +23,7 @@ SurfaceKind kind_of(physics::Shape shape) {
     return SurfaceKind::triangle;
 }
 
-/// Rotation rate of things at rest in the world, relative to the moving frame (rad/s, device frame).
+/// Angular velocity of resting things relative to the moving frame (rad/s, device frame).
 vec3 spin_of(const HandFrame& frame, const HandFrame& before) {
     if (frame.turn == before.turn) return vec3(0);
     quat turned = glm::conjugate(frame.turn) * before.turn;
@@ -41,7 +41,7 @@ void add_body(SurfacePatch& patch, const physics::Physics& physics, physics::Key
     haptics::SurfaceBody& body = patch.bodies[patch.body_count++];
     body.position = frame.to_device(state.position);
     body.orientation = glm::conjugate(frame.turn) * state.orientation;
-    // The mean velocity over the whole tick leads exactly from the position in the previous frame to the
+    // The mean velocity over the tick takes the point exactly from its position in the previous frame to its
     // present one.
     const vec3 was = before.to_device(state.position - tick_seconds * state.velocity);
     const bool rests = frame == before && state.velocity == vec3(0);
@@ -54,7 +54,7 @@ void add_body(SurfacePatch& patch, const physics::Physics& physics, physics::Key
     body.key = key;
 }
 
-/// `to_device` contains rotation and scale of HandFrame.
+/// Adds one surface. `to_device` contains rotation and scale of HandFrame.
 void add_surface(SurfacePatch& patch, const Nearby& near, vec3 origin, const mat3& to_device, double scale) {
     haptics::Surface& surface = patch.surfaces[patch.count++];
     surface.kind = kind_of(near.shape);
@@ -86,7 +86,7 @@ void fill_patch(SurfacePatch& patch, const physics::Physics& physics, const Arou
     clear_patch(patch);
     for (std::size_t i = 0; i < all.count; ++i) {
         const Nearby& near = found[i];
-        // Surfaces come in the order of keys, so those of one body are neighbours.
+        // Surfaces arrive sorted by body key, so those of one body follow one another.
         const bool known = patch.body_count != 0 && patch.bodies[patch.body_count - 1].key == near.key;
         if (!known && patch.body_count == haptics::surface_body_capacity) {
             reach = std::min(reach, near.distance);

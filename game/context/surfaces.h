@@ -1,19 +1,20 @@
-// game/context/surfaces.h: collects the surfaces near a hand from the physics and transforms them to the device
-// frame.
+// game/context/surfaces.h: collects the surfaces near a hand from the physics and transforms them to the
+// device frame.
 #pragma once
 #include "haptics/servo.h"
 #include "physics/physics.h"
 
 namespace thaum::game {
 
-/// Pose and scale of the device frame in the world: place = origin + turn * (scale * device).
+/// Pose and scale of the device frame in the world: world position = origin + turn * (scale * device
+/// position).
 struct HandFrame {
     vec3 origin{};               ///< origin of the device frame (m, world)
     quat turn{1, 0, 0, 0};       ///< rotation from device frame to world (unit)
-    double metres_per_metre{1};  ///< metres in the world per metre of the device, > 0
+    double metres_per_metre{1};  ///< world distance per distance of the device, > 0 (m/m)
 
     vec3 to_device(vec3 world) const { return way_to_device(world - origin); }
-    /// Transforms a displacement, or a velocity relative to a frame at rest.
+    /// Transforms a displacement from world to device, or a velocity if the frame is at rest.
     vec3 way_to_device(vec3 way) const { return glm::conjugate(turn) * way / metres_per_metre; }
     vec3 to_world(vec3 device) const { return origin + turn * (metres_per_metre * device); }
     bool operator==(const HandFrame&) const = default;
@@ -27,7 +28,7 @@ struct Feel {
     double dynamic_friction{};  ///< dynamic friction as a multiple of BodyDesc::friction
 };
 
-/// Sphere in which surfaces are collected.
+/// The sphere in which surfaces are collected.
 struct Around {
     vec3 point{};     ///< centre (m, world)
     double radius{};  ///< radius (m, world)
@@ -35,8 +36,8 @@ struct Around {
     physics::Key ignore{physics::no_key};
 };
 
-/// Makes a patch empty. What it does not use then has the same bytes whatever was in it before, so a match that goes on
-/// from a saved state publishes the same models. Its entries beyond the counts must have been clear.
+/// Empties a patch. Unused entries are set to fixed bytes, so that a match restored from a saved state
+/// publishes the same models. Entries beyond the counts must have been cleared before.
 void clear_patch(haptics::SurfacePatch& patch);
 
 /// Writes the nearest surfaces around a point into the patch, as many as fit. `before` is the device frame
@@ -44,7 +45,7 @@ void clear_patch(haptics::SurfacePatch& patch);
 void fill_patch(haptics::SurfacePatch& patch, const physics::Physics& physics, const Around& around,
                 const HandFrame& frame, const HandFrame& before, const Feel& feel);
 
-/// Motion of things at rest in the world, relative to the moving device frame.
+/// Motion of the resting world relative to the moving device frame.
 haptics::FrameMotion frame_motion_of(const HandFrame& frame, const HandFrame& before);
 
 }  // namespace thaum::game

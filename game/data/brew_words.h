@@ -1,4 +1,4 @@
-// game/data/brew_words.h: potions, ingredients and faults of brewing in words, for people.
+// game/data/brew_words.h: names of potions, ingredients and brewing faults, for people.
 #pragma once
 #include <string>
 #include <string_view>
@@ -33,9 +33,9 @@ struct BrewWords {
 };
 BrewWords brew_words_of(const MatchData& data);
 
-/// Names of the ingredients of a told recipe in their order (EventKind::recipe_told). They point into `words`.
+/// Names of the ingredients in the order that EventKind::recipe_told reveals. The names point into `words`.
 std::vector<std::string_view> names_of_order(const BrewWords& words, std::uint32_t detail);
-/// The same in one text: "moss, salt, mist".
+/// Names of the ingredients in the revealed order, in one text: "moss, salt, mist".
 std::string words_of_order(const BrewWords& words, std::uint32_t detail);
 
 }  // namespace thaum::game

@@ -13,7 +13,7 @@ namespace {
 constexpr Range viscosity{0, fluid::viscosity_most};
 const std::vector<std::string_view> solver_names{"thaum", "classic"};
 
-/// Reads the surface settings. brew_surface sets `side` later.
+/// Reads the settings of the surface. brew_surface sets `side` later.
 fluid::SpringSurfaceSettings read_spring_surface(const ConfigTable& table) {
     fluid::SpringSurfaceSettings result;
     result.nodes = static_cast<std::uint32_t>(table.integer("nodes", {3, 129}));
@@ -75,7 +75,8 @@ void read_brewing(const ConfigTable& table, CauldronRules& rules) {
     rules.put_back = ticks(table.number("put_back_s", {0, 3600}));
 }
 
-/// `look` has the ingredient's shape under its name. It is a table of its own, since a log hashes the ingredients.
+/// `look` has the ingredient's shape under its name. Shapes are in a table of their own, because the log
+/// hashes the table of ingredients and shapes change no match.
 Ingredient read_ingredient(const ConfigTable& table, const ConfigTable& look) {
     const std::vector<std::string_view> shapes{"heap",     "crystals", "ingots", "drops",
                                                "feathers", "cloud",    "cushion"};

@@ -11,30 +11,31 @@
 
 namespace thaum::game {
 
-/// How an ingredient lies in its niche and in a hand, so that nobody needs its colour.
+/// How an ingredient lies in its niche and in a hand. Each shape is different, so that ingredients are
+/// recognised without their colour.
 enum class IngredientShape : std::uint8_t { heap, crystals, ingots, drops, feathers, cloud, cushion };
 inline constexpr std::size_t ingredient_shapes = 7;
 
-/// A kind of stuff that a player can drop into the brew. The colour is linear light, 0 to 1.
+/// A substance that a player can drop into the brew. The colour is linear light, 0 to 1.
 struct Ingredient {
     std::string name;
     vec3 colour{};
-    IngredientShape shape{};  ///< for pictures only
+    IngredientShape shape{};  ///< shape of the ingredient, for pictures only
     fluid::Substance substance{};
 };
 
 /// The ladle and its coupling to the hand.
 struct LadleRules {
     double radius{};           ///< radius of the ball of fluid that the ladle carries along (m)
-    double viscous{}, form{};  ///< drag coefficients, haptics/fluid_touch.h, eq. 1 to 3 (m, m^3/s)
+    double viscous{}, form{};  ///< drag coefficients of haptics/fluid_touch.h, equations 1 to 3 (m, m^3/s)
     double height{};           ///< length of the part that dips into the brew (m)
     double mass{};             ///< mass of the ladle itself (kg)
     double stiffness{};  ///< stiffness of the spring between ladle and hand, and of the bowl's wall (N/m)
-    double damping{};    ///< damping of the same spring and wall (N s/m)
-    double metres_per_metre{};    ///< distance that the ladle moves for each metre of the hand
-    double newtons_per_newton{};  ///< force on the hand for each newton on the ladle
-    /// Position of the ladle while the hand rests: distance from the middle towards the wizard, and depth below
-    /// the level (m).
+    double damping{};    ///< damping of that spring and of the bowl's wall (N s/m)
+    double metres_per_metre{};    ///< distance that the ladle moves per distance of the hand (m/m)
+    double newtons_per_newton{};  ///< force on the hand per force on the ladle (N/N)
+    /// Rest position of the ladle: distance from the middle towards the wizard, and depth below the surface
+    /// (m).
     double in{}, below{};
     double reach{};  ///< greatest distance from the rim at which a wizard can stir (m)
 };
@@ -42,21 +43,21 @@ struct LadleRules {
 /// Effects of the brew on wizards near it and on players who stir it.
 struct AuraRules {
     double radius{};  ///< distance from the middle within which the effects act (m)
-    /// A brew is thick above this multiple of the pure brew's viscosity. Near a thick brew a wizard walks at
-    /// this share of the full speed.
+    /// A brew is thick above this multiple of the pure brew's viscosity. Near it, wizards walk at this
+    /// fraction of the full speed.
     double thick_above{}, thick_pace{};
-    /// A brew is light below this share of the pure brew's density. Near a light brew a wizard keeps this share
-    /// of the weight.
+    /// A brew is light below this fraction of the pure brew's density. Near it, wizards keep this fraction of
+    /// their weight.
     double light_below{}, light_gravity{};
     double refill{};        ///< energy that each wand gains while its wizard stirs with the flow (1/s)
-    double refill_speed{};  ///< least speed of the flow that refills wands (m/s)
+    double refill_speed{};  ///< minimum speed of the flow that refills wands (m/s)
 };
 
-/// Reward for a brew that is kept well mixed. Each brew gives it once.
+/// Reward for keeping a brew well mixed (the boon). Each brew gives it once.
 struct BoonRules {
-    double mixed{};    ///< mixing number from which the brew is well mixed, 0 to 1
-    Tick after{};      ///< time for which one owner must keep it well mixed (ticks)
-    Tick lasts{};      ///< time for which it heals (ticks)
+    double mixed{};    ///< mixing number from which on the brew counts as well mixed, 0 to 1
+    Tick after{};      ///< time for which one owner must keep the brew well mixed (ticks)
+    Tick lasts{};      ///< duration of the healing (ticks)
     double healing{};  ///< health that the owner gains near the bowl, up to the start value (HP/s)
 };
 
@@ -64,7 +65,7 @@ struct BoonRules {
 struct CauldronRules {
     int cells_across{};
     fluid::Solver solver{};
-    double filled{};                         ///< level of the brew, as a share of the bowl's height
+    double filled{};                         ///< level of the brew as a fraction of the bowl's height
     double density{};                        ///< density of the pure brew, for momentum (kg/m^3)
     double viscosity{};                      ///< kinematic viscosity of the base fluid (m^2/s)
     vec3 colour{};                           ///< colour of the base fluid, linear light, 0 to 1
@@ -75,12 +76,15 @@ struct CauldronRules {
     double drop_amount{}, drop_radius{};  ///< volume and radius of a dropped ingredient (m^3, m)
     double recoil{};                      ///< momentum that a dropped ingredient gives to the ladle (N s)
     Tick recoil_length{};
-    double burst{};                     ///< downward momentum of a lob that bursts at the brew (N s)
-    double wrest_least{};               ///< least work of a ladle that can wrest the brew, within 1.5 s (J)
-    Tick spoils_after{};                ///< time from the first ingredient to boiling over
-    Tick useless_spoils_after{};        ///< the same for a brew of which no potion can come any more
-    double spoil_push{}, spoil_harm{};  ///< effect of boiling over on wizards at the rim (m/s, HP)
-    double niche_radius{};              ///< greatest distance at which a wizard picks up an ingredient (m)
+    double burst{};  ///< downward momentum of a lob that bursts at the brew (N s)
+    /// Work of a ladle within 1.5 s from which on its wizard can take over the brew (J)
+    double wrest_least{};
+    Tick spoils_after{};  ///< time from the first ingredient to boiling over (ticks)
+    /// Time to boiling over for a brew that can no longer become a potion (ticks)
+    Tick useless_spoils_after{};
+    /// Boiling over: speed of the push and harm for wizards at the rim (m/s, HP)
+    double spoil_push{}, spoil_harm{};
+    double niche_radius{};  ///< greatest distance at which a wizard picks up an ingredient (m)
     Tick niche_again{};
     Tick put_back{};  ///< time after which an ingredient that was put away is back in its niche (ticks)
     std::vector<Ingredient> ingredients;
@@ -95,6 +99,7 @@ fluid::SpringSurfaceSettings brew_surface(const CauldronRules& rules, const Basi
 /// Origin of the fluid's box (m, brew's frame).
 vec3 brew_corner(const fluid::Settings& settings);
 
-/// Checks that make_brew succeeds, without its work. The error names the setting that the solver rejects.
+/// Checks that make_brew would succeed, without doing its work. The error names the setting that the solver
+/// rejects.
 Expected<void> check_brew(const CauldronRules& rules, const Basin& basin);
 }  // namespace thaum::game

@@ -9,12 +9,13 @@
 namespace thaum::game {
 namespace {
 
-/// A control in brackets.
+/// Name of a control in brackets.
 std::string in_brackets(const std::string& control) {
     return text("[", control.empty() ? "not bound" : control, "]");
 }
 
-/// The control that takes the wand. Without one, the control that goes on to the next wand, with words that say so.
+/// The control that selects the wand. If there is none, the control for the next wand, with words that say
+/// so.
 std::string control_of_wand(std::string_view wand, const ControlNames& controls, const Presentation& shown) {
     const auto found =
         std::find_if(shown.wands.begin(), shown.wands.end(), [&](const auto& w) { return w.name == wand; });
@@ -45,7 +46,7 @@ bool toggles(ControlWord word, const ControlNames& controls) {
            (word == ControlWord::stir && controls.stir_toggles);
 }
 
-/// Puts "press" in place of "hold" at the end of words.
+/// Replaces "hold" by "press" at the end of a text.
 void press_instead_of_hold(std::string& words) {
     for (const auto& [hold, press] : {std::pair("Hold ", "Press "), std::pair("hold ", "press ")})
         if (words.ends_with(hold))

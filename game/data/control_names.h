@@ -1,4 +1,5 @@
-// game/data/control_names.h: names of a player's controls on the screen, "[E]", and words for players that contain them.
+// game/data/control_names.h: names of a player's controls on the screen, "[E]", and words for players that
+// contain them.
 #pragma once
 #include <array>
 #include <string>
@@ -9,27 +10,28 @@
 
 namespace thaum::game {
 
-/// Names of one player's controls for prompts and the strip of wands: "E", "Left mouse", "RT". Empty: no control.
+/// Names of one player's controls for prompts and the strip of wands: "E", "Left mouse", "RT". An empty name
+/// means that no control is bound.
 struct ControlNames {
     std::string fire{}, stir{}, throw_{}, next_wand{}, trace{};
     std::string move{}, look{}, jump{}, pause{};
-    std::string aside{};                                 ///< those that walk sideways, for turning a crystal
-    std::array<std::string, input::most_wands> wands{};  ///< controls that take a wand in hand, by slot
+    std::string aside{};  ///< the two controls for walking sideways, which also turn a crystal
+    std::array<std::string, input::most_wands> wands{};    ///< controls that select a wand, by slot
     bool fire_toggles{}, trace_toggles{}, stir_toggles{};  ///< true: one press begins, and the next one ends
     bool operator==(const ControlNames&) const = default;
 };
 
-/// A control in brackets: "[E]"; the other words where it has none.
+/// Name of a control in brackets: "[E]"; `otherwise` if the name is empty.
 std::string bracketed(const std::string& control, std::string_view otherwise);
 /// "hold ", or "press " for a control that toggles.
 std::string_view hold_or_press(bool toggles);
 
-/// Words with the player's controls in place of their braces (game/data/control_words.h): "[E]". A wand without a
-/// control of its own is reached by the control that goes on to the next wand: "[RB] (next wand)". "Hold" before a
-/// control that toggles is "Press".
+/// Replaces controls in braces (game/data/control_words.h) by the player's own, such as "[E]". For a wand
+/// without a control of its own, gives the control for the next wand: "[RB] (next wand)". "Hold" before a
+/// control that toggles becomes "Press".
 std::string with_controls(std::string_view words, const ControlNames& controls, const Presentation& shown);
 
-/// When prompts are shown. The settings file has the names.
+/// When prompts are shown. The settings file uses the same names.
 enum class PromptWish : std::uint8_t { until_learnt, always, never };
 inline constexpr std::array<std::string_view, 3> prompt_wishes{"until_learnt", "always", "never"};
 

@@ -9,12 +9,12 @@
 namespace thaum::game {
 namespace {
 
-/// Names of all controls but the wands, in the order of ControlWord.
+/// Names of all controls except the wands', in the order of ControlWord.
 constexpr std::array<std::string_view, 9> control_names{"move",  "look",      "jump",  "fire", "stir",
                                                         "throw", "next_wand", "pause", "trace"};
 constexpr std::string_view wand_prefix = "wand:";
 
-/// The control between two braces; std::nullopt for an unknown one.
+/// The control named between braces; std::nullopt for an unknown name.
 std::optional<ControlPiece> control_of(std::string_view name) {
     if (name.starts_with(wand_prefix) && name.size() > wand_prefix.size())
         return ControlPiece{{}, ControlWord::wand, std::string(name.substr(wand_prefix.size()))};

@@ -1,5 +1,5 @@
-// game/data/control_words.h: words for players that name controls in braces: "Press {fire}", "Take {wand:lob}". The
-// screen puts the player's own control in place of the braces.
+// game/data/control_words.h: words for players that name controls in braces: "Press {fire}", "Take
+// {wand:lob}". The screen replaces the braces by the player's own control.
 #pragma once
 #include <optional>
 #include <string>
@@ -13,16 +13,16 @@ namespace thaum::game {
 /// Controls that words may name.
 enum class ControlWord : std::uint8_t { move, look, jump, fire, stir, throw_, next_wand, pause, trace, wand };
 
-/// Plain words, and the control that follows them.
+/// A piece of plain text, and the control that follows it.
 struct ControlPiece {
     std::string plain;
     std::optional<ControlWord> word{};
     std::string wand{};  ///< name of the wand of ControlWord::wand
 };
-/// Splits words at their controls. A brace without a known control stays plain.
+/// Splits a text at its controls. Braces without a known control stay plain text.
 std::vector<ControlPiece> control_pieces_of(std::string_view pattern);
 
-/// Reads words that may name controls. `wands` are the names that {wand:NAME} may have. Reports other braces.
+/// Reads a text that may name controls. `wands`: the names allowed in {wand:NAME}. Reports other braces.
 std::string read_control_words(const ConfigTable& table, std::string_view key,
                                const std::vector<std::string_view>& wands);
 

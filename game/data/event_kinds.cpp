@@ -9,7 +9,7 @@
 namespace thaum::game {
 namespace {
 
-/// One kind of event of the rules.
+/// One kind of event that the rules define.
 struct RuleKind {
     EventKind kind;
     EventKindInfo info;
@@ -85,7 +85,7 @@ const RuleKind rule_kinds[] = {
 
 constexpr std::uint32_t most_kinds = 256;
 
-/// Writes a row at its number, or a fault if the number or the name is taken.
+/// Writes a row at its number, or a fault if that number or name is already in use.
 void set_row(EventKinds& all, std::uint32_t number, const EventKindInfo& info) {
     const auto same = [&](const EventKindInfo& other) { return other.name == info.name; };
     if (info.name.empty() || number >= most_kinds) {

@@ -16,7 +16,7 @@
 
 namespace thaum::game {
 
-/// Content of the column `with` in a table of events.
+/// What the column `with` of an events table contains.
 enum class EventWith : std::uint8_t {
     nothing,
     wand_in_hand,
@@ -32,7 +32,7 @@ enum class EventWith : std::uint8_t {
     potion,
     fault,   ///< Event::detail is a BrewFault
     mode,    ///< Event::detail is the number of a mode of the orb
-    recipe,  ///< Event::detail is a drawn recipe, as EventKind::recipe_told has it
+    recipe,  ///< Event::detail is a recipe with a drawn order, encoded as for EventKind::recipe_told
     tool     ///< Event::detail is the number of a carving tool
 };
 
@@ -42,22 +42,24 @@ struct EventKindInfo {
     std::string_view cause{};  ///< cause of harm, such as "bolt"; empty: the event takes no health
     EventWith with{};
     std::string_view unit{};  ///< unit of `amount`; empty: the event has no amount
-    bool placed{};            ///< the event has a position
-    bool has_subject{};       ///< the event happens to `subject`, who is shown in the column `whom`
+    bool placed{};            ///< true: the event has a position
+    bool has_subject{};       ///< true: the event happens to `subject`, a player shown in the column `whom`
     std::size_t cause_number{most_causes};  ///< index in causes(); most_causes: none
 };
 
-/// Numbers that older states already contain.
+/// Numbers that older saved states already contain.
 struct FixedNumbers {
-    std::uint32_t kind{};   ///< EventKind
-    std::uint32_t cause{};  ///< index in causes()
+    std::uint32_t kind{};   ///< number of the kind (EventKind)
+    std::uint32_t cause{};  ///< number of the cause, an index in causes()
 };
 
-/// A kind of hit that a wand brings. Its events take health.
+/// A kind of hit that a wand defines. Its events take health.
 struct HitKind {
-    std::string_view name;   ///< name of the event, such as "bolt_hit"
-    std::string_view cause;  ///< cause of harm as people read it, such as "bolt"; several hits may share one
-    std::optional<FixedNumbers> fixed{};  ///< std::nullopt for a wand that no saved state knows
+    std::string_view name;  ///< name of the event, such as "bolt_hit"
+    /// Name of the cause of harm for people, such as "bolt"; several hits may share one.
+    std::string_view cause;
+    /// Numbers used in older saved states; std::nullopt for a newer wand.
+    std::optional<FixedNumbers> fixed{};
 };
 
 /// A kind of event that the source which records it brings. Its row in assets/events.toml says how it is shown.
@@ -73,10 +75,11 @@ private:
 
 /// All kinds of event and causes of harm, with their numbers.
 struct EventKinds {
-    std::vector<EventKindInfo> kinds;      ///< indexed by EventKind
-    std::vector<std::string_view> causes;  ///< indexed by cause number; an unused number has an empty name
+    std::vector<EventKindInfo> kinds;  ///< all kinds of event, indexed by EventKind
+    /// Names of the causes of harm, indexed by number; an unused number has an empty name.
+    std::vector<std::string_view> causes;
     std::vector<HitKind> hits;  ///< hits of all wands, those with fixed numbers first, then by name
-    std::string fault;          ///< why the hits cannot be numbered; empty: they can
+    std::string fault;          ///< why the hits cannot be numbered; empty if they can
 };
 
 /// Numbers the kinds of EventKind together with these hits and other kinds.
@@ -89,14 +92,14 @@ const EventKinds& event_kinds();
 const EventKindInfo& info_of(EventKind kind);
 /// Name of a kind; empty for a number without a kind.
 std::string_view name_of(EventKind kind);
-/// Kind of this name.
+/// The kind with this name; std::nullopt if there is none.
 std::optional<EventKind> event_kind(std::string_view name);
-/// Kind of a hit that a wand has registered.
+/// The kind of a hit that a wand has registered under this name.
 EventKind hit_kind(std::string_view name);
 
 /// Names of the causes of harm, by number.
 std::span<const std::string_view> causes();
-/// Number of the cause; most_causes if the kind takes no health.
+/// Number of the cause of harm; most_causes if the kind takes no health.
 std::size_t cause_of(EventKind kind);
 
 }  // namespace thaum::game

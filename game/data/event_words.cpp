@@ -10,7 +10,7 @@
 namespace thaum::game {
 namespace {
 
-/// Name of the cause. A thing is "thrown" if a player set it going.
+/// Name of the cause of harm. A thing that a player moved is "thrown".
 std::string cause_words(const Event& event, std::string_view thing) {
     if (!thing.empty()) return text(event.by < players ? "thrown " : "", thing);
     const bool about_cause = info_of(event.kind).with == EventWith::cause;
@@ -22,7 +22,7 @@ std::string power_up_words(const Event& event) {
     return event.detail < power_up_names.size() ? capitalised(power_up_names[event.detail]) : std::string();
 }
 
-/// Name of a potion with a capital letter. A told recipe has the number in its lowest 8 bits.
+/// Name of a potion with a capital letter. In recipe_told, its number is in the lowest 8 bits of `detail`.
 std::string potion_words(const Event& event, const BrewWords& brew) {
     const bool told = event.kind == EventKind::recipe_told;
     return capitalised(brew.potion(told ? event.detail & 0xFFU : event.detail));

@@ -9,14 +9,15 @@
 
 namespace thaum::game {
 
-/// Fills the names in braces of a row's words (game/data/presentation.h), such as {by} and {cause}.
-/// `thing` is the thing that caused the event, such as "barrel"; empty: no thing. `brew` names potions and ingredients.
+/// Replaces names in braces in a text (game/data/presentation.h), such as {by} and {cause}. `thing` is the
+/// thing that caused the event, such as "barrel"; empty: no thing. `brew` names potions and ingredients.
 std::string event_words(const std::string& pattern, const Event& event, const PlayerNames& names,
                         std::string_view thing = {}, const BrewWords& brew = {});
 
-/// Whether nobody but the player concerned caused the event.
+/// Whether no one but the affected player caused the event.
 bool is_alone(const Event& event);
-/// The feed's pattern for an event: of another player's deed, of nobody's, or of a mere fall.
+/// The pattern of an event's line in the feed. There are different patterns for events caused by another
+/// player, by no one, and by a mere fall.
 const std::string& feed_pattern(const EventRow& row, const Event& event);
 
 }  // namespace thaum::game

@@ -26,8 +26,9 @@ public:
     Loader(const std::filesystem::path& assets, MatchData& data)
         : assets_(assets), data_(data), used_(data.choice.overrides.size(), false) {}
 
-    /// Reads a file with read(Config) and returns its value, or an empty one if there is no such file. All faults are kept
-    /// in `error`. `decides`: the file can change a match, so the hash of its values is stored.
+    /// Reads a file with read(Config) and returns its value, or a default value if there is no such file. All
+    /// faults are added to `error`. `decides`: the file can change a match, so the hash of its values is
+    /// stored.
     template <class Read>
     auto load(const std::string& name, Read read, bool decides = true)
         -> decltype(read(std::declval<const Config&>())) {
@@ -47,7 +48,7 @@ public:
         return std::find(faulty_.begin(), faulty_.end(), name) == faulty_.end();
     }
 
-    /// Checks one file against another that is sound. `report` reports an error at a line of `file`.
+    /// Checks one file against another that has no faults. `report` reports an error at a line of `file`.
     template <class Report>
     void check_across(const std::optional<Config>& file, Report report) {
         if (!file) return;
@@ -67,7 +68,7 @@ public:
 
     const std::filesystem::path& assets() const { return assets_; }
 
-    /// Keeps an error that is in no single file, or that its reader returns.
+    /// Adds an error that belongs to no single file, or that a file's reader returns.
     void refuse(const Error& fault) { add_faults(error, fault); }
 
     /// Name of a file in messages: "assets/orb.toml".
@@ -103,7 +104,7 @@ private:
     const std::filesystem::path& assets_;
     MatchData& data_;
     std::vector<bool> used_;
-    std::vector<std::string> faulty_;  ///< files with a fault
+    std::vector<std::string> faulty_;  ///< names of files with a fault
 };
 
 bool plain_name(std::string_view name) {
@@ -128,7 +129,7 @@ std::vector<std::string> stems_in(const std::filesystem::path& folder) {
     return stems;
 }
 
-/// Refuses a folder that holds no data files at all: each of them would be reported as missing.
+/// Refuses a folder without any data files, because otherwise each file would be reported as missing.
 Expected<void> check_folder(const std::filesystem::path& assets) {
     const auto whose = environment_value("THAUM_ASSETS")
                            ? std::string("set THAUM_ASSETS to the folder with the data files, or unset it")
@@ -185,7 +186,7 @@ void check_niches(const ConfigTable& arena, const std::vector<Ingredient>& known
     }
 }
 
-/// Reports a bowl in which the solver makes no brew, for instance because it would need too many cells.
+/// Reports a bowl for which no brew can be made, for instance because the solver would need too many cells.
 void check_bowl(const ConfigTable& arena, const MatchData& data) {
     const auto brew = check_brew(*data.cauldron, basin_of(data.arena.bowl->size, data.cauldron->filled));
     if (brew) return;
@@ -194,7 +195,7 @@ void check_bowl(const ConfigTable& arena, const MatchData& data) {
             return solid.report("shape", text("the bowl holds no brew: ", brew.error().message));
 }
 
-/// Loads the rules of the cauldron. `arena` is the arena's file, whose niches and bowl they must suit.
+/// Loads the rules of the cauldron. `arena`: the arena's file, whose niches and bowl the rules must suit.
 void load_cauldron(MatchData& data, const std::optional<Config>& arena, Loader& loader) {
     data.cauldron = loader.load("cauldron.toml", read_cauldron_rules);
     if (!loader.is_sound("cauldron.toml")) return;
@@ -204,7 +205,7 @@ void load_cauldron(MatchData& data, const std::optional<Config>& arena, Loader& 
     });
 }
 
-/// Loads the device that haptics.toml names from its own file.
+/// Loads the simulated device named in haptics.toml from the device's own file.
 void load_device(MatchData& data, const std::optional<Config>& haptics, Loader& loader) {
     const auto name = data.haptic_rules.device;
     const auto file = text("devices/", name, ".toml");
@@ -228,7 +229,7 @@ void load_device(MatchData& data, const std::optional<Config>& haptics, Loader& 
         loader.refuse(device.error());
 }
 
-/// Wraps a reader so that the file is kept, for errors that only another file reveals.
+/// Wraps a reader so that its file is kept for errors that appear only when another file is read.
 template <class Read>
 auto noting(std::optional<Config>& kept, Read read) {
     return [&kept, read](const Config& file) {
@@ -237,7 +238,7 @@ auto noting(std::optional<Config>& kept, Read read) {
     };
 }
 
-/// A copy of what is known so far of how the match is shown.
+/// A copy of the presentation read so far.
 std::shared_ptr<Presentation> begun_presentation(const MatchData& data) {
     return data.presentation ? std::make_shared<Presentation>(*data.presentation)
                              : std::make_shared<Presentation>();
@@ -249,7 +250,7 @@ void load_wands(MatchData& data, Loader& loader) {
     std::vector<WandSounds> sounds;
     auto shown = begun_presentation(data);
     shown->events = loader.load("events.toml", read_event_rows, false);
-    shown->events.resize(event_kinds().kinds.size());  // empty after an error
+    shown->events.resize(event_kinds().kinds.size());  // empty if an earlier error prevented reading
     for (const auto& kind : wand_kinds()) {
         const auto read = [&](const Config& file) {
             auto wand = read_wand(kind, file);
@@ -280,7 +281,7 @@ void load_wands(MatchData& data, Loader& loader) {
     data.presentation = std::move(shown);
 }
 
-/// Names of all data files of a folder, without .toml, sorted. Other names of such files are refused.
+/// Names of all data files of a folder, without .toml, sorted. Files with unsuitable names are reported.
 std::vector<std::string> names_in(Loader& loader, const std::string& folder) {
     std::vector<std::string> names;
     const auto files = files_in(loader.assets() / folder, ".toml");
@@ -326,7 +327,7 @@ void load_gestures(MatchData& data, Loader& loader) {
         gestures.push_back(std::move(**read));
         files.push_back(file);
     }
-    // Without a faulty one, spells and recipes would seem to name gestures that do not exist.
+    // If a gesture file has a fault, spells and recipes would seem to name gestures that do not exist.
     if (gestures.size() < names.size()) return;
     if (const auto fault = fault_of(gestures)) {
         loader.refuse({text(loader.shown("gestures"), ": ", *fault)});
@@ -376,7 +377,7 @@ void load_spells(MatchData& data, Loader& loader) {
     data.presentation = std::move(shown);
 }
 
-/// Reports recipes that ask for the same ingredients: nobody could tell which one a brew follows.
+/// Reports recipes with the same ingredients, because a brew could not be assigned to one of them.
 void check_different(const std::vector<Recipe>& recipes, const std::optional<Config>& file, Loader& loader) {
     const auto& last = recipes.back();
     const auto like_last = [&](const Recipe& other) {
@@ -420,7 +421,7 @@ void load_orb(MatchData& data, Loader& loader) {
         loader.load("orb.toml", [](const Config& file) { return std::optional(read_orb_rules(file)); });
 }
 
-/// Names ingredients and potions for those who show the match.
+/// Stores the names of ingredients and potions for those who show the match.
 void name_brew(MatchData& data) {
     auto shown = std::make_shared<Presentation>(*data.presentation);
     shown->brew = brew_words_of(data);
@@ -432,7 +433,7 @@ bool has_crystal(const Arena& arena) {
                        [](const Thing& thing) { return is_crystal(thing.surface, thing.body.shape); });
 }
 
-/// Loads the tool of crystal.toml's entry `i`. `file` is crystal.toml.
+/// Loads the tool of entry `i` in crystal.toml. `file`: crystal.toml.
 void load_crystal_tool(CrystalRules& rules, std::size_t i, const field::Materials& materials,
                        const std::optional<Config>& file, Loader& loader) {
     const auto& name = rules.tool_names[i];
@@ -472,7 +473,7 @@ void load_crystal(MatchData& data, Loader& loader) {
     data.crystal = std::move(rules);
 }
 
-/// Removes from the data what the rule set switches off, so that no system reads the rule set's name.
+/// Removes data that the rule set switches off, so that systems need not check the rule set.
 void apply_rule_set(MatchData& data) {
     if (!data.rules.spawn_shield) data.round.spawn_shield = 0;
     if (data.rules.energy_regain) return;
@@ -498,7 +499,7 @@ std::vector<std::string> match_lengths(const std::filesystem::path& assets) {
 
 namespace {
 
-/// Refuses names that select no data.
+/// Refuses names for which there is no data.
 Expected<void> check_choice(const std::filesystem::path& assets, const DataChoice& choice) {
     if (auto there = check_folder(assets); !there) return there.error();
     if (auto known = check_arena_name(assets, choice.arena); !known) return known.error();
@@ -555,7 +556,7 @@ Expected<MatchData> load_match_data(const std::filesystem::path& assets, const D
 std::filesystem::path shipped_assets() {
     std::error_code ignored;
     const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
-    // The program is build/PRESET/game/thaum in a build tree. An installed program is PREFIX/games/thaum or
+    // In a build tree the program is build/PRESET/game/thaum. An installed program is PREFIX/games/thaum or
     // PREFIX/bin/thaum.
     for (const auto* way :
          {"assets", "../assets", "../../../assets", "../share/thaum/assets", "../share/games/thaum"}) {

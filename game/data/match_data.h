@@ -28,49 +28,53 @@ struct DataChoice {
     std::string arena = "boiling_court";
     std::string rules = "thaum";  ///< rule set: thaum or classic
     std::string match = "quick";  ///< length of the match: quick, standard or another file of assets/rules
-    /// Values that replace those of files, as "bolt.shot.damage=12": file, key path, value.
+    /// Values that replace those of data files, such as "bolt.shot.damage=12": file, key path, value.
     std::vector<std::string> overrides{};
 };
 
 struct MatchData {
     DataChoice choice;
     Arena arena;
-    ArenaLook look;    ///< picture of the arena beyond its solids
-    RoundRules round;  ///< includes the changes that the rule set makes
+    ArenaLook look;    ///< how pictures show the arena besides its solids
+    RoundRules round;  ///< rules of rounds, with the changes that the rule set makes
     RuleSet rules;
     WizardRules wizard;
     HapticRules haptic_rules;
     haptics::DeviceSpec device;  ///< device that simulated hands hold
-    /// std::nullopt if the rule set has no cauldron or the arena no bowl
+    /// std::nullopt if the rule set has no cauldron, or the arena no bowl
     std::optional<CauldronRules> cauldron;
-    /// std::nullopt if the rule set has no cauldron or the arena no crystal
+    /// std::nullopt if the rule set has no cauldron, or the arena no crystal
     std::optional<CrystalRules> crystal;
     std::vector<Recipe>
         recipes;  ///< recipes of potions, sorted by name; empty without a cauldron or gestures
-    /// std::nullopt if the rule set has no cauldron or no spells, or the arena no orb
+    /// std::nullopt if the rule set has no cauldron or no spells, or if the arena has no orb
     std::optional<OrbRules> orb;
-    std::vector<LoadedWand> wands;  ///< sorted by name of kind; includes the changes that the rule set makes
-    /// Gestures of assets/gestures, and what strokes can do. All are empty if the rule set has no spells.
+    /// Sorted by the name of the kind; with the changes that the rule set makes.
+    std::vector<LoadedWand> wands;
+    /// Gestures of assets/gestures. Empty if the rule set has no spells.
     std::shared_ptr<const GestureSet> gestures;
     std::optional<CastingRules> casting;
-    std::vector<LoadedSpell> spells;                   ///< sorted by name of kind
-    std::shared_ptr<const Presentation> presentation;  ///< never null after loading
-    /// All files that decide a match, each with the hash of its values before overrides.
+    std::vector<LoadedSpell> spells;                   ///< spells, sorted by the name of the kind
+    std::shared_ptr<const Presentation> presentation;  ///< how the match is shown; never null after loading
+    /// All files that affect a match, each with the hash of its values before overrides.
     std::vector<input::DataFile> files;
 };
 
-/// Name of a data file in messages: that of its folder and its own, "assets/wands/bolt.toml".
+/// Name of a data file in messages, with the name of its folder: "assets/wands/bolt.toml".
 std::string shown_path(const std::filesystem::path& assets, std::string_view name);
 
 /// Names that a rule set may have.
 std::span<const std::string_view> rule_set_names();
-/// Names that the length of a match may have: those of all other files of assets/rules, sorted.
+/// Names that the length of a match may have: those of the files in assets/rules that are no rule sets,
+/// sorted.
 std::vector<std::string> match_lengths(const std::filesystem::path& assets);
 
-/// Loads and checks all data of a match. The error names file, line and key, and has a line on every other fault.
+/// Loads and checks all data of a match. The error names file, line and key, and has a line on every other
+/// fault.
 Expected<MatchData> load_match_data(const std::filesystem::path& assets, const DataChoice& choice);
 
-/// What was read in spite of faults, for a look at what the files name. It must not be played if there is an error.
+/// Data that was read in spite of faults, so that names in it can be checked. It must not be used for a match
+/// if there is an error.
 struct MatchReading {
     MatchData data;
     std::optional<Error> error{};
@@ -79,7 +83,8 @@ MatchReading read_match_data(const std::filesystem::path& assets, const DataChoi
 
 /// Folder of the assets: $THAUM_ASSETS if set, else that of the program.
 std::filesystem::path find_assets();
-/// Folder of the assets that belong to the program: relative to it (build tree or installation), else "assets".
+/// Folder of the assets that belong to the program: relative to it (build tree or installation), else
+/// "assets".
 std::filesystem::path shipped_assets();
 
 }  // namespace thaum::game

@@ -1,4 +1,4 @@
-// game/data/name_finder.h: finds the sounds or effects that data files name, and notes those that are missing.
+// game/data/name_finder.h: finds sounds or effects by the names in data files, and records missing ones.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -15,29 +15,31 @@
 
 namespace thaum::game {
 
-/// Whether a bank leaves out the file of this name because of its faults, which are told elsewhere.
+/// Whether a bank has left out the file of this name because of its faults. Those faults are reported
+/// elsewhere.
 template <class Bank>
 bool is_left_out(const Bank& bank, std::string_view name) {
     return std::ranges::any_of(bank.faulty, [&](const LeftOut& faulty) { return faulty.name == name; });
 }
 
-/// A name without the folder and the ending that it must not have: "bolt_shot" of "sounds/bolt_shot.toml".
+/// A name stripped of folder and ending, which must not be written: "bolt_shot" for "sounds/bolt_shot.toml".
 inline std::string bare_name(std::string_view name) {
     name.remove_prefix(std::min(name.rfind('/') + 1, name.size()));
     if (name.ends_with(".toml")) name.remove_suffix(5);
     return std::string(name);
 }
 
-/// Looks names up in a bank of sounds or effects, `things` of which each has a name.
+/// Looks up names in a bank of sounds or effects. Each element of `things` has a name.
 template <class Bank, class Thing>
 class NameFinder {
 public:
-    /// `kind` and `folder` are for messages: "sound", "sounds". All must outlive the finder.
+    /// `kind` and `folder` are nouns for messages: "sound", "sounds". All arguments must outlive the finder.
     NameFinder(const Bank& bank, const std::vector<Thing>& things, std::string_view kind,
                std::string_view folder)
         : bank_(bank), things_(things), kind_(kind), folder_(folder) {}
 
-    /// Finds what `place` names. The words of `place` are filled in if there is none.
+    /// Finds the sound or effect of this name. If there is none, completes `place` with the message and
+    /// records it.
     std::optional<std::uint32_t> find(std::string_view name, MissingName place) {
         if (name.empty()) return std::nullopt;
         const auto number = bank_.find(name);

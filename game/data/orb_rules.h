@@ -10,31 +10,35 @@
 
 namespace thaum::game {
 
-/// A haptic mode that a wizard can put on for the orb. Its number is its place in OrbRules::modes.
+/// A haptic mode that a wizard can choose at the orb. Its number is its index in OrbRules::modes.
 struct OrbMode {
     std::string name;                    ///< name of a haptic mode (haptics/modes.h)
-    std::vector<field::Filter> filters;  ///< between the orb's flow and the mode
-    /// Strength at first, by the mode's property (N). A derivative that the mode itself reads is per metre of the hand.
-    /// One metre of the hand is OrbRules::metres_per_metre in the orb. A derivative by a filter is per metre of the orb.
+    std::vector<field::Filter> filters;  ///< filters applied to the orb's flow before the mode reads it
+    /// Initial strength as a function of the mode's property (N). A derivative that the mode itself computes
+    /// is per metre of hand motion; OrbRules::metres_per_metre converts that to metres in the orb. A
+    /// derivative by a filter is per metre in the orb.
     field::TransferFunction strength{};
-    field::TransferFunction friction{};  ///< coefficient of friction, by the field's value
-    double most_property{};              ///< property at the right end of the sheet on which a wizard draws
-    double least{};  ///< strength at the bottom of that sheet (N); 0 at its left end is property 0
+    field::TransferFunction friction{};  ///< coefficient of friction, as a function of the field's value
+    /// Property at the right end of the plane on which a wizard draws the strength curve.
+    double most_property{};
+    double least{};  ///< strength at the bottom of the drawing plane (N); 0: its left end is property 0
 };
 
 struct OrbRules {
-    double metres_per_metre{};  ///< distance that the probe moves for each metre of the hand
-    double reach{};             ///< greatest distance from the orb's surface at which a wizard can scry (m)
-    /// Distance of the probe from the hidden core within which it is near, as a share of the orb's diameter.
+    double metres_per_metre{};  ///< distance that the probe moves per distance of the hand (m/m)
+    double reach{};  ///< greatest distance from the orb's surface at which a wizard can use the orb (m)
+    /// Distance of the probe from the hidden core at which it counts as near, as a share of the orb's
+    /// diameter.
     double core_share{};
-    Tick hold{};            ///< time for which the probe must stay near the core until the orb tells
-    double healing{};       ///< health that a wizard to whom the orb tells gains (HP)
+    Tick hold{};  ///< time for which the probe must stay near the core until the orb gives its reward (ticks)
+    double healing{};       ///< health that the reward gives (HP)
     double focus{};         ///< focus that scrying costs (1/s)
     double stiffness{};     ///< stiffness of the spring between tip and proxy (N/m, at the device)
-    double most{};          ///< strength at the top of the sheet on which a wizard draws (N)
-    double column_share{};  ///< width of a column of a drawn curve, as a share of the sheet
-    double begins{};        ///< way of the hand from which on it draws, so that a key chord draws nothing (m)
-    std::vector<OrbMode> modes;  ///< 1 to most_orb_modes
+    double most{};          ///< strength at the top of the plane on which a wizard draws (N)
+    double column_share{};  ///< width of a column of a drawn curve, as a share of the plane's width
+    /// Hand displacement after which it starts to draw, so that a key chord draws nothing (m)
+    double begins{};
+    std::vector<OrbMode> modes;  ///< all modes, 1 to most_orb_modes of them
 };
 
 OrbRules read_orb_rules(const Config& file);

@@ -12,7 +12,7 @@
 namespace thaum::game {
 namespace {
 
-/// Names that a file may describe, and the words with which to refuse any other.
+/// Names that a data file may define, and the words that reject any other name.
 struct Known {
     std::vector<std::string_view> names;
     std::string_view whose;
@@ -22,7 +22,8 @@ constexpr std::array<std::string_view, 12> word_names{"by",     "whom",  "cause"
                                                       "amount", "gain",  "spell",  "potion",
                                                       "effect", "fault", "recipe", "ingredient"};
 
-/// Plain text with braces in words of an event; empty: there is none. `controls`: names of controls are known, too.
+/// The first unknown braces in the plain parts of an event's text; empty if there are none. `controls`: names
+/// of controls are allowed.
 std::string unknown_braces_in(std::string_view plain, bool controls) {
     if (!controls) return has_brace(plain) ? std::string(plain) : "";
     for (const auto& piece : control_pieces_of(plain))
@@ -30,7 +31,7 @@ std::string unknown_braces_in(std::string_view plain, bool controls) {
     return "";
 }
 
-/// Reads words, and reports braces without a known name. `controls`: names of controls are known, too.
+/// Reads a text, and reports braces with an unknown name. `controls`: names of controls are allowed.
 std::string read_words(const ConfigTable& table, std::string_view key, std::string fallback,
                        bool controls = false) {
     auto words = table.string(key, std::move(fallback));
@@ -90,7 +91,7 @@ std::string line_of(const MissingName& missing) {
 
 namespace {
 
-/// The wand whose hit an event is; null if none is.
+/// The wand whose hit the event is; null if the event is no wand's hit.
 const WandKind* wand_of_hit(EventKind kind) {
     const auto has_it = [&](const WandKind& wand) {
         return std::ranges::any_of(wand.hits, [&](const HitKind& hit) { return hit.name == name_of(kind); });

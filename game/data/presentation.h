@@ -1,8 +1,8 @@
-// game/data/presentation.h: how a match is shown to people. It never changes the match, so its data is not among
-// the hashed files of a log.
+// game/data/presentation.h: how a match is shown to people. It never changes the match, so its data is not
+// among the hashed files of a log.
 //
-// Each kind of event has one row. The rows of the rules' events are in assets/events.toml. A wand's own file has
-// the rows of its hits:
+// Each kind of event has one row. The rows of the rules' events are in assets/events.toml. A wand's own file
+// has the rows of its hits:
 //
 //     [event.bolt_hit]
 //     mark = "hit"      # what the HUD shows: none, hit, fall, warning, gift
@@ -13,8 +13,9 @@
 //     sound = ""        # name of a sound of assets/sounds; may contain {power_up}
 //     tactile = ""      # name of an effect on the body (assets/tactile/effects)
 //
-// Words may contain {by}, {whom}, {cause}, {power_up}, {amount}, {gain}, {spell}, {potion}, {effect}, {fault},
-// {recipe} and {ingredient}; the caption of a gift also controls (game/data/control_words.h). A sound or an effect "{spell}" is that of the spell's own file (game/data/spell.h).
+// Words may contain {by}, {whom}, {cause}, {power_up}, {amount}, {gain}, {spell}, {potion}, {effect},
+// {fault}, {recipe} and {ingredient}; the caption of a gift also controls (game/data/control_words.h). A
+// sound or an effect "{spell}" is that of the spell's own file (game/data/spell.h).
 #pragma once
 #include <array>
 #include <optional>
@@ -32,12 +33,12 @@ namespace thaum::game {
 enum class HudMark : std::uint8_t {
     none,
     hit,      ///< arc towards the source for the victim, cross at the crosshair for the player who hit
-    fall,     ///< arc below for the victim
+    fall,     ///< arc below the crosshair for the victim
     warning,  ///< caption below the crosshair for a moment
     gift      ///< caption low in the view for two seconds
 };
 
-/// Names in braces that the words of a row may contain.
+/// Names in braces that the text of an event may contain.
 enum class EventWord : std::uint8_t {
     by,
     whom,
@@ -53,12 +54,12 @@ enum class EventWord : std::uint8_t {
     ingredient
 };
 
-/// Plain words, and the name in braces that follows them.
+/// A piece of plain text, and the name in braces that follows it.
 struct WordsPiece {
     std::string plain;
     std::optional<EventWord> word{};
 };
-/// Splits the words of a row at its names in braces. A brace without a known name stays plain.
+/// Splits a text at its names in braces. Braces without a known name stay plain text.
 std::vector<WordsPiece> pieces_of(std::string_view pattern);
 
 /// How one kind of event is shown.
@@ -73,12 +74,12 @@ using EventRows = std::vector<EventRow>;
 
 /// Names of a wand's sounds (assets/sounds), from the table `sound` of its data file. Empty: no sound.
 struct WandSounds {
-    std::string fire;   ///< a shot or a throw
-    std::string burst;  ///< a shot of the wand bursts
-    std::string take;   ///< the wand takes hold of a thing or a place
-    std::string ready;  ///< lasts while the wand is charged or drawn; its pitch rises
+    std::string fire;   ///< sound of a shot or a throw
+    std::string burst;  ///< sound of the burst of a shot
+    std::string take;   ///< sound when the wand takes hold of a thing or an anchor
+    std::string ready;  ///< sound that lasts while the wand is charged or drawn; its pitch rises
     std::string
-        hold;  ///< lasts while the wand holds a thing or hangs on a rope; louder and lower with the force
+        hold;  ///< sound that lasts while the wand holds a thing or a rope; louder and lower with the force
 };
 WandSounds read_wand_sounds(const ConfigTable& wand);
 
@@ -88,33 +89,34 @@ struct WandPresentation {
     std::uint32_t slot{};
     WandLook look;
     WandSounds sounds;
-    double energy_cap{}, energy_cost{};  ///< energy of a full wand, and least energy of one use
+    double energy_cap{}, energy_cost{};  ///< energy of a full wand, and minimum energy of one use
 };
 
-/// Name of a sound or an effect that stands for the one of the spell concerned.
+/// Placeholder for the name of the sound or effect of the spell concerned.
 inline constexpr std::string_view of_spell = "{spell}";
 
-/// What is seen of a spell in the world.
+/// What a spell shows in the world.
 enum class SpellSign : std::uint8_t {
     none,
-    shell,  ///< a shell round the caster while the caster's shield lasts
-    beads,  ///< beads of light from the thing that flies back to the caster
+    shell,  ///< a shell around the caster while the shield lasts
+    beads,  ///< beads of light that follow the thing flying back to the caster
     dust    ///< dust before the caster
 };
 inline constexpr std::array<std::string_view, 4> spell_signs{"none", "shell", "beads", "dust"};
 
 /// How one spell is shown, heard and felt.
 struct SpellPresentation {
-    std::string name;     ///< assets/spells/NAME.toml
+    std::string name;     ///< name of the file assets/spells/NAME.toml
     std::string sound;    ///< name of a sound of assets/sounds; empty: none
     std::string tactile;  ///< name of an effect on the caster's body; empty: none
     SpellSign sign{};     ///< key `sign` of the table `look`; default: "none"
-    /// Colour of the stroke that will likely cast it, as sRGB 0xRRGGBB: key `colour` of the table `look`.
+    /// Colour of an unfinished stroke that will probably cast this spell, as sRGB 0xRRGGBB: key `colour` of
+    /// the table `look`.
     std::uint32_t colour = 0xFFFFFF;
     std::string shown{};    ///< name on the screen
     std::string gesture{};  ///< name of the gesture that casts it
-    std::uint32_t slot{};   ///< key of its chord, 0 to wand_slots - 1
-    double focus{};         ///< focus of a gentle cast
+    std::uint32_t slot{};   ///< wand key of the spell's chord, 0 to wand_slots - 1
+    double focus{};         ///< focus that a gentle cast costs
 };
 /// Reads what is seen, heard and felt, from the tables `look` and `event` of the spell's data file.
 SpellPresentation read_spell_presentation(std::string_view name, const ConfigTable& spell);
@@ -123,29 +125,31 @@ SpellPresentation read_spell_presentation(std::string_view name, const ConfigTab
 struct Presentation {
     EventRows events;
     std::vector<SpellPresentation>
-        spells;                           ///< indexed by the spell's number; empty if the match has no spells
-    std::vector<WandPresentation> wands;  ///< in the order of MatchData::wands
+        /// Looks and sounds of spells, indexed by the spell's number; empty if the match has no spells.
+        spells;
+    std::vector<WandPresentation> wands;  ///< looks and sounds of wands, in the order of MatchData::wands
     BrewWords brew;
 };
 
 /// Sign of a spell by its number; none for a number without a spell.
 SpellSign sign_of(const Presentation& shown, std::uint32_t spell);
 
-/// A name of a sound or an effect for which there is no file.
+/// A name of a sound or effect that has no file.
 struct MissingName {
-    std::string file;   ///< data file that has the name: "wands/bolt.toml"; empty: the program has it
-    std::string table;  ///< table of that file: "event.bolt_hit"
+    /// Data file that contains the name, such as "wands/bolt.toml"; empty: the name is in the program.
+    std::string file;
+    std::string table;  ///< table of the data file, such as "event.bolt_hit"
     std::string key;
-    std::string words;  ///< what is missing, and the name that may be meant
+    std::string words;  ///< the message: what is missing, and the name that was probably meant
 };
 
 /// One line on a missing name.
 std::string line_of(const MissingName& missing);
 
-/// Data file that has the row of a kind of event: events.toml, or that of the wand whose hit it is.
+/// Data file that defines how a kind of event is shown: events.toml, or that of the wand whose hit it is.
 std::string file_of_event(EventKind kind);
 
-/// Table of that file: "bolt_hit", or "event.bolt_hit" in a wand's file.
+/// Table that defines how a kind of event is shown: "bolt_hit", or "event.bolt_hit" in a wand's file.
 std::string table_of_event(EventKind kind);
 
 /// Reads the rows of the rules' events from assets/events.toml. Reports unknown names and missing rows.

@@ -11,13 +11,13 @@ namespace {
 using gesture::Points;
 using gesture::StrokePoint;
 
-/// Turns from which on a stroke is read turn by turn.
+/// Number of turns above which a stroke is read turn by turn.
 constexpr double several_turns = 1.5;
 
 vec3 place_of(const DrawnPoint& p) { return {p.x, p.y, p.z}; }
 
-/// Calls the function with the number, place, time and force of each point of a stroke, its jumps spread. Each part of a
-/// jump has its share of the force.
+/// Calls the function with number, position, time and force of each point of a stroke, after jumps were
+/// spread over the rest before them. The points of a spread jump share its force.
 template <class Take>
 void each_point(const DrawnStroke& stroke, Take&& take) {
     const double apart = stroke.every * gameplay_dt;
@@ -25,7 +25,7 @@ void each_point(const DrawnStroke& stroke, Take&& take) {
     for (std::uint32_t i = 0; i < stroke.count; ++i) places[i] = place_of(stroke.points[i]);
     spread_jumps(std::span(places).first(stroke.count), apart);
     for (std::uint32_t i = 0; i < stroke.count; ++i) {
-        // A point that the jump has moved belongs to it, as does the point at its end.
+        // A point that spreading has moved belongs to the jump, and so does the jump's last point.
         const auto moved = [&](std::uint32_t k) { return places[k] != place_of(stroke.points[k]); };
         std::uint32_t begin = i, end = i;
         while (end + 1 < stroke.count && moved(end)) ++end;
@@ -35,7 +35,7 @@ void each_point(const DrawnStroke& stroke, Take&& take) {
     }
 }
 
-/// Mean force along a way, whose points are added one after the other.
+/// Mean force along a path whose points are added one by one.
 class ForceMean {
 public:
     void add(const StrokePoint& p) {
@@ -75,7 +75,7 @@ vec3 middle_of(Points stroke) {
     return length > 0 ? sum / length : vec3(0);
 }
 
-/// Clockwise angle round the middle from one point to the next (rad), -pi to pi.
+/// Clockwise angle about the middle from one point to the next (rad), -pi to pi.
 double turn_between(vec3 middle, vec3 from, vec3 to) {
     const vec3 a = from - middle, b = to - middle;
     const double across = a.x * b.y - a.y * b.x, along = a.x * b.x + a.y * b.y;
@@ -90,7 +90,7 @@ double turns_of(Points stroke) {
     return angle / (2 * pi);
 }
 
-/// Reading of all turns of a stroke with about `turns` of them. Nothing is meant unless all turns are one gesture.
+/// Reading of a stroke with about `turns` turns. Accepted only if every turn is the same gesture.
 gesture::Recognition read_turns(const gesture::Recogniser& recogniser, Points stroke, double turns,
                                 gesture::RecogniserSpace& space) {
     const vec3 middle = middle_of(stroke);
@@ -117,9 +117,10 @@ gesture::Recognition read_turns(const gesture::Recogniser& recogniser, Points st
 }  // namespace
 
 void spread_jumps(std::span<vec3> places, double apart) {
-    constexpr double least_jump = 0.0015;   // way of a jump; steps of a slow hand are shorter (m)
-    constexpr double longest_rest = 0.064;  // time below which a rest belongs to the jump after it (s)
-    std::size_t rest = 0;                   // number of the first point of the rest
+    // Minimum length of a jump; the steps of a slow hand are shorter (m)
+    constexpr double least_jump = 0.0015;
+    constexpr double longest_rest = 0.064;  // a rest shorter than this belongs to the jump after it (s)
+    std::size_t rest = 0;                   // index of the first point of the rest
     for (std::size_t i = 1; i < places.size(); ++i) {
         if (places[i] == places[rest]) continue;
         const auto steps = static_cast<double>(i - rest);
@@ -144,7 +145,8 @@ double mean_force_of(const DrawnStroke& stroke) {
 }
 
 Slip slip_of(const CastingRules& rules, const DrawnStroke& trace) {
-    constexpr double least_move = 0.0015;  // way above which a hand does more than press the button (m)
+    // Arc length above which the hand did more than press the button (m)
+    constexpr double least_move = 0.0015;
     double length = 0;
     for (std::uint32_t i = 1; i < trace.count; ++i) {
         length += glm::distance(place_of(trace.points[i - 1]), place_of(trace.points[i]));
@@ -172,7 +174,7 @@ Reading read_drawn(const GestureSet& gestures, const DrawnStroke& trace, Reading
     const auto stroke = put_points(trace, space);
     const auto found = recognise_drawn(gestures.recogniser(), stroke, space.recogniser);
     Reading reading{.stroke = {.force = mean_force_along(stroke)}, .nearest = found.gesture};
-    // A stroke that was not read may well have meant nothing. Players are shown no number of it.
+    // An unrecognised stroke may well be no gesture at all. Players are not shown its probability.
     reading.stroke.probability = found.accepted ? found.probability : found.even_probability;
     if (!found.accepted) return reading;
     reading.stroke.gesture = found.gesture;

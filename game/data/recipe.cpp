@@ -10,7 +10,7 @@
 namespace thaum::game {
 namespace {
 
-constexpr Range part{0, 1};  // range of shares of a whole
+constexpr Range part{0, 1};  // range of a share, 0 to 1
 
 RecipeIngredient read_ingredient(const ConfigTable& table, const RecipeNames& names) {
     const auto name = table.string("name");

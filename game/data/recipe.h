@@ -1,9 +1,10 @@
 // game/data/recipe.h: the recipes of potions, read from assets/potions. Each file there is one potion.
 //
-// A recipe is an order of ingredients and then an order of strokes. Its moments are told by one number, the share of
-// the brew that the newest ingredient has reached (Cauldron::reached): 0 right after the drop, 1 once it is everywhere.
-// The next ingredient, or after the last one the first stroke, must come while this share lies in the ingredient's
-// window. Later strokes come whenever the wizard likes, since drawing them stirs as well.
+// A recipe is a sequence of ingredients, followed by a sequence of strokes. When a step is due depends on one
+// number, the share of the brew that the newest ingredient has reached (Cauldron::reached): 0 right after the
+// drop, 1 once the ingredient is everywhere. The next ingredient, or after the last one the first stroke,
+// must come while this share lies in the ingredient's window. Later strokes have no window, since drawing
+// them stirs the brew as well.
 #pragma once
 #include <span>
 #include <string>
@@ -19,31 +20,32 @@ namespace thaum::game {
 
 /// One ingredient of a recipe, and the window of Cauldron::reached in which the next step must come.
 struct RecipeIngredient {
-    std::uint32_t ingredient{no_ingredient};  ///< its number in CauldronRules::ingredients
-    double least{}, most{};                   ///< window (share of the brew, 0 to 1)
+    std::uint32_t ingredient{no_ingredient};  ///< the ingredient's number in CauldronRules::ingredients
+    double least{}, most{};  ///< limits of Cauldron::reached for the next step (share of the brew, 0 to 1)
 };
 
-/// Sense of a circle, as the wizard sees it.
+/// Direction of rotation of a circle, as the wizard sees it.
 enum class CircleSense : std::uint8_t { any, clockwise, counterclockwise };
 
 /// One gesture of a recipe, drawn once or several times.
 struct RecipeStroke {
-    std::string gesture;    ///< name of the gesture
-    std::uint32_t times{};  ///< number of times; a stroke with several whole circles counts once for each
+    std::string gesture;  ///< name of the gesture
+    /// Required number of times; a stroke with several whole circles counts once for each circle.
+    std::uint32_t times{};
     CircleSense sense{};
-    double least_force{}, most_force{};  ///< band of the stroke's mean force (N)
+    double least_force{}, most_force{};  ///< allowed range of the stroke's mean force (N)
 };
 
-/// What the potion makes of the brew, until the time is up or another ingredient is dropped in.
+/// Change of the brew by the potion, until the time is up or another ingredient is dropped in.
 struct ChangedBrew {
-    double viscosity{1};   ///< multiple of the pure brew's viscosity
-    double density{1};     ///< multiple of the pure brew's density
-    double elasticity{1};  ///< multiple of the tension of the surface
-    double swirl{};        ///< mean speed below which the brew is driven round (m/s); 0: it is not
-    double rise{};         ///< upward speed that the middle of the brew is given in each push (m/s)
-    double aura{1};        ///< multiple of the aura's radius
+    double viscosity{1};   ///< factor on the pure brew's viscosity
+    double density{1};     ///< factor on the pure brew's density
+    double elasticity{1};  ///< factor on the tension of the surface
+    double swirl{};        ///< mean speed below which the brew is driven in a circle (m/s); 0: never driven
+    double rise{};         ///< upward speed given to the middle of the brew in each push (m/s)
+    double aura{1};        ///< factor on the radius of the brew's effects (AuraRules)
     Tick lasts{};
-    vec3 colour{};  ///< linear light, 0 to 1; for pictures only
+    vec3 colour{};  ///< colour as linear light, 0 to 1; for pictures only
 };
 
 /// What the potion does to the wizard who brewed it, besides its effects.
@@ -56,9 +58,10 @@ struct PotionGift {
 
 struct Recipe {
     std::string name;    ///< name of the file and of the potion
-    std::string effect;  ///< what the potion does, in words for its wizard
+    std::string effect;  ///< effect of the potion, in words for its wizard
     bool drawn = false;  ///< true: the order of the ingredients is drawn for each player (DrawnOrders)
-    Tick more_time{};    ///< time until the brew spoils that each right ingredient after the first one adds
+    /// Time by which each right ingredient after the first delays the spoiling of the brew (ticks)
+    Tick more_time{};
     std::vector<RecipeIngredient> ingredients;
     std::vector<RecipeStroke> strokes;
     ChangedBrew fluid;
@@ -66,7 +69,7 @@ struct Recipe {
     std::vector<std::shared_ptr<const PotionEffect>> effects;
 };
 
-/// The gesture that comes after `done` strokes; null if all are done.
+/// The gesture that comes after `done` strokes; null if all strokes are done.
 const RecipeStroke* next_stroke(const Recipe& recipe, std::uint32_t done);
 
 /// Names that a recipe may use, by their numbers.

@@ -13,46 +13,47 @@ namespace thaum::game {
 
 /// Length of a match: assets/rules/quick.toml, standard.toml.
 struct RoundRules {
-    std::int32_t kills{};    ///< kills that win the round
+    std::int32_t kills{};    ///< number of kills that win the round
     Tick length{};           ///< length of a round (ticks)
     std::uint32_t rounds{};  ///< largest number of rounds; more than half of them win the match
     Tick interval{};         ///< ticks until the next round begins by itself
-    Tick respawn{};          ///< ticks from death to return to life
-    Tick spawn_shield{};     ///< ticks without harm after a return to life
+    Tick respawn{};          ///< ticks from death until the wizard returns to life
+    Tick spawn_shield{};     ///< ticks without harm after returning to life
 };
 
 struct PowerUpRules {
-    double health{};        ///< health it gives (HP)
-    double energy_share{};  ///< energy it gives, as a share of the emptiest wand's cap
-    Tick again{};           ///< ticks until it is available again
-    double radius{};        ///< radius in which it is picked up (m, on the ground)
+    double health{};        ///< health that a power-up gives (HP)
+    double energy_share{};  ///< energy that a power-up gives, as a share of the emptiest wand's cap
+    Tick again{};           ///< ticks until the power-up is available again
+    double radius{};        ///< radius within which the power-up is picked up (m, on the ground)
 };
 
 /// Rule set: assets/rules/thaum.toml, classic.toml.
 struct RuleSet {
-    bool energy_regain = true;  ///< wands regain energy by themselves at the rates in their files
+    bool energy_regain = true;  ///< true: wands regain energy by themselves, at the rates in their files
     bool spawn_shield = true;
-    bool aim_assist = true;  ///< players may be helped with aiming (game/context/aim_assist.h)
-    bool cauldron = true;    ///< a bowl in the arena holds a brew
-    bool spells = true;      ///< strokes cast spells
+    bool aim_assist = true;  ///< true: players may have aim assist (game/context/aim_assist.h)
+    bool cauldron = true;    ///< true: a bowl in the arena holds a brew
+    bool spells = true;      ///< true: strokes cast spells
     std::array<PowerUpRules, power_up_names.size()> power_ups{};
 };
 
 struct WizardRules {
-    double mass{}, radius{}, height{}, eye{};  ///< kg, m, m, m: eye is the height of the eye above the feet
+    /// Mass (kg); radius, height, and height of the eye above the feet (m)
+    double mass{}, radius{}, height{}, eye{};
     physics::MoverSettings walk{};
-    /// Ticks for which the feet slip after a push, and the share of their grip that is left meanwhile.
+    /// Ticks for which the feet slip after a push, and the share of ground friction that is left meanwhile.
     Tick loose{};
     double loose_grip{};
-    /// Start value (HP), largest value (HP), loss above the start value (HP/s).
+    /// Initial health (HP), largest health (HP), and loss rate of health above the initial value (HP/s).
     double health{}, health_cap{}, excess_loss{};
-    /// Landing speed without harm (m/s), harm per speed above it (HP per m/s).
+    /// Largest landing speed without harm (m/s), and harm per speed above it (HP per m/s).
     double fall_safe{}, fall_damage{};
-    /// Impulse without harm (N s), harm per impulse above it (HP per N s), largest harm (HP).
+    /// Largest impulse without harm (N s), harm per impulse above it (HP per N s), largest harm (HP).
     double object_safe{}, object_damage{}, object_damage_max{};
     /// Ticks after the beginning of a blow in which the same thing cannot hurt again.
     Tick object_again{};
-    /// Ticks for which a fall, or a blow by a moved thing, counts for the other player.
+    /// Ticks for which a fall, or a blow by a thing that the other player moved, counts for the other player.
     Tick blame{};
     double pitch_limit{};  ///< largest angle of view above or below the horizon (rad)
 };

@@ -10,7 +10,7 @@ namespace thaum::game {
 namespace {
 
 /// First and last character of each range that words may use: Latin, Greek and Cyrillic. Left out are control
-/// characters, marks that join the letter before them, and letters written from right to left.
+/// characters, combining marks, and letters written from right to left.
 struct CharacterRange {
     char32_t first, last;
 };

@@ -1,5 +1,6 @@
-// game/data/shown_words.h: words from players and files that the screen shows. They hold letters, digits and signs that
-// the game's typeface has and that are written from left to right, so words are drawn as they were written.
+// game/data/shown_words.h: text from players and files that the screen shows. Allowed are letters, digits and
+// signs that the game's typeface has and that are written from left to right, so the drawn text is the
+// written one.
 #pragma once
 #include <string_view>
 
@@ -7,10 +8,10 @@
 
 namespace thaum::game {
 
-/// Whether shown words may hold the character.
+/// Whether shown text may contain the character.
 bool can_be_shown(char32_t character);
 
-/// Checks words in UTF-8. The error names the first character that cannot be shown.
+/// Checks a text in UTF-8. The error names the first character that cannot be shown.
 Expected<void> check_shown(std::string_view words);
 
 }  // namespace thaum::game

@@ -1,6 +1,6 @@
-// game/data/spell.h: the interface of spells. A spell is one data file (assets/spells/NAME.toml) and one .cpp in
-// game/spells that registers a SpellKind. The rest of the game uses spells only through this interface, so a new
-// spell changes no other file. Keys that every spell's file has:
+// game/data/spell.h: the interface of spells. A spell is one data file (assets/spells/NAME.toml) and one .cpp
+// in game/spells that registers a SpellKind. The rest of the game uses spells only through this interface, so
+// a new spell changes no other file. Keys that every spell's file has:
 //
 //     slot = 1              # key of the chord that casts it without a stroke
 //     gesture = "circle"    # name of a file of assets/gestures
@@ -28,17 +28,18 @@ struct MatchContext;
 
 /// Numbers that every spell has in its data file.
 struct SpellStats {
-    std::uint32_t slot{};  ///< key of the chord that casts it without a stroke, 0 to wand_slots - 1
-    std::string gesture;   ///< name of the gesture that casts it
-    double focus{};        ///< focus of a gentle cast
-    std::string shown;     ///< name on the screen
+    /// Wand key of the chord that casts the spell without a stroke, 0 to wand_slots - 1.
+    std::uint32_t slot{};
+    std::string gesture;  ///< name of the gesture that casts it
+    double focus{};       ///< focus that a gentle cast costs
+    std::string shown;    ///< name on the screen
 };
 
 /// Arguments of SpellRules::cast.
 struct SpellCast {
     MatchContext& context;
     ecs::Entity wizard;
-    Tick tick;          ///< tick of play
+    Tick tick;          ///< current tick of play
     double strength{};  ///< 1 for a gentle stroke, more for a harsh one
 };
 
@@ -50,15 +51,15 @@ struct SpellSystems {
 
 /// What a bot knows of its situation when it considers a spell.
 struct SpellOccasion {
-    double focus{};           ///< focus left as a share of all
-    double health{};          ///< health left as a share of a new wizard's
-    bool under_fire{};        ///< the foe has hurt it a moment ago
-    bool warded{};            ///< a shield is there
-    bool sees_foe{};          ///< the foe is in sight
+    double focus{};           ///< remaining focus, as a share of the maximum
+    double health{};          ///< remaining health, as a share of a new wizard's
+    bool under_fire{};        ///< true: the foe has hurt the bot a moment ago
+    bool warded{};            ///< true: the bot has a shield
+    bool sees_foe{};          ///< true: the bot sees the foe
     double foe_distance{};    ///< distance of the foe (m)
-    double foe_aside{};       ///< angle from the direction of view to the foe (rad)
-    bool foe_at_edge{};       ///< a push would throw the foe over an edge
-    double thing_distance{};  ///< distance of the thing that it took up last (m); 0: there is none
+    double foe_aside{};       ///< angle between the view direction and the foe (rad)
+    bool foe_at_edge{};       ///< true: a push would throw the foe over an edge
+    double thing_distance{};  ///< distance of the thing that the bot took up last (m); 0: none
 };
 
 /// Rules of one spell with the numbers of its data file. Its state in a match is in the World.
@@ -69,28 +70,28 @@ public:
     SpellRules& operator=(const SpellRules&) = delete;
     virtual ~SpellRules() = default;
 
-    /// Why the spell would do nothing now, in words for the wizard ("the thing is too far away"); empty if it can be cast. The
-    /// words must live as long as the rules.
+    /// Why the spell would do nothing now, in words for the wizard ("the thing is too far away"); empty if it
+    /// can be cast. The text must stay valid as long as the rules.
     virtual std::string_view refusal(const MatchContext&, ecs::Entity) const { return {}; }
-    /// Casts the spell. The focus is already paid.
+    /// Casts the spell. The caller has already taken the focus.
     virtual void cast(const SpellCast& cast) const = 0;
     /// Components and resources that `cast` writes, and that `refusal` and `cast` read.
     virtual ecs::Mask writes(const ecs::World& world) const = 0;
     virtual ecs::Mask reads(const ecs::World& world) const = 0;
-    /// How much the spell is worth to a bot, 0 to 1; 0: nothing now.
+    /// Value of the spell to a bot now, 0 to 1; 0: useless.
     virtual double worth(const SpellOccasion&) const { return 0; }
-    /// Whether the spell brings a thing back to its wizard's hand, so that a bot makes ready to catch it.
+    /// Whether the spell brings a thing to its wizard's hand, so that a bot prepares to catch it.
     virtual bool brings_thing() const { return false; }
-    /// Adds systems for what the spell leaves in the world.
+    /// Adds systems for lasting effects of the spell in the world.
     virtual void add_systems(const SpellSystems&) const {}
 };
 
 /// One kind of spell, as its .cpp registers it.
 struct SpellKind {
-    std::string_view name;  ///< assets/spells/NAME.toml
+    std::string_view name;  ///< name of the spell and of its file assets/spells/NAME.toml
     /// Declares the spell's components.
     void (*declare)(ecs::World&);
-    /// Reads the spell's own numbers.
+    /// Reads the numbers that only this spell has.
     std::shared_ptr<const SpellRules> (*read)(const ConfigTable& root);
 };
 
@@ -99,7 +100,7 @@ struct SpellRegistration {
     explicit SpellRegistration(const SpellKind& kind);
 };
 
-/// All kinds, sorted by name. A spell's number is its place here.
+/// All kinds, sorted by name. A spell's number is its index in this list.
 const std::vector<SpellKind>& spell_kinds();
 
 /// Name of a spell by its number; empty for a number without a spell.

@@ -1,5 +1,5 @@
-// game/data/teams.h: the two teams and the names of their players on the screen. Colour, mark (ring or triangle) and robe
-// pattern each identify a team, so colour vision is not needed.
+// game/data/teams.h: the two teams and the names of their players on the screen. Colour, mark (ring or
+// triangle) and robe pattern each identify a team, so colour vision is not needed.
 #pragma once
 #include <array>
 #include <string>
@@ -12,14 +12,15 @@ namespace thaum::game {
 
 /// Colours of a team: 0 is ember, 1 is tide.
 struct TeamColours {
-    fvec3 cloth, dark, light;  ///< linear light
-    fvec3 glow;                ///< colour of bolts and of the light that they give
+    /// Linear colours of the robe's cloth, of its dark parts and of its light parts.
+    fvec3 cloth, dark, light;
+    fvec3 glow;  ///< colour of bolts and of the light that bolts emit
 };
 const TeamColours& team_colours(std::uint32_t team);
 /// Name of a team: "Ember" or "Tide".
 std::string_view team_name(std::uint32_t team);
 
-/// Names of the players on the screen; an empty name stands for the team's.
+/// Names of the players on the screen; an empty name is replaced by the team's name.
 using PlayerNames = std::array<std::string, players>;
 /// Returns a player's name on the screen.
 std::string_view name_of(const PlayerNames& names, std::uint32_t player);

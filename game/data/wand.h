@@ -23,15 +23,15 @@ struct WandStats {
     std::uint32_t slot{};         ///< slot and key, 0 to wand_slots - 1
     std::uint32_t energy_slot{};  ///< slot whose energy the wand uses: its own, or that of another wand
     double energy_cap{};
-    double energy_cost{};    ///< least energy of one use
-    double energy_regain{};  ///< energy per second
+    double energy_cost{};    ///< minimum energy of one use
+    double energy_regain{};  ///< energy regained per second
 };
 
 /// Arguments of WandRules::use and WandRules::put_away.
 struct WandUse {
     MatchContext& context;
     ecs::Entity wizard;
-    Tick tick;  ///< tick of play
+    Tick tick;  ///< current tick of play
     const WandStats& stats;
 };
 
@@ -47,35 +47,35 @@ struct Missile {
     vec3 position{};  ///< position (m, world)
     vec3 velocity{};  ///< velocity (m/s, world)
     std::uint32_t player{};
-    double size{};  ///< scale of the missile's look; 0: the look has its own size
+    double size{};  ///< scale of the missile's look; 0: unscaled
 };
 
 /// Flight of a wand's shots, for bots that aim.
 struct ShotKind {
     double speed{};    ///< speed at the muzzle (m/s)
-    double fall{};     ///< downward acceleration (m/s^2)
-    double radius{};   ///< radius of harm around the point of impact (m)
+    double fall{};     ///< downward acceleration of the shot (m/s^2)
+    double radius{};   ///< radius within which the impact does harm (m)
     double energy{};   ///< energy of the shot
-    bool held{};       ///< the wand is readied while fire is held and shoots on release
-    double liking{1};  ///< how often bots take this wand rather than others that shoot alike, relative to 1
+    bool held{};       ///< true: holding fire readies the wand, and releasing it shoots
+    double liking{1};  ///< how often bots choose this wand among similar ones, relative to 1
 };
 
 /// How a wand takes up and throws loose things, for bots.
 struct GraspKind {
-    double reach{};               ///< reach from the eye (m)
-    double mass_max{};            ///< largest mass (kg)
+    double reach{};               ///< reach of the wand from the eye (m)
+    double mass_max{};            ///< largest mass that the wand can take up (kg)
     double speed{};               ///< largest speed of a throw (m/s)
     double energy_per_impulse{};  ///< energy per impulse of a throw (1/(N s))
-    double crossing{};            ///< distance from the eye at which a throw crosses the line of sight (m)
+    double crossing{};  ///< distance from the eye at which a throw's path crosses the line of sight (m)
 };
 
 /// How a wand's rope is attached, for bots.
 struct RopeKind {
-    double reach{};    ///< reach from the eye (m)
+    double reach{};    ///< reach of the rope from the eye (m)
     double aim_cos{};  ///< cosine of the largest angle between crosshair and anchor
 };
 
-/// Kinds of things under the crosshair, by what a use of the wand would do with them.
+/// Kind of the thing under the crosshair, by what the wand would do with it.
 enum class TargetKind : std::uint8_t {
     nothing,
     foe,        ///< the other wizard, for a wand that shoots
@@ -88,16 +88,17 @@ enum class TargetKind : std::uint8_t {
 /// The thing under the crosshair, as a wand sees it.
 struct Target {
     TargetKind kind{};
-    ecs::Entity thing{};  ///< the thing of take, too_far and too_heavy, and of a hook at an anchor
-    double mass{};        ///< its mass (kg)
-    double mass_share{};  ///< its mass as a share of the largest that the wand takes
+    ecs::Entity thing{};  ///< the thing, for take, too_far, too_heavy, and hook at an anchor
+    double mass{};        ///< mass of the thing (kg)
+    double mass_share{};  ///< mass of the thing as a share of the largest mass that the wand takes
 };
 
 /// Position of the wand's tip for a hand at rest (m, eye frame).
 inline constexpr vec3 wand_tip{0.22, -0.2, -0.75};
 
-/// Rules of one wand with the numbers of its data file: what it does, and what bots and the picture know of it.
-/// Its state in a match is in the World. All matches with the same data share it. A wand overrides only what it can do.
+/// Rules of one wand with the numbers of its data file: what the wand does, and what bots and pictures may
+/// know of it. The wand's state is in the World, so all matches with the same data share this object. A wand
+/// overrides only the functions that it needs.
 class WandRules {
 public:
     WandRules() = default;
@@ -109,8 +110,8 @@ public:
     virtual void outfit(ecs::World& world, ecs::Entity wizard) const = 0;
     /// Uses the wand. Called every gameplay tick for each living wizard who has it in hand.
     virtual void use(const WandUse& use) const = 0;
-    /// Ends the use of the wand, such as a charge or a hold. Called once when another wand is selected, and
-    /// while the wizard is dead or stirs.
+    /// Ends the use of the wand, such as charging or holding. Called once when another wand is selected, and
+    /// also while the wizard is dead or stirs.
     virtual void put_away(const WandUse&) const {}
     /// Components and resources that `use` and `put_away` write, besides WandBelt.
     virtual ecs::Mask writes(const ecs::World& world) const = 0;
@@ -119,24 +120,27 @@ public:
     /// Adds systems that move the wand's missiles.
     virtual void add_missiles(const WandSystems&) const {}
 
-    /// Calls the function once for every missile in flight, for the picture and for bots.
+    /// Calls the function once for every missile in flight. Used by pictures and bots.
     virtual void show(const ecs::World&, const std::function<void(const Missile&)>&) const {}
-    /// The point that this wizard holds or hangs on by the wand (m, world); std::nullopt if there is none.
+    /// The point that the wizard holds with the wand, or from which the wizard hangs (m, world); std::nullopt
+    /// if there is none.
     virtual std::optional<vec3> held_at(const ecs::World&, ecs::Entity) const { return std::nullopt; }
-    /// The loose thing that this wizard holds by the wand; no entity if there is none.
+    /// The loose thing that the wizard holds with the wand; an invalid entity if there is none.
     virtual ecs::Entity held_thing(const ecs::World&, ecs::Entity) const { return {}; }
-    /// Takes a loose thing that has come to the wizard's hand, as if it had been taken up. Returns false if the wand
-    /// cannot. Writes the same as `use`.
+    /// Takes hold of a loose thing that has reached the wizard's hand, as `use` would. Returns false if the
+    /// wand cannot. Writes the same components as `use`.
     virtual bool catch_thing(const WandUse&, ecs::Entity) const { return false; }
-    /// While the wand holds a thing, the wheel moves the thing and does not select wands.
+    /// Whether the mouse wheel moves the held thing at present instead of selecting wands.
     virtual bool moves_by_wheel() const { return false; }
-    /// Returns the thing under the crosshair that a use of the wand would take hold of, or why it would not.
+    /// Returns the thing under the crosshair that the wand would take hold of, or the reason why it would
+    /// not.
     virtual Target target(const MatchContext&, ecs::Entity) const { return {}; }
-    /// Force by which the wand holds that point: a thing's weight, or a rope's tension (N); 0 if there is none.
+    /// Force with which the wand holds `held_at` (N): a thing's weight, or a rope's tension; 0: nothing is
+    /// held.
     virtual double holding_force(const ecs::World&, ecs::Entity) const { return 0; }
-    /// Present charge or draw, 0 to 1; std::nullopt if the wand is not readied.
+    /// Current charge or draw, 0 to 1; std::nullopt while the wand is not being readied.
     virtual std::optional<double> readiness(const ecs::World&, ecs::Entity) const { return std::nullopt; }
-    /// A shot after readying the wand to `readiness`, 0 to 1; std::nullopt if the wand does not shoot.
+    /// The shot of a wand readied to `readiness`, 0 to 1; std::nullopt if the wand does not shoot.
     virtual std::optional<ShotKind> shot(double /*readiness*/) const { return std::nullopt; }
     /// How the wand takes things up; std::nullopt if it does not.
     virtual std::optional<GraspKind> grasp() const { return std::nullopt; }
@@ -146,11 +150,11 @@ public:
 
 /// One kind of wand, as its .cpp registers it.
 struct WandKind {
-    std::string_view name;        ///< assets/wands/NAME.toml
-    std::vector<HitKind> hits{};  ///< kinds of event by which the wand takes health
+    std::string_view name;        ///< name of the wand and of its file assets/wands/NAME.toml
+    std::vector<HitKind> hits{};  ///< kinds of hit by which the wand takes health
     /// Declares the wand's components.
     void (*declare)(ecs::World&);
-    /// Reads the wand's own numbers.
+    /// Reads the numbers that only this wand has.
     std::shared_ptr<const WandRules> (*read)(const ConfigTable& root);
 };
 
@@ -172,10 +176,11 @@ struct LoadedWand {
 
 LoadedWand read_wand(const WandKind& kind, const Config& file);
 
-/// Speed at which `energy` throws a thing of `mass` kg from rest (m/s).
+/// Speed to which `energy` accelerates a thing of `mass` kg from rest (m/s).
 double throw_speed(const GraspKind& grasp, double mass, double energy);
 
-/// Takes an amount of energy, or that of one use. Returns false and takes nothing if the energy is too low.
+/// Takes the given amount of energy, or the wand's cost of one use. Returns false and takes nothing if there
+/// is too little energy.
 bool spend(WandBelt& belt, const WandStats& stats, double amount);
 bool spend(WandBelt& belt, const WandStats& stats);
 

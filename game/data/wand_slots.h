@@ -8,7 +8,7 @@ namespace thaum::game {
 /// The wand in a slot; null if the slot is empty.
 const LoadedWand* wand_in_slot(const MatchData& data, std::uint32_t slot);
 
-/// The next slot that holds a wand. A `step` of wand_slots - 1 searches backwards.
+/// The next slot that holds a wand. A `step` of 1 searches forwards, wand_slots - 1 backwards.
 std::uint32_t next_slot(const MatchData& data, std::uint32_t from, std::uint32_t step);
 
 /// The wand in hand; null if the selected slot is empty.

@@ -1,4 +1,4 @@
-// Patterns of words from data files, in which {names} stand for words that are known later.
+// Text patterns in data files, in which {names} are replaced later.
 #pragma once
 #include <span>
 #include <string>
@@ -11,9 +11,9 @@
 
 namespace thaum::game {
 
-/// Splits a pattern at its known {names}. A Piece has its text before the name in `plain`; the last one has no name.
-/// `fill(piece, name)` stores a name's meaning in its piece and returns whether the name is known. Braces around
-/// other words are plain text.
+/// Splits a pattern at its known {names}. A Piece has the text before the name in `plain`; the last one has
+/// no name. `fill(piece, name)` stores the name's meaning in the piece and returns whether the name is known.
+/// Braces around other words are plain text.
 template <typename Piece, typename Fill>
 std::vector<Piece> split_at_names(std::string_view pattern, Fill&& fill) {
     std::vector<Piece> pieces(1);
@@ -32,7 +32,7 @@ std::vector<Piece> split_at_names(std::string_view pattern, Fill&& fill) {
 
 inline bool has_brace(std::string_view plain) { return plain.find_first_of("{}") != std::string_view::npos; }
 
-/// Words on the first braces in plain text, for the end of a message: "; '{fier}' is none of them; did you mean 'fire'?".
+/// End of a message about the first braces in plain text: "; '{fier}' is none of them; did you mean 'fire'?".
 inline std::string words_on_braces(std::string_view plain, std::span<const std::string_view> known) {
     const auto open = plain.find_first_of("{}");
     const auto close = plain.find('}', open);

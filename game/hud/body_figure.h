@@ -1,5 +1,5 @@
-// game/hud/body_figure.h: a picture of what the body feels: the cells of front and back as dots, white on dark, larger
-// where more is felt. So it needs no colours.
+// game/hud/body_figure.h: a picture of what the body feels: the cells of the body's front and back as white
+// dots on dark, larger for stronger effects. So it needs no colours.
 #pragma once
 #include <array>
 
@@ -9,7 +9,7 @@
 
 namespace thaum::game {
 
-/// Size of the figure where there is room for it (units): front and back, a gap between them.
+/// Size of the figure if there is room (HUD units): front and back with a gap between them.
 inline constexpr float figure_wide = 90, figure_high = 62;
 
 /// Adds the figure. `felt` has a strength of 0 to 1 for each cell. Nothing is added to an empty panel.

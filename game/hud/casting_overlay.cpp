@@ -26,15 +26,16 @@ const fvec4 ward_paint = colour(0x9AF0E0, 1.0F);
 const fvec4 read_paint = colour(0x7CFF9A, 1.0F);
 const fvec4 grey_paint = colour(0xA8A4B0, 1.0F);
 
-// The stroke -------------------------------------------------------------------------------------------------
+// The stroke
+// -------------------------------------------------------------------------------------------------
 
-/// Share of the view's shorter edge that a stroke of usual size fills, and the share that no stroke leaves.
+/// Share of the view's shorter edge that a stroke of usual size fills, and the maximum share of any stroke.
 constexpr float usual_share = 0.34F, most_share = 0.66F;
 constexpr float usual_size = 0.08F;  // m
 constexpr std::size_t most_stroke_pieces = 160;
 
-/// Maps points of a stroke to the view. A stroke begins at the crosshair, and is moved and made smaller as far as the
-/// panel of strokes needs.
+/// Maps points of a stroke to the view. A stroke begins at the crosshair, and is moved and scaled down as far
+/// as the panel of strokes requires.
 struct Drawing {
     fvec2 centre{}, shift{};
     float scale{};  ///< px per m
@@ -63,13 +64,13 @@ Drawing drawing_of(const StrokePicture& stroke, const ViewLayout& l) {
     return drawing;
 }
 
-/// Force of a point as a share of a harsh one, 0 to 1.5.
+/// Force at a point relative to the limit of a harsh stroke, 0 to 1.5.
 float share_of(const CastingPicture& casting, float force) {
     const double harsh = std::max(casting.rules->harsh_from, 1e-6);
     return static_cast<float>(std::clamp(static_cast<double>(force) / harsh, 0.0, 1.5));
 }
 
-/// Paint of a piece of the stroke.
+/// Colour of a piece of the stroke.
 fvec4 paint_of(const StrokePicture& stroke, std::uint32_t player, float share) {
     if (!stroke.drawing && !stroke.read) return grey_paint;
     if (!stroke.drawing) return read_paint;
@@ -77,13 +78,13 @@ fvec4 paint_of(const StrokePicture& stroke, std::uint32_t player, float share) {
     return opaque(glm::mix(team, fvec3(1), std::min(0.85F, 0.5F * share)));
 }
 
-/// Whether a piece of a stroke that was not read has broken away. The gaps grow with its age.
+/// Whether a piece of an unrecognised stroke is no longer drawn. The gaps grow with the stroke's age.
 bool is_broken(const StrokePicture& stroke, std::uint32_t piece, float age) {
     constexpr std::uint32_t length = 6;
     return !stroke.drawing && !stroke.read && static_cast<float>(piece % length) < 2 + 4 * age;
 }
 
-/// Adds a small picture of a gesture: its first recorded stroke, with a dot where it begins.
+/// Adds a small picture of a gesture: its first recorded stroke, with a dot at its beginning.
 void add_gesture_icon(Overlay& out, const gesture::Gesture& gesture, fvec2 middle, float size, fvec4 paint) {
     constexpr std::size_t pieces = 28;
     if (gesture.strokes.empty() || gesture.strokes[0].size() < 2) return;
@@ -103,7 +104,7 @@ void add_gesture_icon(Overlay& out, const gesture::Gesture& gesture, fvec2 middl
     out.items.emplace_back(ArcItem{at(0), 0, 1.4F * width, 0, whole_turn, paint});
 }
 
-/// Adds the gesture and the name of the likely spell on a plate in their panel.
+/// Adds the gesture and name of the likely spell on a plate in their panel.
 void add_likely(Overlay& out, const CastingPicture& casting, const SpellPresentation& spell,
                 const ViewLayout& l) {
     const auto number = casting.gestures->number(spell.gesture);
@@ -133,7 +134,7 @@ void add_stroke(Overlay& out, const CastingPicture& casting, const Presentation&
     const auto drawing = drawing_of(stroke, l);
     const auto age = static_cast<float>(stroke.since_end_s / stroke_fade_seconds);
     const float left = std::clamp(1 - age, 0.0F, 1.0F);
-    // A large text makes lines wider, but not so wide that they fill a small view.
+    // A larger text scale makes lines wider, but not so wide that they fill a small view.
     const float u = std::min(l.unit, static_cast<float>(std::min(l.view.width, l.view.height)) / 280);
     const auto* likely = likely_spell(casting, shown);
     if (likely != nullptr) add_likely(out, casting, *likely, l);
@@ -230,10 +231,11 @@ void add_ward(Overlay& out, const CastingPicture& casting, const ViewLayout& l) 
     }
 }
 
-// Focus and spells -------------------------------------------------------------------------------------------
+// Focus and spells
+// -------------------------------------------------------------------------------------------
 
 void add_focus(Overlay& out, const CastingPicture& casting, fvec2 centre, float u) {
-    constexpr float start = -2.3561945F, sweep = 4.712389F;  // as the arc of the health (rad)
+    constexpr float start = -2.3561945F, sweep = 4.712389F;  // same angles as the arc of the health (rad)
     const double cap = std::max(casting.focus_cap, 1e-6);
     const auto share = static_cast<float>(std::clamp(casting.focus / cap, 0.0, 1.0));
     out.items.emplace_back(ArcItem{centre, 21.5F * u, 26 * u, start, sweep, paints.track});
@@ -276,7 +278,7 @@ void add_shapes(Overlay& out, const SpellCell& cell, const GestureSet& gestures)
                                         paints.light_red});
 }
 
-/// Adds the key of the chord, the cost, and the spell's name below the gesture.
+/// Adds the chord's key, the cost, and below the gesture the spell's name.
 void add_words(Overlay& out, const SpellCell& cell, std::string_view key) {
     const fvec2 low = cell.box.low, high = cell.box.high;
     const float u = cell.u, side = 13 * u;
@@ -289,7 +291,7 @@ void add_words(Overlay& out, const SpellCell& cell, std::string_view key) {
                 cell.paint(), Align::centre);
 }
 
-/// The cells of the spells, in as many rows as the wands have, and as wide as there is room.
+/// The cells of the spells, in as many rows as the wands' strip, and as wide as the room allows.
 std::vector<SpellCell> cells_of(const Picture& picture, std::uint32_t player, const ViewLayout& l, float u) {
     constexpr float widest = 56;  // units
     std::vector<const SpellPresentation*> spells;

@@ -10,13 +10,13 @@
 namespace thaum::game {
 namespace {
 
-// Sizes in units.
+// Sizes in HUD units.
 constexpr float wall_name = 15, wall_spell = 12.5F, wall_line = 13.5F;  // em
 constexpr float wall_name_high = 20, wall_spell_high = 17;
 constexpr float wall_lines_high = 5 * FittedWords::line_spacing * wall_line, wall_margin = 8, wall_inset = 5;
 constexpr std::size_t wall_columns = 2;
 
-/// Boxes of the cells, of the stroke's panel on their right, and of the lines below.
+/// Boxes of the cells, of the stroke's panel to their right, and of the text lines below.
 struct WallLayout {
     Panel box;
     fvec2 cell{};  ///< size of a cell (px)
@@ -42,7 +42,7 @@ WallLayout lay_out_wall(const Panel& box, std::size_t gestures, float u) {
     return l;
 }
 
-/// Adds the score of a cell at the right end of its title. A score of an older stroke is pale.
+/// Adds the score of a cell at the right end of its title. The score of an older stroke is pale.
 void add_cell_score(render::Overlay& out, const Panel& title, int score, bool newest, float u) {
     const fvec4 paint = newest ? paints.white : opaque(fvec3(paints.soft), 0.35F);
     add_text_in(out, title, text(score, " %"), wall_name * u, paint, render::Align::right);
@@ -79,7 +79,7 @@ void add_cell(render::Overlay& out, const GestureWallPicture& wall, std::size_t 
 /// Adds the newest stroke in its own panel.
 void add_own_panel(render::Overlay& out, const GestureWallPicture& wall, const Panel& box, float u) {
     constexpr double least_drawn =
-        0.1;  // size below which a stroke that is being drawn is not made larger (m)
+        0.1;  // strokes smaller than this are not enlarged while they are drawn (m)
     out.items.emplace_back(render::RectItem{box.low, box.high, opaque(fvec3(paints.white), 0.06F), 8 * u});
     const auto inner = inset_by(box, wall_inset * u);
     const float below_title = inner.low.y + wall_name_high * u;
@@ -91,7 +91,7 @@ void add_own_panel(render::Overlay& out, const GestureWallPicture& wall, const P
                {.width = 4 * u, .by_force = true});
 }
 
-/// Adds lines from the top of a box downwards, as many as are readable. A long one is broken.
+/// Adds lines from the top of a box downwards, as many as are readable. Long lines are broken.
 void add_wall_lines(render::Overlay& out, const std::vector<std::string>& lines, Panel box, float u) {
     const float size = std::floor(wall_line * u);
     for (std::size_t i = 0; i < lines.size(); ++i) {

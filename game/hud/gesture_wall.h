@@ -1,5 +1,6 @@
-// game/hud/gesture_wall.h: the gesture wall of the range on the screen: each gesture with its ghost, the newest stroke
-// in a panel of its own and over the gesture that it was read as, and what to do better.
+// game/hud/gesture_wall.h: the gesture wall of the range on the screen: each gesture with its ghost (a faint
+// picture of its recorded strokes), the newest stroke in a panel of its own and over the gesture as which it
+// was recognised, and advice.
 //
 //     Circle 97 %   S            Your stroke
 //     Shield        Fog           the stroke, while it is drawn and afterwards
@@ -19,8 +20,8 @@
 
 namespace thaum::game {
 
-/// Adds the wall in its box. `lines` are those of the wall with the names of controls. `unit` is the length of a HUD
-/// unit (px).
+/// Adds the wall in its box. `lines`: the wall's text, with the player's control names filled in. `unit`:
+/// length of a HUD unit (px).
 void add_gesture_wall(render::Overlay& out, const GestureWallPicture& wall,
                       const std::vector<std::string>& lines, const Panel& box, float unit);
 

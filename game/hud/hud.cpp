@@ -6,8 +6,9 @@
 namespace thaum::game {
 namespace {
 
-/// Moves a view nearer while its player carves, and back afterwards, within some tenths of a second. A picture that does
-/// not follow the one before, as after a jump in a replay, shows the end of the way.
+/// Zooms a view in while its player carves, and out afterwards, within some tenths of a second. If the
+/// picture does not follow directly on the last one, as after a jump in a replay, the zoom is at its end at
+/// once.
 void come_nearer(NearView& view, const Picture& picture, bool carves) {
     constexpr double whole_way_s = 0.35, largest_gap_s = 1;
     const double gone_s = picture.tick >= view.tick ? seconds(picture.tick - view.tick) : largest_gap_s;
@@ -16,9 +17,9 @@ void come_nearer(NearView& view, const Picture& picture, bool carves) {
     view.share = std::clamp(view.share + (carves ? step : -step), 0.0, 1.0);
 }
 
-/// Field of view in which a crystal fills most of the shorter edge of the view (rad).
+/// Field of view in which a crystal fills most of the view's shorter edge (rad).
 double field_of_crystal(const CrystalPicture& crystal, vec3 eye, double aspect) {
-    constexpr double shown = 0.5;  // half of the shorter edge, relative to the crystal's edge
+    constexpr double shown = 0.5;  // half of the shorter edge, as a length relative to the crystal's edge
     const double distance = std::max(glm::length(crystal.middle - eye), crystal.edge / 2);
     return 2 * std::atan(shown * crystal.edge / distance / std::min(aspect, 1.0));
 }
@@ -90,7 +91,7 @@ double field_of_player(const Picture& picture, std::uint32_t player, double usua
 }
 
 double field_of_view(double fov_degrees, double aspect) {
-    // Views of all shapes show the same area: tan(width / 2) tan(height / 2) is constant.
+    // Views of every aspect ratio show the same area: tan(width / 2) tan(height / 2) is constant.
     const double wide = std::tan(fov_degrees * radians_per_degree / 2);
     const double area = wide * wide * 9 / 16;
     return 2 * std::atan(std::sqrt(area / aspect));

@@ -1,5 +1,5 @@
-// game/hud/hud.h: turns a Picture into a render::Frame: each player's view with the HUD over it. Nothing in a
-// view shakes, bobs or flashes.
+// game/hud/hud.h: turns a Picture into a render::Frame: each player's view with the HUD on top. Views never
+// shake, bob or flash, for comfort.
 #pragma once
 #include <limits>
 
@@ -13,46 +13,49 @@
 
 namespace thaum::game {
 
-/// The players whose views the window shows.
+/// Which players' views the window shows.
 enum class Watch : std::uint8_t { both, first, second };
 
 struct HudSettings {
-    render::Split split = render::Split::top_bottom;  ///< arrangement of two views
+    render::Split split = render::Split::top_bottom;  ///< how two views share the window
     Watch watch = Watch::both;
-    /// Horizontal field of view of a 16:9 view (degrees); other shapes show the same area.
+    /// Horizontal field of view of a 16:9 view (degrees); other aspect ratios show the same area.
     double fov = 90;
     double text_scale = 1;  ///< text size, 1 to 2.5
     render::Quality quality = render::Quality::medium;
-    bool bloom = true;           ///< used at high quality only
-    bool can_play_again = true;  ///< shows on the result screen that another match can be played
-    bool has_menu = true;        ///< leaving a match leads to the start screen; false: it ends the program
-    bool forces = false;         ///< shows the force on the hand as a curve, and the brew's flow
-    bool menu = false;           ///< a menu will cover the views; the HUD is left out
-    /// Fault of each player's device in its driver's words. The session fills this in.
+    bool bloom = true;           ///< true: bright parts have a glow, at high quality only
+    bool can_play_again = true;  ///< true: the result screen offers another match
+    bool has_menu = true;  ///< true: leaving a match leads to the start screen; false: it ends the program
+    bool forces = false;   ///< true: shows the force on the hand as a curve, and the brew's flow
+    bool menu = false;     ///< true: a menu will cover the views, so the HUD is left out
+    /// Message about a fault of each player's device, in its driver's words. The session sets it.
     std::array<std::string, players> device_messages{};
     PlayerNames names{};
-    /// true: the player's view has words about what happens to the player
+    /// for each player, true: the view has captions of what happens to the player
     std::array<bool, players> captions{true, true};
-    std::array<HeardWish, players> heard{};        ///< what each player sees in words of all heard and felt
-    std::array<bool, players> figure{true, true};  ///< which players see what their bodies feel
-    std::array<ControlNames, players> controls{};  ///< controls of each person
+    /// For each player, which sounds and effects are also shown in words.
+    std::array<HeardWish, players> heard{};
+    /// For each player, true: the view shows the figure of what the body feels.
+    std::array<bool, players> figure{true, true};
+    std::array<ControlNames, players> controls{};  ///< names of each player's controls
     std::array<PromptWish, players> prompts{};     ///< when each player's prompts are shown
-    PromptUses prompt_uses{};                      ///< how often each player has done what a prompt says
-    std::optional<ReplayBar> replay{};             ///< the bar of a replay; std::nullopt: a match
+    PromptUses prompt_uses{};           ///< how often each player has done what each prompt asks for
+    std::optional<ReplayBar> replay{};  ///< the time bar of a replay; std::nullopt: not a replay
     bool operator==(const HudSettings&) const = default;
 };
 
-/// Memory for building frames. The spans of a Frame point into it.
-/// How far a view has come nearer to the body that its player carves.
+/// Zoom of a player's view towards the crystal that the player carves.
 struct NearView {
-    Tick tick = std::numeric_limits<Tick>::max();  ///< tick of the picture before; at first after all ticks
-    double share{};                                ///< 0: the usual view, 1: the nearest one
-    double nearest{};                              ///< field of view of the nearest one (rad)
+    /// Tick of the last picture; initially later than any tick.
+    Tick tick = std::numeric_limits<Tick>::max();
+    double share{};    ///< progress of the zoom; 0: usual view, 1: nearest view
+    double nearest{};  ///< field of view of the nearest view (rad)
 };
 
 struct FrameMemory {
     std::array<std::vector<render::Instance>, players> instances;
-    std::array<std::vector<render::Instance>, players> spell_mists;  ///< with `mists`; empty without spells
+    /// Each player's `mists` plus those of spells; empty if the match has no spells.
+    std::array<std::vector<render::Instance>, players> spell_mists;
     std::vector<render::Instance> shades, mists, fixed_casters, moving_casters;
     std::array<std::vector<render::PointLight>, players> lights;
     std::array<std::vector<render::Scan>, players> scans;
@@ -61,33 +64,34 @@ struct FrameMemory {
     render::Frame frame;
 };
 
-/// Fills in the parts that are the same for all views: size, presets and shadows. Views and overlay stay
+/// Fills in the parts that are the same for all views: size, presets and shadows. Leaves views and overlay
 /// empty.
 void begin_frame(const ArenaScene& arena_scene, const Picture& picture, const HudSettings& settings,
                  render::Size size, FrameMemory& memory);
 
-/// Makes a whole frame. It stays valid in `memory` until the next call.
+/// Makes a whole frame. The frame is valid until the next call, because it points into `memory`.
 const render::Frame& make_frame(const ArenaScene& arena_scene, const Picture& picture,
                                 const HudSettings& settings, render::Size size, FrameMemory& memory);
 
-/// Makes only the flat part: the HUD over the views.
+/// Makes only the flat part of a frame: the HUD over the views.
 void make_overlay(const Picture& picture, const HudSettings& settings, render::Size size,
                   render::Overlay& out);
 
-/// All words of the HUD over both players' views.
+/// All texts of the HUD over both players' views.
 std::vector<std::string> words_over_views(const Simulation& match);
 
-/// Size of the area for all views: the window above the bar of a replay.
+/// Size of the area for all views: the window without the bar of a replay.
 render::Size area_of_views(const HudSettings& settings, render::Size size);
 
-/// Rectangle of each player's view; of zero size if the view is not shown.
+/// Rectangle of each player's view, of size zero if the view is not shown.
 std::array<render::Rect, players> views_of(const HudSettings& settings, render::Size size);
 
 /// Vertical field of view for a view of this aspect ratio (rad).
 double field_of_view(double fov_degrees, double aspect);
 
-/// Vertical field of view of a player (rad): `usual`, or narrower while the player carves, so that the crystal fills
-/// most of the shorter edge of a view of this aspect ratio. `near_view` is moved on to the picture's tick.
+/// Vertical field of view of a player (rad): `usual`, or narrower while the player carves, so that the
+/// crystal fills most of the shorter edge of a view of this aspect ratio. `near_view` is advanced to the
+/// picture's tick.
 double field_of_player(const Picture& picture, std::uint32_t player, double usual, double aspect,
                        NearView& near_view);
 

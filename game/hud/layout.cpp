@@ -8,29 +8,32 @@
 namespace thaum::game {
 namespace {
 
-// Sizes in units.
+// Sizes in HUD units.
 constexpr float edge = 8;  // distance of panels from the view's edge and from each other
 constexpr float health_wide = 80, health_high = 80;
 constexpr float name_high = 18;
 constexpr float left_column = edge + health_wide + edge;
 constexpr float score_half_wide = 96, score_half_high = 27;
 constexpr float title_half_wide = 124,
-                title_view_wide = 440;                      // title of a lesson, and a view with room for it
-constexpr float under_score = 7 + 2 * score_half_high + 2;  // below a score at the top of the window
-constexpr float line = 20;                                  // height of a line of messages, notices or feed
-constexpr float under_notices = under_score + 2 * line + edge;  // below notices that are below the score
-constexpr float lesson_words = 14;                              // em of the words of a lesson
+                title_view_wide = 440;  // title of a lesson, and the width of a view with room for it
+// Height down to the panels below a score at the top of the window.
+constexpr float under_score = 7 + 2 * score_half_high + 2;
+constexpr float line = 20;  // height of a line of messages, notices or feed
+// Height down to the panels below notices that are below the score.
+constexpr float under_notices = under_score + 2 * line + edge;
+constexpr float lesson_words = 14;  // text size of a lesson (em)
 constexpr float ring_least = 26, ring_most = 66;
 constexpr float likely_least = 14;  // height of the likely spell above the ring
 
-// A tall view has its messages above the corner panels, a flat one between them.
+// A tall view has its messages above the corner panels, a flat view between them.
 constexpr float tall_least_high = 400, tall_least_wide = 236;
 constexpr float flat_least_wide = 410;
-// With room for a sound in words and for the figure: below the score, below the notices under it, and below the feed.
+// Heights of a flat view with room for a sound in words and for the figure: below the score, below the
+// notices under the score, and below the feed.
 constexpr float flat_alone_high = 220, flat_beside_high = 284, flat_stacked_high = 224;
 constexpr float flat_messages_wide = 220;
-constexpr float messages_high = 8 * line;  // most height of the messages in a tall view
-constexpr float ring_gap = 16;  // distance of the corner panels from the smallest ring, or from the score
+constexpr float messages_high = 8 * line;  // maximum height of the messages in a tall view
+constexpr float ring_gap = 16;  // distance of the corner panels from the smallest ring or from the score
 
 struct Strip {
     float columns{}, wide{}, high{};
@@ -41,7 +44,7 @@ Strip strip_of(std::size_t wands, float rows) {
     return {columns, columns * strip_cell_width + 2 * strip_margin, strip_head + rows * strip_cell_height};
 }
 
-/// How the views lie beside each other.
+/// Arrangement of the views in the window.
 struct Arrangement {
     bool alone{}, stacked{}, lesson{}, cards{};
     std::uint32_t player{};
@@ -50,20 +53,22 @@ struct Arrangement {
     bool beside() const { return !alone && !stacked; }
 };
 
-/// Least width of a flat view, so that its corner panels stay clear of the ring, or of the score between two views.
+/// Minimum width of a flat view in which the corner panels do not touch the ring or a score between two
+/// views.
 float least_flat_width(const Arrangement& how, std::size_t wands) {
     const float middle = how.stacked ? score_half_wide : ring_least + edge;
     return std::max(flat_least_wide, 2 * (middle + ring_gap + strip_of(wands, 2).wide));
 }
 
-/// Length of a unit as the settings want it (px).
+/// Length of a HUD unit that the settings ask for (px).
 float wanted_unit(const Arrangement& how, const render::Rect& view, render::Size window, double text_scale) {
     const float high = static_cast<float>(window.height) / 720 * (how.alone ? 1.35F : 1.05F);
     const float wide = static_cast<float>(view.width) / 420;
     return std::clamp(std::min(wide, high), 0.4F, 6.0F) * static_cast<float>(text_scale);
 }
 
-/// Length of a unit: as the settings want it, or as much less as the panels need. A lesson needs a tall view.
+/// Length of a HUD unit (px): the one that the settings ask for, or smaller if the panels need it. A lesson
+/// needs a tall view.
 float unit_of(const Arrangement& how, const render::Rect& view, float wanted, std::size_t wands) {
     const auto w = static_cast<float>(view.width), h = static_cast<float>(view.height);
     const float tall = std::min(w / tall_least_wide, h / tall_least_high);
@@ -84,7 +89,7 @@ struct InUnits {
     float ring{}, columns{};
 };
 
-/// Health and name at the lower left, wands at the lower right, in two rows where one leaves no room between.
+/// Health and name at the lower left, wands at the lower right, in two rows if one row would meet the health.
 void place_corners(const Arrangement& how, std::size_t wands, InUnits& out) {
     const float w = out.wide, h = out.high;
     out.health = {{edge, h - edge - health_high}, {edge + health_wide, h - edge}};
@@ -99,15 +104,16 @@ void place_corners(const Arrangement& how, std::size_t wands, InUnits& out) {
     out.columns = strip.columns;
 }
 
-/// Bottom of what stands in the middle at the top of a view.
+/// Bottom of the panels in the middle at the top of a view.
 float bottom_of_head(const Arrangement& how) {
     return how.beside() ? under_notices : how.alone ? under_score : edge + 2 * line;
 }
 
-/// The ring, and the messages below it.
+/// Places the ring, and the messages below it.
 void place_middle(const Arrangement& how, InUnits& out) {
     const float w = out.wide, h = out.high;
-    const float floor = how.upper() ? score_half_high + 3 : 0;  // height that the score takes at the bottom
+    // Height of the score's part that reaches into the bottom of an upper view.
+    const float floor = how.upper() ? score_half_high + 3 : 0;
     const float corners = std::min(out.name.low.y, out.strip.low.y);
     const float bottom = (out.tall ? corners : h - floor) - edge / 2;
     const float above = bottom_of_head(how);
@@ -122,7 +128,7 @@ void place_middle(const Arrangement& how, InUnits& out) {
                             : Panel{{left_column, top}, {out.strip.low.x - edge, bottom}};
 }
 
-/// The name gets the free room to its right. In a flat view it is above the messages, beside the ring.
+/// The name uses the free room to its right. In a flat view it is above the messages, beside the ring.
 void place_name(InUnits& out) {
     if (!out.tall) {
         out.name.high.y = std::min(out.name.high.y, out.messages.low.y);
@@ -134,12 +140,12 @@ void place_name(InUnits& out) {
     }
 }
 
-/// Half the width of the score, or of the title of a lesson in its place.
+/// Half the width of the score, or of a lesson's title in the score's place.
 float half_width_of_score(const Arrangement& how, float view_wide) {
     return how.alone && how.lesson && view_wide >= title_view_wide ? title_half_wide : score_half_wide;
 }
 
-/// The feed: beside the score, and in an upper view below the notices.
+/// Places the feed: beside the score, and in an upper view below the notices.
 void place_feed(const Arrangement& how, InUnits& out) {
     const float w = out.wide;
     const float wide = how.upper()    ? w / 2 - out.ring - 2 * edge
@@ -152,7 +158,7 @@ void place_feed(const Arrangement& how, InUnits& out) {
     out.feed = {{from, top}, {from + wide, bottom}};
 }
 
-/// The curve of the forces, as large as the left side lets it be, or only the name of the strongest.
+/// Places the curve of the forces, as large as the left side allows, or only the name of the strongest force.
 void place_forces(const Arrangement& how, bool curve, InUnits& out) {
     const float top = how.beside()  ? under_notices
                       : how.lower() ? edge
@@ -165,7 +171,7 @@ void place_forces(const Arrangement& how, bool curve, InUnits& out) {
     out.forces = {{edge, top}, fvec2(edge, top) + scale * size};
 }
 
-/// What is heard and felt in words: below the forces, left of the ring.
+/// Places the words for what is heard and felt: below the forces, left of the ring.
 void place_heard(const Arrangement& how, InUnits& out) {
     const float top = out.forces.high.y + edge / 2;
     const float bottom = std::min(out.name.low.y, out.messages.low.y) - edge / 2;
@@ -174,7 +180,8 @@ void place_heard(const Arrangement& how, InUnits& out) {
     out.heard = {{edge, top}, {edge + (room ? wide : 0), room ? bottom : top}};
 }
 
-/// The figure of the body: above the wands at the right, as large as the room below feed and notices lets it be.
+/// Places the figure of the body: above the wands at the right, as large as the room below feed and notices
+/// allows.
 void place_figure(const Arrangement& how, InUnits& out) {
     if (how.alone && how.lesson) return;
     const float least = how.beside() ? under_notices : how.alone ? under_score : 0;
@@ -187,7 +194,8 @@ void place_figure(const Arrangement& how, InUnits& out) {
     out.figure = {high - scale * fvec2(figure_wide, figure_high), high};
 }
 
-/// The likely spell above the ring, and the panel of strokes round it, which ends above two lines of messages.
+/// Places the likely spell above the ring, and the panel of strokes around the ring, which ends above two
+/// lines of messages.
 void place_strokes(const Arrangement& how, InUnits& out) {
     constexpr float most_high = 24, captions = 2 * 1.4F * 15;
     const fvec2 middle(out.wide / 2, out.high / 2);
@@ -199,7 +207,7 @@ void place_strokes(const Arrangement& how, InUnits& out) {
                    {out.wide - edge, std::max(out.messages.high.y - captions, middle.y + out.ring)}};
 }
 
-/// Room right of the ring, left of the figure and of the strip.
+/// Places the free room right of the ring, left of the figure and the strip of wands.
 void place_aside(const Arrangement& how, InUnits& out) {
     constexpr float least_wide = 180, least_high = 48;
     if (how.alone && how.lesson) return;
@@ -271,7 +279,8 @@ void place_shared(const Arrangement& how, render::Size window, HudLayout& out) {
     }
 }
 
-/// The lesson: in the only view, right of the ring, between feed and score and the panels below.
+/// The panel of the lesson in a window with one view: right of the ring, below feed and score, above the
+/// lower panels.
 Panel lesson_of(const ViewLayout& view) {
     const float u = view.unit;
     const float top = std::max(view.feed.high.y, u * under_score) + u * edge / 2;
@@ -279,7 +288,7 @@ Panel lesson_of(const ViewLayout& view) {
     return {{view.centre.x + view.ring + u * edge, top}, {view.feed.high.x, bottom}};
 }
 
-/// The seconds to the start are as large as the smallest ring allows.
+/// Text size of the countdown to the start, limited by the smallest ring.
 float count_size_of(const std::array<std::optional<ViewLayout>, players>& views) {
     float ring = 0;
     for (const auto& view : views) {
@@ -288,13 +297,14 @@ float count_size_of(const std::array<std::optional<ViewLayout>, players>& views)
     return std::floor(1.2F * ring);
 }
 
-constexpr float smallest_words = 4;        // smallest em of the typeface (px)
+constexpr float smallest_words = 4;        // smallest text size of the typeface (px)
 constexpr float widest_character = 1.12F;  // em
 
-/// Width of a character, somewhat wider than the typeface's (em).
+/// Upper estimate of a character's width in the typeface (em).
 float character_width(char c) {
     constexpr std::string_view narrow = "iljftrI.,:;'|!()[] ", wide = "mwMWQ%@";
-    if ((static_cast<unsigned char>(c) & 0xC0U) == 0x80U) return 0;  // a further byte of the same character
+    // Not the first byte of a character in UTF-8.
+    if ((static_cast<unsigned char>(c) & 0xC0U) == 0x80U) return 0;
     if (narrow.find(c) != std::string_view::npos) return 0.48F;
     return wide.find(c) != std::string_view::npos ? widest_character : 0.74F;
 }
@@ -311,15 +321,15 @@ std::size_t longest_part(std::string_view words, float size, float wide) {
     return bytes;
 }
 
-/// Whether words begin with a unit that belongs to the number before it: "%" or "s".
+/// Whether a text begins with a unit that belongs to the number before it: "%" or "s".
 bool begin_with_unit(std::string_view words) {
     if (words.empty()) return false;
     const bool alone = words.size() == 1 || words[1] == ' ' || words[1] == ',';
     return words[0] == '%' || (words[0] == 's' && alone);
 }
 
-/// Number of bytes up to the first space at which a line may end. Controls in brackets, "100 %" and "20 s" are not
-/// broken.
+/// Number of bytes up to the first space at which a line may be broken. Controls in brackets, "100 %" and "20
+/// s" are not broken.
 std::size_t unbroken_part(std::string_view words) {
     const auto last = words.rfind(']');
     bool inside = false;
@@ -333,7 +343,7 @@ std::size_t unbroken_part(std::string_view words) {
 
 constexpr std::string_view group_gap = "   ";
 
-/// Breaks words between groups, which have three spaces between them, such as the keys of a replay.
+/// Breaks a text between groups, which are separated by three spaces, such as the keys of a replay.
 std::vector<std::string> broken_between_groups(std::string_view words, float size, float wide) {
     std::vector<std::string> lines;
     while (!words.empty()) {
@@ -349,8 +359,8 @@ std::vector<std::string> broken_between_groups(std::string_view words, float siz
     return lines;
 }
 
-/// Breaks words at spaces, or between groups if there are some. At the smallest size a word that is longer than a line
-/// is broken, too.
+/// Breaks a text at spaces, or between groups if it has groups. At the smallest size a word that is longer
+/// than a line is broken, too.
 std::vector<std::string> broken(std::string_view words, float size, float wide) {
     if (size > smallest_words && words.find(group_gap) != std::string_view::npos)
         return broken_between_groups(words, size, wide);
@@ -414,7 +424,7 @@ float width_of(std::string_view line, float size) {
 }
 
 FittedWords fit(std::string_view words, float size, fvec2 room) {
-    // The typeface has whole sizes only.
+    // The typeface has only whole sizes.
     FittedWords out{{}, std::max(smallest_words, std::floor(size))};
     out.lines = broken(words, out.size, room.x);
     while (out.size > smallest_words && !fits(out, room)) {

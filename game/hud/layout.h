@@ -1,5 +1,5 @@
-// game/hud/layout.h: the places of the HUD's panels. Each panel has a box of its own, and no two boxes overlap at any
-// size of the text or the window. Whatever a panel shows must stay in its box.
+// game/hud/layout.h: the places of the HUD's panels. Each panel has a box of its own, and no two boxes
+// overlap at any size of the text or the window. Whatever a panel shows must stay in its box.
 //
 //     feed      |  score  |                the feed is in the outer corner beside the score
 //                  likely                  the likely spell of a stroke
@@ -23,58 +23,62 @@ namespace thaum::game {
 struct ViewLayout {
     render::Rect view;
     float unit{};    ///< length of a HUD unit (px)
-    fvec2 centre{};  ///< the crosshair
+    fvec2 centre{};  ///< position of the crosshair (px)
     float ring{};    ///< largest radius around the crosshair (px): charge, marks of hurts, words of a warning
     Panel health, name;
     Panel strip;
-    float strip_columns{};  ///< wands in one row of the strip
+    float strip_columns{};  ///< number of wands in one row of the strip
     Panel feed;
     Panel messages;
-    Panel forces;   ///< the curve of the forces, or only the name of the strongest
-    Panel figure;   ///< two torsos of figure_wide x figure_high units each; empty with words of a lesson
-    Panel aside;    ///< right of the ring, for the card at the cauldron (rim_card.h); empty: there is no room
-    Panel heard;    ///< empty if the curve of the forces leaves no room
-    Panel likely;   ///< above the ring, for the likely spell of a stroke; empty: there is no room
-    Panel strokes;  ///< round the crosshair, clear of the score and of two captions
+    Panel forces;  ///< curve of the forces, or only the name of the strongest force
+    /// Two torsos of figure_wide x figure_high units each; empty while a lesson's text is shown.
+    Panel figure;
+    /// Panel for the card at the cauldron (rim_card.h), right of the ring; empty if there is no room.
+    Panel aside;
+    Panel heard;    ///< words for sounds and effects; empty if the curve of the forces leaves no room
+    Panel likely;   ///< panel for the likely spell of a stroke, above the ring; empty if there is no room
+    Panel strokes;  ///< panel for strokes: around the crosshair, clear of the score and of two captions
 };
 
 /// All panels of a window.
 struct HudLayout {
     std::array<std::optional<ViewLayout>, players> views;  ///< std::nullopt: the view is not shown
-    float unit{};  ///< length of a unit in panels of the whole window (px)
+    float unit{};  ///< length of a HUD unit in panels of the whole window (px)
     Panel score;
-    Panel notices;  ///< lines for both players
-    /// Words of the Apprentice's step; std::nullopt: none, or there are two views.
+    Panel notices;  ///< notices for both players
+    /// Panel for the Apprentice's instructions; std::nullopt: none now, or there are two views.
     std::optional<Panel> lesson;
-    float count_size{};   ///< em of the seconds to the start, the same in all views (px)
-    float lesson_size{};  ///< em of these words where they have room (px)
+    float count_size{};   ///< text size of the countdown to the start, the same in all views (px)
+    float lesson_size{};  ///< text size of the lesson if there is room (px)
     std::optional<ReplayBarLayout> replay{};
 };
 
-/// Sizes of the strip (units of strip_unit).
+/// Sizes in the strip of wands (units of strip_unit).
 inline constexpr float strip_cell_width = 40, strip_cell_height = 42, strip_head = 24, strip_margin = 4;
 
-/// Length of a unit in the strip of wands (px). It is less than that of the view where the strip has little room.
+/// Length of a unit in the strip of wands (px). Smaller than the view's unit if the strip has little room.
 float strip_unit(const ViewLayout& layout);
 
-/// Size of the forces' panel where the view has room for it (units).
+/// Size of the panel of forces if the view has room for it (HUD units).
 inline constexpr float forces_wide = 186, forces_high = 76;
-/// Part of that panel that the name of the strongest force takes while there is no curve (units).
+/// Part of the panel of forces for the name of the strongest force, when no curve is shown (HUD units).
 inline constexpr float force_word_wide = 96, force_word_high = 27;
-/// Height of a line of what is heard (units).
+/// Height of a text line about a sound or effect (HUD units).
 inline constexpr float heard_line_high = 20;
 
-/// What is shown beside the usual panels.
+/// Optional panels that the layout must make room for.
 struct LayoutWishes {
-    /// There are words of a lesson. In an only view the other panels then grow only as far as its words have room.
+    /// true: a lesson's text is shown. With only one view, the other panels are then no larger than the text
+    /// allows.
     bool lesson = false;
-    /// Players at a station. In a tall view the ring then leaves room below it for the card (rim_card.h).
+    /// For each player, true at a station. In a tall view the ring then leaves room below it for the card
+    /// (rim_card.h).
     std::array<bool, players> cards{};
 };
 HudLayout lay_out(const HudSettings& settings, render::Size window, std::size_t wands,
                   const LayoutWishes& wishes = {});
 
-/// Words in lines that fit a box.
+/// A text broken into lines that fit a box.
 struct FittedWords {
     std::vector<std::string> lines;
     float size{};  ///< em (px)
@@ -88,8 +92,8 @@ struct FittedWords {
 /// Width of a line of text, for laying it out (px). Real lines are seldom wider.
 float width_of(std::string_view line, float size);
 
-/// Breaks words at spaces, or between groups that three spaces part, into lines for a box `room` wide and high (px).
-/// The em is `size`, or as much less as the words need.
+/// Breaks a text at spaces, or between groups separated by three spaces, into lines for a box of the size
+/// `room` (px). The text size is `size` (px), or smaller if the text needs it.
 FittedWords fit(std::string_view words, float size, fvec2 room);
 
 }  // namespace thaum::game

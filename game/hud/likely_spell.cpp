@@ -8,22 +8,22 @@
 namespace thaum::game {
 namespace {
 
-constexpr double check_s = 0.024;  // time of drawing from one answer to the next
+constexpr double check_s = 0.024;  // drawing time between two recognitions of an unfinished stroke (s)
 constexpr std::uint32_t none = gesture::LikelyGesture::none;
 
 bool is_same(const DrawnPoint& a, const DrawnPoint& b) {
     return a.x == b.x && a.y == b.y && a.z == b.z && a.force == b.force;
 }
 
-/// How far the answers along one stroke have come.
+/// Recognitions of one unfinished stroke so far.
 struct Answers {
     const GestureSet* gestures = nullptr;
     double apart_s{};
-    std::uint32_t points{};  ///< number of points of the stroke at the last answer
+    std::uint32_t points{};  ///< number of points of the stroke at the last recognition
     DrawnPoint first{}, newest{};
     std::uint32_t told = none;
 
-    /// Whether these answers are of that stroke as it was earlier.
+    /// Whether the stored recognitions are of an earlier part of this stroke.
     bool are_of(const CastingPicture& casting) const {
         const auto& stroke = casting.stroke;
         return points > 0 && gestures == casting.gestures.get() && apart_s == stroke.apart_s &&
@@ -32,11 +32,12 @@ struct Answers {
     }
 };
 
-/// Working memory. What it keeps of earlier pictures saves work, and changes no answer.
+/// Working memory. Results kept from earlier pictures save time and do not change the answer.
 struct LikelySpace {
     gesture::PrefixSpace prefix{};
     std::array<gesture::StrokePoint, StrokePicture::most_points> points{};
-    std::array<Answers, 2> answers{};  ///< answers for the strokes of both players, the last used ones first
+    /// Recognitions for the strokes of both players, the most recently used first.
+    std::array<Answers, 2> answers{};
 
     Answers& answers_of(const CastingPicture& casting) {
         if (!answers[0].are_of(casting)) std::swap(answers[0], answers[1]);
@@ -61,7 +62,8 @@ bool is_long_enough(gesture::Points stroke, double least) {
     return length >= least;
 }
 
-/// The gesture that is told now: the answers follow the stroke from its start, so that it depends on the stroke alone.
+/// The gesture shown now. It is computed from all recognitions since the start of the stroke, so it depends
+/// only on the stroke.
 std::uint32_t told_gesture(const CastingPicture& casting, LikelySpace& space) {
     const auto& stroke = casting.stroke;
     auto& answers = space.answers_of(casting);

@@ -28,7 +28,7 @@ constexpr std::size_t fewest_rows = 4;
 
 /// Positions and sizes of a menu (px). The rows shown are `visible` rows from `first` on.
 struct MenuLayout {
-    float unit{};  ///< length of a HUD unit; 1 px in a window of 720 lines at a text size of 100 %
+    float unit{};  ///< length of a HUD unit (px): 1 px in a window of 720 lines at a text size of 100 %
     float title_top{}, line_top{}, seats_top{}, seats_height{};
     fvec2 rows_low{0};
     float row_width{}, row_height{};
@@ -36,7 +36,7 @@ struct MenuLayout {
     float note_top{}, help_top{}, hint_top{}, help_height{}, hint_height{}, width{};
 };
 
-/// Heights of the parts (units).
+/// Heights of a menu's parts (HUD units).
 constexpr float row_units = 27, title_units = 50, line_units = 34, seat_units = 62, note_units = 25,
                 edge_units = 12;
 
@@ -45,11 +45,11 @@ float head_units(const MenuPicture& menu) {
            (menu.seats.empty() ? 0 : seat_units + 10);
 }
 
-/// Sizes of the help line and of the hint on keys, and the most lines of each.
+/// Text sizes of help and key hint (HUD units), and the maximum number of lines of each.
 constexpr float help_size = 16, hint_size = 14, most_lines = 3;
 
-/// Widths of the words of the foot (em). The room of the longest help is kept, so that the rows stay where they are
-/// while the choice moves.
+/// Widths of the texts at the foot of the menu (em). Room for the longest help is always kept, so that the
+/// rows do not move when another row is chosen.
 struct FootWords {
     float help{}, hint{};
 };
@@ -60,7 +60,7 @@ FootWords foot_of(const MenuPicture& menu) {
     return out;
 }
 
-/// Height of the lines of words of a width in em (px). Lines are seldom filled to their ends.
+/// Height of a text of the given width in em, broken into lines (px). Assumes that lines are rarely full.
 float height_of_lines(float ems, float size, float width) {
     const float lines = std::clamp(std::ceil(ems * size / (0.88F * width)), 1.0F, most_lines);
     return lines * FittedWords::line_spacing * size + 1;
@@ -85,7 +85,7 @@ MenuLayout lay_out(const MenuPicture& menu, render::Size size, double text_scale
     const auto rows = menu.rows.size();
     MenuLayout l;
     l.unit = std::max(least * static_cast<float>(text_scale), 0.2F);
-    // Large words leave few rows. If fewer than four rows fit, the words shrink.
+    // Large text leaves room for few rows. If fewer than four rows fit, the text is made smaller.
     l.width = 0.94F * width;
     const auto words = foot_of(menu);
     while (l.unit > least &&
@@ -98,12 +98,12 @@ MenuLayout lay_out(const MenuPicture& menu, render::Size size, double text_scale
     l.seats_height = seat_units * u;
     l.visible = std::min(rows, std::max<std::size_t>(rows_that_fit(menu, words, l.width, height, u), 1));
     l.first = menu.middle < l.visible / 2 ? 0 : std::min(menu.middle - l.visible / 2, rows - l.visible);
-    // The chosen row stays visible, also in a window that has become smaller.
+    // The chosen row stays visible even after the window was made smaller.
     l.first = std::clamp(l.first, menu.cursor + 1 - std::min(menu.cursor + 1, l.visible), menu.cursor);
-    // The marks for more rows stand beside the rows, inside the window.
+    // The arrows that show that there are more rows are beside the rows, inside the window.
     l.row_width = std::min({l.width, 700 * u, width - 32 * u});
     l.row_height = row_units * u;
-    // The rows are low in the window, so that the scene behind them stays visible.
+    // The rows are in the lower part of the window, so that the scene behind them stays visible.
     const float head = head_units(menu) * u, foot = height - foot_height(words, l.width, u);
     const float spare = foot - head - static_cast<float>(l.visible) * l.row_height;
     l.rows_low = {(width - l.row_width) / 2, head + std::max(0.85F * spare, 0.0F)};
@@ -115,9 +115,10 @@ MenuLayout lay_out(const MenuPicture& menu, render::Size size, double text_scale
     return l;
 }
 
-/// Width of words: a part that grows with the text size, and a part for rounding each advance to whole pixels.
+/// Width of a text: one part grows with the text size, the other comes from rounding each character's width
+/// to whole pixels.
 struct Width {
-    float ems{}, rounding{};  ///< (em), (px)
+    float ems{}, rounding{};  ///< the growing part (em) and the rounding part (px)
 
     explicit Width(std::string_view words)
         : ems(width_of(words, 1)), rounding(0.25F * static_cast<float>(decode_utf8(words).size())) {}
@@ -134,7 +135,7 @@ void add_fitted(Overlay& out, const std::string& words, fvec2 position, float si
                 Align align) {
     if (words.empty()) return;
     const float small = fitted(words, size, room);
-    // Shrunk words keep the line of full-size words.
+    // Smaller text keeps the baseline of full-size text.
     add_text(out, words, position + fvec2(0, 0.6F * (size - small)), small, paint, align);
 }
 
@@ -169,18 +170,18 @@ void add_seats(Overlay& out, const MenuPicture& menu, const MenuLayout& l, float
 /// Width of each arrow's area at the right of a row (px).
 float arrow_width(const MenuLayout& l) { return 30 * l.unit; }
 
-/// Sizes of a row's words and of the gap on both sides of its label (units).
+/// Text size of a row, and gap on both sides of its label (HUD units).
 constexpr float row_words = 18, label_gap = 12;
-/// Largest share of a row that a short label has.
+/// A label narrower than this share of the row counts as short.
 constexpr float short_label = 0.25F;
 
-/// Width of what stands beside a value: its arrows, or a gap (px).
+/// Width of the arrows beside a value, or of the gap without arrows (px).
 float beside_value(const MenuRow& row, const MenuLayout& l) {
     return row.adjustable ? 2 * arrow_width(l) : 16 * l.unit;
 }
 
-/// Width of the value and its arrows, at the right of the row (px). That is half of the row. If label or value need
-/// more, the other gives way. If both need more than the row has, a short label stays as it is, and otherwise both
+/// Width of the value and its arrows, at the right of the row (px). Usually half of the row. If label or
+/// value needs more, the other gets less. If both need more, a short label keeps its size; otherwise both
 /// shrink to the same text size.
 float value_width(const MenuRow& row, const MenuLayout& l) {
     if (row.value.empty()) return 0;

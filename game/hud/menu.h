@@ -1,6 +1,6 @@
-// game/hud/menu.h: menus as plain data, and how they are drawn: a title, two seats and a column of rows. Label and
-// value share a row by their need, words shrink to stay in their place, and rows scroll. So every text size fits every
-// window.
+// game/hud/menu.h: menus as plain data, and how they are drawn: a title, two seats and a column of rows.
+// Label and value share a row as their lengths require, text shrinks to fit, and rows scroll, so every text
+// size fits every window.
 #pragma once
 #include <optional>
 #include <string>
@@ -15,9 +15,10 @@ struct MenuRow {
     std::string label{};
     std::string help{};  ///< what the row does, in one sentence; shown while the row is chosen
     std::string value{};
-    std::string longest_value{};  ///< longest value the row can have: its arrows stay while the value changes
-    bool adjustable = false;      ///< arrows beside the value decrease and increase it
-    bool dim = false;             ///< the row has no effect at present
+    /// Longest value of the row, so that the arrows do not move when the value changes.
+    std::string longest_value{};
+    bool adjustable = false;  ///< true: arrows beside the value decrease and increase it
+    bool dim = false;         ///< true: the row has no effect at present
     bool operator==(const MenuRow&) const = default;
 };
 
@@ -29,15 +30,16 @@ struct MenuSeat {
 };
 
 struct MenuPicture {
-    std::string title;  ///< empty: no menu is open
+    std::string title;  ///< title of the menu; empty: no menu is open
     std::string line;   ///< large line below the title
     std::vector<MenuSeat> seats;
     std::vector<MenuRow> rows;
     std::size_t cursor = 0;  ///< index of the chosen row
-    std::size_t middle = 0;  ///< row about which the rows are shown if not all fit
-    std::string note;        ///< report of the last action
-    std::string hint;        ///< help on the keys
-    /// Cells of a figure of the body beside the title, 0 to 1 (game/picture/picture.h); std::nullopt: no figure.
+    std::size_t middle = 0;  ///< row around which the visible rows are chosen if not all fit
+    std::string note;        ///< message about the last action
+    std::string hint;        ///< help about the keys
+    /// Cells of a figure of the body beside the title, 0 to 1 (game/picture/picture.h); std::nullopt: no
+    /// figure.
     std::optional<std::array<float, figure_cells>> figure{};
     bool operator==(const MenuPicture&) const = default;
 };
@@ -49,13 +51,14 @@ struct MenuPlace {
     MenuPart part{};
 };
 
-/// Returns the part of a row at a point (px from the top left); std::nullopt beside the rows.
+/// Returns the part of a row at a point (px from the top left); std::nullopt if the point is on no row.
 std::optional<MenuPlace> place_at(const MenuPicture& menu, render::Size size, double text_scale, fvec2 point);
 
 void add_menu(render::Overlay& out, const MenuPicture& menu, render::Size size, double text_scale);
 
-/// The empty arena for menus outside of a match, without an overlay. The camera looks from above and has
-/// turned by `angle` around the arena (rad). The frame stays valid in `memory` until the next call.
+/// Frame with the empty arena, the background of menus outside of a match, without an overlay. The camera
+/// looks from above and has turned by `angle` around the arena (rad). The frame stays valid in `memory` until
+/// the next call.
 const render::Frame& make_arena_frame(const ArenaScene& arena_scene, const Picture& picture, double angle,
                                       const HudSettings& settings, render::Size size, FrameMemory& memory);
 

@@ -1,10 +1,10 @@
-// game/hud/panel.h: a place on the screen.
+// game/hud/panel.h: a rectangle on the screen.
 #pragma once
 #include "core/maths.h"
 
 namespace thaum::game {
 
-/// A rectangle: its top left and its bottom right (px).
+/// A rectangle given by its top left and bottom right corners (px).
 struct Panel {
     fvec2 low{}, high{};
     bool operator==(const Panel&) const = default;

@@ -9,12 +9,13 @@ struct Offer {
     PromptKind kind{};
     const std::string* control{};
     std::string what;
-    std::string before{};  ///< words for what must be done first: "Hold [E], then "
+    std::string before{};  ///< text for a step that must come before: "Hold [E], then "
 };
 
-/// The first spell, for a player who is hurt, has no shield and has the focus for it; null for others.
+/// The first spell in the list, for a player who is hurt, has no shield and has enough focus for it; null for
+/// other players.
 const SpellStats* spell_in_need(const PlayerPicture& p) {
-    constexpr double hurt = 0.8;  // share of the full health
+    constexpr double hurt = 0.8;  // share of full health below which a player counts as hurt
     const auto& casting = p.casting;
     if (!casting.there || casting.first_spell == nullptr || casting.stroke.drawing || casting.ward > 0)
         return nullptr;
@@ -29,13 +30,13 @@ bool would_spoil(std::string_view carried, const RecipePicture& recipe) {
            (recipe.step == RecipeStep::ingredient && recipe.next != carried);
 }
 
-/// Whether the next step waits until the newest ingredient is mixed.
+/// Whether the next step must wait until the newest ingredient is mixed well enough.
 bool is_too_soon(const RecipePicture& recipe) {
     return recipe.step == RecipeStep::ingredient && recipe.reached < recipe.least;
 }
 
-/// The offer to a player who stands at the rim and does not hold the ladle. Without the ladle "use wand" shoots, so a
-/// player who carries an ingredient is told both controls.
+/// The prompt for a player who stands at the rim without holding the ladle. Since "use wand" shoots then, a
+/// player with an ingredient is shown both controls.
 Offer offer_at_rim(const PlayerPicture& p, const ControlNames& controls) {
     const bool strays = p.stations.recipe.step == RecipeStep::ingredient && !p.stations.recipe.secret;
     if (!p.stations.carries.empty() && strays && would_spoil(p.stations.carries, p.stations.recipe))
@@ -48,7 +49,7 @@ Offer offer_at_rim(const PlayerPicture& p, const ControlNames& controls) {
             text(capitalised(hold_or_press(controls.stir_toggles)), "[", controls.stir, "], then ")};
 }
 
-/// Returns the one thing that the player is told to do: the most pressing of those that are possible now.
+/// Returns the one prompt for the player: the most urgent action among those possible now.
 std::optional<Offer> offer_to(const PlayerPicture& p, const ControlNames& controls) {
     if (p.vitals.dead) return std::nullopt;
     if (p.stations.stirs && !p.stations.carries.empty() && would_spoil(p.stations.carries, p.stations.recipe))
@@ -97,7 +98,8 @@ void count_uses(const PlayerPicture& before, const PlayerPicture& now, std::uint
         done(PromptKind::throw_thing);
 }
 
-/// The station that the player tries to work at from out of reach, or has just been thrown away from.
+/// The station that the player has tried to use from too far away, or from which the player was just pushed
+/// away.
 std::optional<StationKind> missed_station(const PlayerPicture& before, const PlayerPicture& now) {
     const bool lost_crystal = before.stations.carving.carves && !now.stations.carving.near;
     const bool lost_orb = before.stations.scrying.scries && !now.stations.scrying.near;

@@ -1,5 +1,5 @@
-// game/hud/prompts.h: what a player can do now, with the control that does it: "[E] Stir". A prompt fades as its
-// player does the thing, and is gone after the third time.
+// game/hud/prompts.h: what a player can do now, with the control that does it: "[E] Stir". A prompt becomes
+// fainter each time the player has done the action, and disappears after the third time.
 #pragma once
 #include <array>
 #include <optional>
@@ -25,19 +25,19 @@ enum class PromptKind : std::uint8_t {
 };
 inline constexpr std::size_t prompt_kinds = 10;
 
-/// A try to work at a station from out of reach.
+/// A player's attempt to use a station from too far away.
 struct MissedStation {
     Tick at{};
     StationKind station{};
     bool operator==(const MissedStation&) const = default;
 };
 
-/// How often each player has done what a prompt says, and when a player last tried in vain.
+/// How often each player has done what each prompt asks for, and the last failed attempt at a station.
 struct PromptUses {
-    static constexpr std::uint32_t learnt = 3;  ///< number after which a prompt is gone
+    static constexpr std::uint32_t learnt = 3;  ///< number of uses after which a prompt is no longer shown
     std::array<std::array<std::uint32_t, prompt_kinds>, players> count{};
-    /// When the player last pressed Stir too far from a station, or was thrown away from it; std::nullopt: never, or it
-    /// has worked since.
+    /// Last time that the player pressed Stir too far from a station or was pushed away from it;
+    /// std::nullopt: never, or using a station has succeeded since.
     std::array<std::optional<MissedStation>, players> missed{};
     bool operator==(const PromptUses&) const = default;
 
@@ -54,17 +54,18 @@ struct Prompt {
     std::string words;
 };
 
-/// The prompt for what the player can do; std::nullopt if there is nothing, or no control does it.
+/// The prompt for the player's most useful action; std::nullopt if there is none, or if no control is bound
+/// to it.
 std::optional<Prompt> prompt_of(const PlayerPicture& player, const ControlNames& controls);
 
-/// Words for a player who has just pressed Stir too far from a station, or was thrown away from the work; empty for all
-/// others. `now` is the picture's tick.
+/// Words for a player who has just pressed Stir too far from a station, or was pushed away from it; empty for
+/// other players. `now` is the picture's tick.
 std::string_view words_of_missed_station(Tick now, std::uint32_t player, const PromptUses& uses);
 
-/// How visible a prompt is, 0 to 1.
+/// Opacity of a prompt, 0 to 1.
 float strength_of(const Prompt& prompt, std::uint32_t player, PromptWish wish, const PromptUses& uses);
 
-/// Counts what the players did between two pictures of a match.
+/// Counts the actions of players between two pictures of a match.
 void count_uses(const Picture& before, const Picture& now, PromptUses& uses);
 
 }  // namespace thaum::game

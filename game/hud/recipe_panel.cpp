@@ -14,14 +14,15 @@ using render::LineItem;
 using render::Overlay;
 using render::RectItem;
 
-constexpr float least_row = 18, dot_wide = 14;      // units
-constexpr float band_least = 60;                    // least width of the band (units)
-constexpr float words_size = 13, words_least = 12;  // em of the words of the force: units, and px
-constexpr double most_shown_n = 2.5;                ///< force at the end of the band (N)
+constexpr float least_row = 18, dot_wide = 14;  // units
+constexpr float band_least = 60;                // minimum width of the force scale (HUD units)
+// Text size of the words for the force (HUD units), and its minimum (px)
+constexpr float words_size = 13, words_least = 12;
+constexpr double most_shown_n = 2.5;  ///< force at the right end of the scale (N)
 
 std::string percent(double share) { return text(std::lround(100 * share), " %"); }
 
-/// Recipes with their ingredients, three spaces between them. `before`: a word before each.
+/// Recipes with their ingredients, separated by three spaces. `before`: a word in front of each.
 std::string words_of_choices(const RecipePicture& recipe, std::string_view before = {}) {
     std::string words;
     for (std::uint32_t i = 0; i < recipe.choices; ++i) {
@@ -51,7 +52,7 @@ std::string_view words_of_sense(CircleSense sense) {
     return "";
 }
 
-/// How hard: " gently", " hard", or nothing where any force does.
+/// Words for the required force: " gently", " hard", or empty if any force is allowed.
 std::string_view words_of_force(const RecipePicture& recipe) {
     constexpr double harsh = 1.2;  // N
     if (recipe.least_force >= harsh) return " hard";
@@ -66,7 +67,8 @@ std::string words_of_stroke(const RecipePicture& recipe, bool stirs, const Contr
                 count);
 }
 
-/// How to drop the carried ingredient: "drop salt now with [Left mouse]". Without the ladle "use wand" would shoot.
+/// How to drop the carried ingredient: "drop salt now with [Left mouse]". A player without the ladle must
+/// take it first, because "use wand" would shoot.
 std::string words_of_drop(const RecipePicture& recipe, bool stirs, const ControlNames& controls) {
     const auto fire = text("[", controls.fire.empty() ? "use wand" : controls.fire, "]");
     if (stirs) return text("drop ", recipe.next, " now with ", fire);
@@ -74,16 +76,16 @@ std::string words_of_drop(const RecipePicture& recipe, bool stirs, const Control
                 "], then drop ", recipe.next, " with ", fire);
 }
 
-/// The wanted force: "gently", "hard", "any force".
+/// The required force: "gently", "hard", "any force".
 std::string words_of_band(const RecipePicture& recipe) {
     const auto words = words_of_force(recipe);
     return words.empty() ? "any force" : std::string(words.substr(1));
 }
 
-/// Em of the words of the force (px).
+/// Text size of the words for the force (px).
 float words_em(float u) { return std::max(words_least, std::floor(words_size * u)); }
 
-/// One dot for each stroke that is wanted: full ones are done.
+/// One dot for each required stroke; those already drawn are filled.
 void add_dots(Overlay& out, const RecipePicture& recipe, fvec2 low, float u) {
     for (std::uint32_t i = 0; i < recipe.times; ++i) {
         const fvec2 centre = low + u * fvec2(6 + dot_wide * static_cast<float>(i), 6);
@@ -93,7 +95,7 @@ void add_dots(Overlay& out, const RecipePicture& recipe, fvec2 low, float u) {
     }
 }
 
-/// Bar of the force with the wanted band, and a mark at the present force.
+/// Bar of the force with the allowed range, and a mark at the current force.
 void add_force_band(Overlay& out, const RecipePicture& recipe, const Panel& bar, float u) {
     const auto x = [&](double force) {
         const auto share = static_cast<float>(std::clamp(force / most_shown_n, 0.0, 1.0));
@@ -147,7 +149,8 @@ void add_ghost(Overlay& out, const RecipePicture& recipe, fvec2 centre, float ha
     for (std::size_t i = 1; i < points.size(); ++i)
         out.items.emplace_back(LineItem{at(i - 1), at(i), std::max(1.5F, 2 * u), paints.soft});
     out.items.emplace_back(ArcItem{at(0), 0, 3 * u, 0, whole_turn, paints.white});
-    constexpr double period = 1.6, rest = 0.25;  // s, share of the period at the end
+    // Duration of the running dot's loop (s), and share of the loop for which the dot rests at the end.
+    constexpr double period = 1.6, rest = 0.25;
     const double share = std::min(1.0, std::fmod(seconds, period) / period / (1 - rest));
     const auto runner = static_cast<std::size_t>(share * static_cast<double>(points.size() - 1));
     out.items.emplace_back(ArcItem{at(runner), 0, 4.5F * u, 0, whole_turn, paints.amber});

@@ -14,13 +14,13 @@ using render::Align;
 using render::Overlay;
 using render::RectItem;
 
-// Sizes in units.
+// Sizes in HUD units.
 constexpr float side_room = 10, row_high = 17, track_high = 18, key_words = 10.5F, keys_high = 15,
                 row_gap = 2;
 constexpr int keys_lines_most = 3;
 constexpr float line_high = 6, knob_wide = 5, mark_radius = 5.5F;
-constexpr float least_wide = 260;       // width that every window has at least
-constexpr float largest_share = 0.22F;  // largest share of the window's height
+constexpr float least_wide = 260;       // width that fits into every window (HUD units)
+constexpr float largest_share = 0.22F;  // maximum share of the window's height
 constexpr float usual_high = 600, usual_wide = 900;
 
 float share_of(Tick tick, Tick length) {
@@ -55,7 +55,8 @@ void add_line(Overlay& out, const ReplayBarLayout& l, float from, float to, fvec
     out.items.emplace_back(RectItem{{from, middle - half}, {to, middle + half}, paint, half / 2});
 }
 
-/// Marks a kill with the mark of the player who made it, and a death by one's own fault with a cross.
+/// Marks a kill with the mark of the player who made it. A death that is no kill by the other player gets a
+/// cross.
 void add_kill(Overlay& out, const Kill& kill, fvec2 centre, float u) {
     if (kill.by < players && kill.by != kill.victim) return add_mark(out, kill.by, centre, mark_radius * u);
     const auto paint = opaque(team_colours(kill.victim).light);
@@ -83,15 +84,16 @@ void add_track(Overlay& out, const ReplayBar& bar, Tick now, const ReplayBarLayo
 
 namespace {
 
-/// Size of a bar with some lines of keys.
+/// Size of a replay bar whose key help has a certain number of lines.
 struct BarSize {
     int lines{};
-    float unit{};   ///< length of a unit (px)
-    float words{};  ///< em of the keys (px)
+    float unit{};   ///< length of a HUD unit (px)
+    float words{};  ///< text size of the key help (px)
     float high() const { return 4 * row_gap + row_high + track_high + static_cast<float>(lines) * keys_high; }
 };
 
-/// The fewest lines with the largest words on the keys. A line that is not the only one is seldom full.
+/// Chooses the fewest lines that allow the largest text for the key help. Of several lines, none is expected
+/// to be full.
 BarSize size_of_bar(float wanted, float wide, float high) {
     constexpr float full = 0.85F;
     BarSize best;

@@ -15,36 +15,37 @@
 
 namespace thaum::game {
 
-/// Contents of the bar, apart from the time of the picture.
+/// Contents of the bar, except the time of the picture.
 struct ReplayBar {
-    Tick length{};                 ///< ticks of the log
-    Tick indexed{};                ///< up to here every place is quick to reach
-    std::optional<Tick> target{};  ///< place that the replay is on its way to
+    Tick length{};                 ///< length of the log (ticks)
+    Tick indexed{};                ///< tick up to which the index makes every jump quick
+    std::optional<Tick> target{};  ///< tick that a running jump is heading for
     double speed = 1;
     bool paused = false;
-    std::string eyes;  ///< words on whose views are shown
-    std::string keys;  ///< words on what the keys do
+    std::string eyes;  ///< text: whose views are shown
+    std::string keys;  ///< text: what the keys do
     std::vector<Kill> kills;
     bool operator==(const ReplayBar&) const = default;
 };
 
-/// Places of the bar's parts. None overlaps another.
+/// Positions of the bar's parts, none of which overlap.
 struct ReplayBarLayout {
-    float unit{};  ///< length of a unit (px)
-    Panel band;    ///< all of it, the lower edge of the window
+    float unit{};  ///< length of a HUD unit (px)
+    Panel band;    ///< the whole bar, at the lower edge of the window
     Panel clock, state;
-    Panel track;  ///< the line of time with its marks; also where the mouse acts
+    Panel track;  ///< the time line with its marks, on which the mouse acts
     Panel keys;
 };
-/// Greatest width of the words on the keys in one line (em).
+/// Maximum width of the key help in one line (em).
 inline constexpr float replay_keys_wide = 80;
-/// If one line of keys would be smaller than the rest of the bar, the keys have up to three lines.
+/// Computes the layout. If one line of key help would be smaller than the other text of the bar, the help has
+/// up to three lines.
 ReplayBarLayout lay_out_replay_bar(double text_scale, render::Size window);
 
-/// The tick at a place on the track, from 0 to `length`.
+/// The tick at a horizontal position on the time line, from 0 to `length`.
 Tick tick_at(const ReplayBarLayout& layout, float x, Tick length);
 
-/// `now`: tick of the picture.
+/// Adds the bar to the overlay. `now`: tick of the picture.
 void add_replay_bar(render::Overlay& out, const ReplayBar& bar, Tick now, const ReplayBarLayout& layout);
 
 }  // namespace thaum::game

@@ -21,7 +21,8 @@ struct Announcement {
     fvec4 paint{paints.white};
 };
 
-// Sizes in units. The table of hits: distance of a side from the middle, space below a row, size of its words.
+// Sizes in HUD units. For the table of hits: distance of each player's side from the middle, space below a
+// row, text size.
 constexpr float sheet_margin = 12, sheet_gap = 6, narrowest = 360, widest = 1000;
 constexpr float head_size = 34, line_size = 19, keys_size = 17;
 constexpr float table_aside = 42, table_gap = 3, table_size = 15, table_head = 17;
@@ -32,15 +33,15 @@ struct Cells {
     float high() const { return std::max(words[0].height(), words[1].height()) + table_gap; }
 };
 
-/// The words of a panel in lines that fit its width. Lengths are in units.
+/// The texts of a panel, broken into lines that fit its width. Lengths are in HUD units.
 struct Sheet {
     FittedWords head, line, keys;
-    std::vector<Cells> rows{};  ///< the table of hits, whose first row has the names
+    std::vector<Cells> rows{};  ///< the table of hits; its first row has the players' names
     float wide{}, tall{};
-    bool whole = true;  ///< no words had to shrink
+    bool whole = true;  ///< true: no text had to be made smaller
 };
 
-/// Breaks the words of a panel for its width.
+/// Breaks the texts of a panel for a given width.
 Sheet sheet_of(const Announcement& a, const std::vector<ResultRow>& rows, const PlayerNames& names,
                float wide) {
     Sheet out{.head = {}, .line = {}, .keys = {}, .wide = wide};
@@ -70,13 +71,13 @@ Sheet sheet_of(const Announcement& a, const std::vector<ResultRow>& rows, const 
     return out;
 }
 
-/// Length of a unit (px) with which a panel fits the window, up to `wanted`.
+/// Length of a HUD unit with which a panel fits the window, at most `wanted` (px).
 float unit_of(const Sheet& sheet, const Rect& window, float wanted) {
     return std::min({wanted, 0.96F * static_cast<float>(window.width) / sheet.wide,
                      0.96F * static_cast<float>(window.height) / sheet.tall});
 }
 
-/// The sheet whose words are the largest in the window. Of equally large ones it is the lowest, then the narrowest.
+/// The layout with the largest text in the window. Among equals, the lowest, then the narrowest.
 Sheet best_sheet(const Announcement& a, const std::vector<ResultRow>& rows, const PlayerNames& names,
                  const Rect& window, float wanted) {
     std::optional<Sheet> best;
@@ -94,16 +95,17 @@ Sheet best_sheet(const Announcement& a, const std::vector<ResultRow>& rows, cons
     return std::move(*best);
 }
 
-/// Everything that decides which sheet is the best.
+/// All inputs that decide which layout is best.
 struct SheetKey {
     std::array<std::string, 3> words;
     std::vector<ResultRow> rows;
     PlayerNames names;
-    std::array<float, 3> sizes{};  ///< width and height of the window, wanted unit (px)
+    std::array<float, 3> sizes{};  ///< width and height of the window, and wanted length of a HUD unit (px)
     bool operator==(const SheetKey&) const = default;
 };
 
-/// best_sheet, which tries many widths, once for each panel: a panel is drawn for seconds with the same words.
+/// Result of best_sheet, cached. best_sheet tries many widths, and a panel is drawn for seconds with the same
+/// texts.
 const Sheet& kept_sheet(const Announcement& a, const std::vector<ResultRow>& rows, const PlayerNames& names,
                         const Rect& window, float wanted) {
     thread_local std::optional<std::pair<SheetKey, Sheet>> kept;
@@ -115,7 +117,7 @@ const Sheet& kept_sheet(const Announcement& a, const std::vector<ResultRow>& row
     return kept->second;
 }
 
-/// Adds lines from a place downwards.
+/// Adds lines of text downwards from a position.
 void add_lines(Overlay& out, const FittedWords& words, fvec2 top, float u, fvec4 paint, Align align) {
     for (const auto& line : words.lines) {
         add_text(out, line, top, std::floor(u * words.size), paint, align);
@@ -123,7 +125,7 @@ void add_lines(Overlay& out, const FittedWords& words, fvec2 top, float u, fvec4
     }
 }
 
-/// Adds the hits of both players: one line for each cause, one side for each player.
+/// Adds the hits of both players: one row for each cause, one side for each player.
 void add_table(Overlay& out, const Sheet& sheet, const std::vector<ResultRow>& rows, fvec2 top, float u) {
     const std::array<Align, players> aligned{Align::right, Align::left};
     for (std::size_t i = 0; i < sheet.rows.size(); ++i) {
@@ -139,7 +141,7 @@ void add_table(Overlay& out, const Sheet& sheet, const std::vector<ResultRow>& r
     }
 }
 
-/// Adds a panel in the middle of the window, over whatever is there.
+/// Adds a panel in the middle of the window, on top of everything else.
 void add_panel(Overlay& out, const Announcement& a, const std::vector<ResultRow>& rows,
                const PlayerNames& names, const Rect& window, float wanted) {
     const auto& sheet = kept_sheet(a, rows, names, window, wanted);
@@ -194,7 +196,7 @@ Announcement result_of(const Picture& picture, const HudSettings& settings) {
     return a;
 }
 
-/// Length of a unit at the text size of the settings (px).
+/// Length of a HUD unit at the text size of the settings (px).
 float wanted_unit(const HudSettings& settings, const Rect& window) {
     const float share =
         std::min(static_cast<float>(window.width) / 640, static_cast<float>(window.height) / 690);

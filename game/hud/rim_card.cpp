@@ -15,33 +15,35 @@ using render::LineItem;
 using render::Overlay;
 using render::RectItem;
 
-// Sizes in units of the card, which are smaller than the HUD's where its words must be.
+// Sizes in units of the card. The card's unit is smaller than the HUD's if its text needs that.
 constexpr float card_pad = 4, card_gap = 2;
 constexpr float ghost_side = 52;
 constexpr float gauge_high = 11, gauge_wide = 150, gauge_least = 70;
 constexpr float step_size = 15, brew_size = 13;  // em
-constexpr float readable = 12;                   // em of words that are not to be smaller (px)
+constexpr float readable = 12;                   // text size below which text should not shrink (px)
 
-// Words ------------------------------------------------------------------------------------------------------
+// Words
+// ------------------------------------------------------------------------------------------------------
 
 std::string whole_seconds(double seconds) { return text(std::lround(std::ceil(seconds)), " s"); }
 
-/// Whether the brew has ingredients that recipes judge. Then words and gauge have the number by which recipes go, also
-/// once the recipe is spoilt: another measure in its place would look as if the brew had come apart.
+/// Whether the brew has ingredients of a recipe. The text and the gauge then show the number that recipes
+/// use, even after the recipe has failed, because a change to another number would look as if the brew had
+/// separated.
 bool has_recipe(const RecipePicture& recipe) {
     return recipe.step == RecipeStep::ingredient || recipe.step == RecipeStep::stroke ||
            recipe.step == RecipeStep::spoilt;
 }
 
-/// The pure brew in words, with what a player must know before the first ingredient.
+/// Text about a pure brew, with what a player must know before the first ingredient.
 std::string words_of_pure_brew(const CauldronPicture& cauldron, const RecipePicture& recipe) {
     if (recipe.step != RecipeStep::choose || cauldron.whole_time_s <= 0) return "Pure brew";
     return text("Pure brew: all within ", whole_seconds(cauldron.whole_time_s),
                 ", or it boils over and hurts");
 }
 
-/// The state of the brew in words: ingredients, mixing, owner, effects and time left. Example: "Ember and salt, mixed
-/// 57 %, yours, slows, boils over in 12 s".
+/// The state of the brew in words: ingredients, mixing, owner, effects and time left. Example: "Ember and
+/// salt, mixed 57 %, yours, slows, boils over in 12 s".
 std::string words_of_brew(const CauldronPicture& cauldron, const RecipePicture& recipe,
                           std::uint32_t player) {
     std::string words;
@@ -87,7 +89,8 @@ BrewGauge gauge_of(const CauldronPicture& cauldron, const RecipePicture& recipe)
             .paint = paint};
 }
 
-// Fitting ----------------------------------------------------------------------------------------------------
+// Fitting
+// ----------------------------------------------------------------------------------------------------
 
 float height_of(const FittedWords& words, float u) {
     return words.lines.empty() ? 0 : words.height() + card_gap * u;
@@ -99,12 +102,12 @@ float widest_line(const FittedWords& words) {
     return wide;
 }
 
-/// Which parts of a card are left out. The words of the next step, the gauge and the dots always stay.
+/// Which optional parts a card has. The text of the next step, the gauge and the dots are always shown.
 struct Parts {
     bool ghost = true, potions = true, brew = true;
 };
 
-/// Fits the brew and the potions, on one line if there is room.
+/// Fits the texts about the brew and the potions, on one line if there is room.
 void fit_state(const RimCard& card, const Parts& parts, float em, fvec2 room, FittedCard& out) {
     const auto both = text(card.brew, "   ", card.potions);
     const bool said = parts.brew && parts.potions && !card.brew.empty() && !card.potions.empty();
@@ -116,7 +119,7 @@ void fit_state(const RimCard& card, const Parts& parts, float em, fvec2 room, Fi
     if (parts.potions) out.potions = fit(card.potions, em, room);
 }
 
-/// The card with words of this em (px) in a box of this width.
+/// The card with text of this size (em, px) in a box of this width.
 FittedCard sized_card(const RimCard& card, const Parts& parts, float em, float wide) {
     constexpr float any_height = 1e5F;  // px
     FittedCard out;
@@ -126,7 +129,7 @@ FittedCard sized_card(const RimCard& card, const Parts& parts, float em, float w
     const float before = out.ghost ? (ghost_side + card_pad) * u : 0;
     const fvec2 room(wide - before - 2 * card_pad * u, any_height);
     out.step = fit(card.step, em, room);
-    // Words about the brew are a little smaller, as long as they stay readable.
+    // Text about the brew is a little smaller, as long as it stays readable.
     fit_state(card, parts, std::floor(std::max(std::min(em, readable), brew_size * u)), room, out);
     float least = std::min(room.x, gauge_wide * u), feet = gauge_high * u;
     if (card.stroke != nullptr) {
@@ -177,7 +180,7 @@ std::string words_of_potions(const PlayerPicture& p) {
 FittedCard fit_card(const RimCard& card, fvec2 room, float u) {
     struct Try {
         Parts parts;
-        float least{};  ///< em below which less is said (px)
+        float least{};  ///< text size below which parts are left out (px)
     };
     constexpr std::array tries{Try{{}, readable}, Try{{.ghost = false}, readable},
                                Try{{.ghost = false, .potions = false}, 8},
@@ -209,7 +212,7 @@ bool holds_line(const Panel& box) {
 
 namespace {
 
-/// Adds the two bars of a gauge. The time is amber in its last quarter.
+/// Adds the two bars of a gauge. The bar of the time turns amber in its last quarter.
 void add_gauge(Overlay& out, const BrewGauge& gauge, fvec2 corner, float wide, float u) {
     const auto bar = [&](float from, float high, float share, fvec4 paint) {
         const fvec2 low(corner.x, corner.y + from * u);
@@ -225,7 +228,7 @@ void add_gauge(Overlay& out, const BrewGauge& gauge, fvec2 corner, float wide, f
     };
     if (gauge.goal > 0) mark(gauge.goal);
     if (gauge.window) {
-        // A line over the bar between two marks: the moment for the next step.
+        // A line above the bar, between two marks, shows the window for the next step.
         mark(gauge.window->x);
         mark(gauge.window->y);
         out.items.emplace_back(LineItem{{corner.x + gauge.window->x * wide, corner.y},
@@ -236,7 +239,7 @@ void add_gauge(Overlay& out, const BrewGauge& gauge, fvec2 corner, float wide, f
     if (gauge.fresh > 0) bar(7, 3, gauge.fresh, gauge.fresh < 0.25F ? paints.amber : paints.soft);
 }
 
-/// Plots heights at even distances.
+/// Plots heights at equal distances.
 void add_curve(Overlay& out, std::span<const float> heights, const Panel& box, float u) {
     out.items.emplace_back(RectItem{box.low, box.high, paints.track, 3 * u});
     const fvec2 low = box.low + fvec2(3 * u), size = box.high - box.low - fvec2(6 * u);
@@ -248,7 +251,7 @@ void add_curve(Overlay& out, std::span<const float> heights, const Panel& box, f
         out.items.emplace_back(LineItem{at(i), at(i + 1), std::max(1.5F, 2 * u), paints.amber});
 }
 
-/// Adds lines of words from a corner downwards. Returns the height that they take.
+/// Adds lines of text downwards from a corner. Returns the height of all lines.
 float add_lines(Overlay& out, const FittedWords& words, fvec2 corner, fvec4 paint, float u) {
     for (std::size_t i = 0; i < words.lines.size(); ++i)
         add_text(out, words.lines[i], corner + fvec2(0, static_cast<float>(i) * words.line_height()),

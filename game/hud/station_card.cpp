@@ -18,9 +18,10 @@ float focus_share(const PlayerPicture& p) {
     return static_cast<float>(std::clamp(p.casting.focus / std::max(p.casting.focus_cap, 1.0), 0.0, 1.0));
 }
 
-// Orb --------------------------------------------------------------------------------------------------------
+// Orb
+// --------------------------------------------------------------------------------------------------------
 
-/// The player's own order: "Azoth: moss, salt, mist".
+/// The order of ingredients for the player: "Azoth: moss, salt, mist".
 std::string words_of_order(const ScryingPicture& orb) {
     std::string words = text(capitalised(orb.potion), ": ");
     for (std::size_t i = 0; i < orb.order.size() && !orb.order.at(i).empty(); ++i)
@@ -38,7 +39,7 @@ std::string words_of_search(const ScryingPicture& orb, const ControlNames& contr
     return text("Find the core, stay there for ", time);
 }
 
-/// The keys of modes: "[1] to [6]", or the control that goes on to the next one.
+/// The keys for choosing modes: "[1] to [6]", or the control for the next mode.
 std::string keys_of(const ControlNames& controls, std::size_t last) {
     const auto& keys = controls.wands;
     if (last > keys.size() || keys[0].empty() || keys[last - 1].empty())
@@ -83,9 +84,11 @@ RimCard orb_card_of(const Picture& picture, const HudSettings& settings, std::ui
     return card;
 }
 
-// Crystal ----------------------------------------------------------------------------------------------------
+// Crystal
+// ----------------------------------------------------------------------------------------------------
 
-/// Words for the effect of the tool in hand where it is, which its sign shows by shape and colour.
+/// Words for the effect that the tool would have at its present position. On the crystal, a sign shows the
+/// same by shape and colour.
 std::string_view words_of_worth(const CarvingPicture& crystal) {
     switch (crystal.tip.worth) {
         case DabWorth::helps: return "good place";
@@ -95,7 +98,7 @@ std::string_view words_of_worth(const CarvingPicture& crystal) {
     return "nothing here";
 }
 
-/// Words that say what to do with the tool in hand.
+/// Advice on what to do with the chosen tool.
 std::string words_of_tool(const CarvingPicture& crystal, const ControlNames& controls) {
     const auto fire = text(": ", hold_or_press(controls.fire_toggles), bracketed(controls.fire, "use wand"));
     const auto here = text(" (", words_of_worth(crystal), ")");
@@ -107,7 +110,7 @@ std::string words_of_tool(const CarvingPicture& crystal, const ControlNames& con
     return text(capitalised(tool), fire, here);
 }
 
-/// The controls that turn the crystal.
+/// Names of the controls that turn the crystal.
 std::string keys_of_turning(const ControlNames& controls) {
     if (controls.aside.empty()) return {};
     return text("   turn it: [", controls.aside, "]");

@@ -1,5 +1,5 @@
-// game/hud/station_card.h: the card of a wizard at the orb or at a crystal, in the form of the card at the cauldron
-// (rim_card.h).
+// game/hud/station_card.h: the card of a wizard at the orb or at a crystal, in the form of the card at the
+// cauldron (rim_card.h).
 //
 //     +-------+  Find the core, stay there for 1.5 s                             the next step
 //     | curve |  Force and follow, [1] to [6] change                             the state

@@ -14,9 +14,9 @@ using render::Align;
 using render::Overlay;
 using render::RectItem;
 
-constexpr float least_high = 17;  // height of a line of words (units)
+constexpr float least_high = 17;  // minimum height of a line of text (HUD units)
 
-/// A mode or a tool.
+/// A haptic mode or a carving tool that a key chooses.
 struct Choice {
     std::string_view name;
     bool chosen{};
@@ -34,7 +34,7 @@ std::vector<Choice> choices_of(const PlayerPicture& p) {
     return result;
 }
 
-/// Cells from left to right and then down, in as few columns as have room for lines of words.
+/// Cells from left to right and then down, in as few columns as leave room for lines of text.
 std::vector<Panel> cells_of(const Panel& box, float u, std::size_t count) {
     const fvec2 room = box.high - box.low;
     const auto most_rows = static_cast<std::size_t>(std::max(1.0F, std::floor(room.y / (u * least_high))));

@@ -11,7 +11,7 @@ namespace thaum::app {
 
 struct Still::State {
     render::Offscreen context;
-    std::optional<render::Renderer> renderer;  // destroyed before its context
+    std::optional<render::Renderer> renderer;  // must be destroyed before its OpenGL context
     game::ArenaScene arena_scene;
     game::Picture picture = game::make_picture();
     game::FrameMemory memory;

@@ -12,7 +12,7 @@ namespace thaum::app {
 
 class Still {
 public:
-    /// All pictures are of matches with this data. The error is one line: no OpenGL, no font, or a broken
+    /// Prepares to draw matches with this data. The error is one line: no OpenGL, no font, or a broken
     /// shader.
     static Expected<Still> create(const game::MatchData& data, const std::filesystem::path& assets,
                                   render::Size size);
@@ -20,7 +20,7 @@ public:
     Still& operator=(Still&&) noexcept;
     ~Still();
 
-    /// `senses`: what players have heard and felt of the match so far; null: nothing is shown of that.
+    /// Draws a match. `senses`: what players have heard and felt so far; null: none of it is shown.
     render::Image draw(const game::Simulation& match, const game::HudSettings& settings,
                        const game::Senses* senses = nullptr);
     /// Draws the match and saves the picture as a PNG file.

@@ -10,8 +10,8 @@
 namespace thaum::game {
 namespace {
 
-constexpr std::size_t most_stroke_lines = 160;  // lines of one stroke
-constexpr float ghost_start = 0.12F;            // part of a ghost in front of which its arrow stands
+constexpr std::size_t most_stroke_lines = 160;  // maximum number of lines that one stroke is drawn with
+constexpr float ghost_start = 0.12F;            // share of a ghost's path at which the arrow stands
 
 fvec2 on_screen(const StrokeFit& fit, vec3 at) {
     const vec3 from = fit.scale * (at - fit.middle);

@@ -7,25 +7,25 @@
 
 namespace thaum::game {
 
-/// Maps places of a hand to the screen.
+/// Maps hand positions to the screen.
 struct StrokeFit {
-    vec3 middle{};     ///< place that appears at `centre` (m)
+    vec3 middle{};     ///< hand position that appears at `centre` (m)
     fvec2 centre{};    ///< (px)
     double scale = 1;  ///< px per m
 };
 
-/// The map by which a stroke fills a box. Strokes smaller than `least_size` are not made larger than it (m).
+/// The map with which a stroke fills a box. Strokes smaller than `least_size` (m) are not enlarged further.
 StrokeFit fit_stroke(gesture::Points stroke, const Panel& box, double least_size = 0.02);
 
 struct StrokeLook {
     fvec4 colour{1};
     float width = 3;        ///< (px)
-    bool by_force = false;  ///< true: green, yellow and red by the force of each point, instead of `colour`
+    bool by_force = false;  ///< true: green, yellow or red by the force at each point, instead of `colour`
 };
 
 void add_stroke(render::Overlay& out, gesture::Points stroke, const StrokeFit& fit, const StrokeLook& look);
 
-/// Adds the way of a stroke with an arrow at its start: the ghost of a gesture.
+/// Adds the path of a stroke with an arrow at its start: the ghost (faint shape) of a gesture.
 void add_ghost(render::Overlay& out, gesture::Points stroke, const Panel& box, fvec4 colour, float width);
 
 }  // namespace thaum::game

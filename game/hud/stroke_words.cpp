@@ -33,17 +33,18 @@ std::string words_of_miss(const CastingPicture& casting) {
     const auto* why = is_too_fast(*casting.rules, reading.force) ? "too fast" : "not read";
     const bool is_like_none = whole_percent(reading.probability) == 0;
     if (is_like_none || shown_gesture(casting, reading.nearest).empty()) return why;
-    // Without a number: how likely it was meant depends on how often this player scribbles.
+    // No probability is shown, because it depends on how often the player scribbles without meaning a
+    // gesture.
     return text(why, "; nearest: ", shown_gesture(casting, reading.nearest));
 }
 
-/// The key of a chord: "[1]".
+/// The key of a chord in brackets: "[1]".
 std::string key_of(std::uint32_t slot, const ControlNames& controls) {
     const bool named = slot < controls.wands.size() && !controls.wands[slot].empty();
     return named ? text("[", controls.wands[slot], "]") : text("[", slot + 1, "]");
 }
 
-/// Words for a stroke or key chord and its spell: "Circle 97 %: Shield", or "[1] Shield" for a key chord.
+/// Text about a stroke and its spell: "Circle 97 %: Shield", or "[1] Shield" for a key chord.
 std::string words_of_cast(const CastingPicture& casting, const Presentation& shown,
                           const ControlNames& controls) {
     const auto& reading = casting.reading;
@@ -52,7 +53,7 @@ std::string words_of_cast(const CastingPicture& casting, const Presentation& sho
     return text(gesture_and_percent(casting, reading.gesture), ": ", spell);
 }
 
-/// Words of a stroke on the brew: "Circle 97 %, 2 turns, gentle".
+/// Text about a stroke on the brew: "Circle 97 %, 2 turns, gentle".
 std::string words_on_brew(const CastingPicture& casting, const ControlNames& controls) {
     const auto& reading = casting.reading;
     if (reading.gesture == no_gesture) return words_of_miss(casting);
@@ -66,7 +67,7 @@ std::string words_on_brew(const CastingPicture& casting, const ControlNames& con
     return text(words, ", ", force_word(*casting.rules, reading.force));
 }
 
-/// Why a hand without a button cast nothing, in words.
+/// Why free casting (without a button) cast nothing, in words.
 std::string_view words_of(Miss reason) {
     switch (reason) {
         case Miss::none: break;
@@ -88,7 +89,7 @@ std::string_view words_of(Slip slip) {
     return {};
 }
 
-/// Words for a gesture that a hand without a button nearly cast: "almost: Star 60 %, not clear enough".
+/// Text about a gesture that was almost cast without a button: "almost: Star 60 %, not clear enough".
 std::string words_of_near_miss(const CastingPicture& casting) {
     const auto& miss = casting.free.miss;
     return text("almost: ", shown_gesture(casting, miss.gesture), " ", whole_percent(miss.probability),

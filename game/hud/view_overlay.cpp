@@ -51,16 +51,18 @@ void add_heart(Overlay& out, fvec2 centre, float size) {
     heart(size, paints.white);
 }
 
-/// Radii of the arcs of the health (units). With focus there is an arc within that of the health.
+/// Radii of the arcs of the health (HUD units). The arc of the focus, if there is one, is inside that of the
+/// health.
 struct HealthArcs {
     float inner{27}, outer{35};
-    float extra_inner{22}, extra_outer{25};  ///< health above the full one
-    float number_lift{14}, number_size{22};  ///< height of the number's top above the middle, and its em
+    float extra_inner{22}, extra_outer{25};  ///< arc of health above the initial value
+    /// Height of the number's top above the middle, and its text size (HUD units)
+    float number_lift{14}, number_size{22};
 };
 constexpr HealthArcs with_focus{29, 36, 37, 39.5F, 19, 19};
 
-/// Adds the halves of the Great Work that the player holds, in the upper corners of the health's box: Azoth as the left
-/// half of a disc, and the Lens as the right half with a dot, so that both together make a whole.
+/// Adds the halves of the Great Work that the player holds, in the upper corners of the health's box: Azoth
+/// as the left half of a disc, and the Lens as the right half with a dot, so that both together make a whole.
 void add_halves(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
     const float u = l.unit, radius = 8 * u;
     const auto gold = colour(0xFFD060, 1.0F);
@@ -95,7 +97,7 @@ void add_health(Overlay& out, const PlayerPicture& p, std::uint32_t team, const 
             out.items.emplace_back(
                 ArcItem{centre, inner * u, outer * u, arc_start, arc_sweep * static_cast<float>(part), of});
     };
-    if (low) {  // edges and a heart, so that nobody needs to see the red
+    if (low) {  // not only red, but also edges and a heart, for players who do not see red well
         arc(arcs.inner - 3, arcs.outer + 3, share, paints.dark);
         arc(arcs.inner - 1.5F, arcs.outer + 1.5F, share, paints.white);
         add_heart(out, centre - fvec2(0, (arcs.number_lift + 5) * u), 5 * u);
@@ -140,7 +142,7 @@ void add_wands(Overlay& out, const Picture& picture, const ControlNames& control
 
 // Crosshair -------------------------------------------------------------------------------------------------
 
-/// Draws around the crosshair. Lengths are in units.
+/// Draws around the crosshair. Lengths are in HUD units.
 struct Pen {
     Overlay& out;
     fvec2 centre;
@@ -149,7 +151,7 @@ struct Pen {
     void line(fvec2 from, fvec2 to, float width, fvec4 paint) const {
         out.items.emplace_back(LineItem{centre + unit * from, centre + unit * to, width, paint});
     }
-    /// A line with a dark edge.
+    /// Draws a line with a dark edge.
     void edged(fvec2 from, fvec2 to, fvec4 paint) const {
         const float width = std::max(1.5F, 1.6F * unit);
         const fvec2 more = 0.5F * glm::normalize(to - from);
@@ -161,7 +163,7 @@ struct Pen {
     }
 };
 
-/// Adds what the wand would do with what is under the crosshair. Each state has a shape of its own.
+/// Adds a symbol for what the wand would do with the thing under the crosshair. Each case has its own shape.
 void add_target(const Pen& pen, const PlayerPicture& p, std::uint32_t foe) {
     const auto corners = [&](float from, float to, fvec4 paint) {
         for (const fvec2 way : {fvec2(1, 1), fvec2(1, -1), fvec2(-1, 1), fvec2(-1, -1)}) {
@@ -193,12 +195,12 @@ std::string_view warning_of(const Picture& picture, const PlayerPicture& p) {
 
 constexpr float warning_size = 14, warning_top = 16;  // units
 
-/// Whether there is room for a warning below the crosshair. Where there is none, it is the first message.
+/// Whether there is room for a warning below the crosshair. If not, the warning becomes the first message.
 bool warns_at_crosshair(const ViewLayout& l) {
     return l.ring >= (warning_top + FittedWords::line_spacing * warning_size) * l.unit;
 }
 
-/// Words below the crosshair: a warning, or what is there.
+/// Text below the crosshair: a warning, or the name of what is under the crosshair.
 std::string_view words_below(const Picture& picture, const PlayerPicture& p, const ViewLayout& l) {
     if (const auto warning = warning_of(picture, p); !warning.empty())
         return warns_at_crosshair(l) ? warning : std::string_view();
@@ -238,23 +240,23 @@ void add_crosshair(Overlay& out, const Picture& picture, std::uint32_t player, c
     if (!words.empty()) add_plate(out, box, top, lines, warned ? paints.light_red : paints.white);
 }
 
-/// Direction of a vector in the player's view, clockwise from straight ahead (rad).
+/// Direction of a vector in the player's view, counted clockwise from straight ahead (rad).
 float bearing(const PlayerPicture& p, vec3 towards) {
     const vec3 local = rotation({0, 1, 0}, -p.vitals.yaw) * towards;
     return static_cast<float>(std::atan2(local.x, -local.z));
 }
 
-/// Adds arcs towards what has hurt the player: red between a light and a dark edge, so that they stand out from any
-/// background, with a point outwards.
+/// Adds arcs towards what has hurt the player: red between a light and a dark edge, so that they stand out
+/// from any background, with a tip that points outwards.
 void add_hurt_marks(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
-    // At a station the eyes follow the hand in the middle of the view, so the arcs go round it.
+    // At a station the view's middle shows the work of the hand, so the arcs are drawn around it.
     constexpr float round_work = 2.2F;
     const bool works = p.stations.works();
     const float u = l.ring / 66, outer = works ? round_work * l.ring : l.ring;
     for (std::uint32_t i = 0; i < p.senses.hurts; ++i) {
         const auto& mark = p.senses.marks[i];
         const auto left = static_cast<float>(0.9 * std::max(0.0, 1 - mark.age_s / mark_seconds));
-        // A fall comes from below. A hurt without a direction is marked there as well.
+        // Arcs for a fall point downwards. Harm without a known direction is also shown there.
         const bool known = glm::dot(mark.towards, mark.towards) > 0.5;
         const float angle = known ? bearing(p, mark.towards) : whole_turn / 2;
         const auto arc = [&](float from, float to, float half, fvec3 paint) {
@@ -269,8 +271,8 @@ void add_hurt_marks(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
 
 // Messages --------------------------------------------------------------------------------------------------
 
-/// Message about an arm with which its player must do something; empty if there is none, and for a player without an
-/// arm, who feels no forces. `told`: the driver has reported the fault itself.
+/// Message about a problem of the arm that the player must solve. Empty if there is none. Also empty for
+/// players without an arm who feel no forces. `told`: the driver has reported the fault itself.
 std::string_view fault_of(const ForcePicture& force, bool told) {
     using haptics::SafetyCause;
     switch (force.arm) {
@@ -288,7 +290,7 @@ std::string_view fault_of(const ForcePicture& force, bool told) {
     }
 }
 
-/// Caption of what the hand feels at an arm; empty if there is none.
+/// Caption of what the hand feels, for a player with an arm; empty if there is none.
 std::string_view caption_of(const ForcePicture& force) {
     using haptics::SafetyCause;
     if (force.arm == ArmCondition::none) return {};
@@ -364,8 +366,8 @@ void add_messages(Overlay& out, const std::vector<Message>& messages, const Pane
     }
 }
 
-/// Adds the card of a player at a station. It stands beside the ring or below it, wherever it is more readable.
-/// Returns the box that it leaves to the messages. `said`: there are messages.
+/// Adds the card of a player at a station, beside the ring or below it, wherever it is more readable. Returns
+/// the box left for messages. `said`: there are messages.
 Panel add_card(Overlay& out, const Picture& picture, const HudSettings& settings, std::uint32_t player,
                const ViewLayout& l, bool said) {
     const float gap = 3 * l.unit;
@@ -373,7 +375,7 @@ Panel add_card(Overlay& out, const Picture& picture, const HudSettings& settings
     const auto beside = fit_card(card, l.aside.high - l.aside.low, l.unit);
     auto below = fit_card(card, l.messages.high - l.messages.low, l.unit);
     if (fits_better(beside, below)) {
-        // At the right, so that the foe beyond the bowl stays in sight.
+        // The card is at the right, so that the foe beyond the bowl stays visible.
         add_rim_card(out, card, beside, {l.aside.high.x - beside.size.x, l.aside.low.y}, picture.played_s);
         return l.messages;
     }
@@ -389,7 +391,7 @@ Panel add_card(Overlay& out, const Picture& picture, const HudSettings& settings
     return holds_line(l.aside) && !holds_line(above) ? l.aside : above;
 }
 
-/// Adds the card of a player at a station, and the messages where it leaves room for them.
+/// Adds the card of a player at a station, and the messages in the room left by the card.
 void add_words_below(Overlay& out, const Picture& picture, const HudSettings& settings, std::uint32_t player,
                      const ViewLayout& l) {
     const auto& p = picture.wizards[player];
@@ -425,9 +427,9 @@ void add_force_plot(Overlay& out, const ForcePicture& force, const ViewLayout& l
                 12 * u, paints.white, Align::left);
 }
 
-/// Names the strongest force on the hand, with a bar that is full at the player's limit.
+/// Shows the name of the strongest force on the hand, with a bar that is full at the player's limit.
 void add_force_word(Overlay& out, const ForcePicture& force, const ViewLayout& l) {
-    constexpr double least = 0.05;  // share of the limit below which nothing is said
+    constexpr double least = 0.05;  // share of the limit below which no force is named
     const double share = std::min(force.share(), 1.0);
     if (force.source.empty() || share < least) return;
     const float u = (l.forces.high.x - l.forces.low.x) / force_word_wide;
@@ -441,14 +443,14 @@ void add_force_word(Overlay& out, const ForcePicture& force, const ViewLayout& l
                 paints.white, Align::left);
 }
 
-/// Adds the figure of the body while it feels something.
+/// Adds the figure of the body while the body feels something.
 void add_felt(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
     constexpr double shown_s = 0.8;  // time for which the figure stays
     if (p.senses.since_felt_s <= shown_s) add_figure(out, l.figure, p.senses.felt);
 }
 
-/// Adds what is heard and felt in words, the newest at the bottom, as many as fit. In a narrow panel one takes up to
-/// two lines.
+/// Adds text for sounds and effects, the newest at the bottom, as much as fits. In a narrow panel each text
+/// has up to two lines.
 void add_heard(Overlay& out, const PlayerPicture& p, HeardWish wish, const ViewLayout& l) {
     const float u = l.unit, inset = 6 * u, most_high = 2 * heard_line_high * u;
     const float room = l.heard.high.x - l.heard.low.x - 2 * inset;
@@ -459,7 +461,8 @@ void add_heard(Overlay& out, const PlayerPicture& p, HeardWish wish, const ViewL
         const float left = bottom - l.heard.low.y;
         if (left < heard_line_high * u - 0.5F) return;
         const auto fitted = fit(words_of(heard), 13 * u, {room, std::min(left, most_high)});
-        if (bottom < l.heard.high.y && fitted.size < 10 * u) return;  // an older line is not worth tiny words
+        // Older lines are left out rather than drawn in tiny text.
+        if (bottom < l.heard.high.y && fitted.size < 10 * u) return;
         float wide = 0;
         for (const auto& line : fitted.lines)
             wide = std::max(wide, std::min(room, width_of(line, fitted.size)));
@@ -484,7 +487,7 @@ void add_death(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
                 Align::centre);
 }
 
-/// Adds the seconds to the start in place of the crosshair.
+/// Adds the countdown to the start in place of the crosshair.
 void add_countdown(Overlay& out, int seconds, float size, const ViewLayout& l) {
     add_text(out, text(seconds), l.centre - fvec2(0, 0.7F * size), size, paints.white, Align::centre);
 }

@@ -5,7 +5,7 @@
 
 namespace thaum::game {
 
-/// `layout` must have a view of the player.
+/// Adds the overlay of one player's view, which must be present in `layout`.
 void add_view_overlay(render::Overlay& out, const Picture& picture, const HudSettings& settings,
                       std::uint32_t player, const HudLayout& layout);
 

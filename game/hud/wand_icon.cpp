@@ -18,13 +18,13 @@ using render::LineItem;
 /// Projection of a wand onto the picture.
 struct Icon {
     render::Overlay& out;
-    bool flat{};     ///< the wand lies in the plane of x and z; else in that of y and z
+    bool flat{};     ///< true: the picture shows the wand's x-z plane; false: its y-z plane
     fvec2 middle{};  ///< position of the middle (px)
     float scale{};   ///< px per m
     fvec4 paint{};
 
     fvec2 at(vec3 p) const {
-        constexpr float half_way = 0.2F;  // z of the icon's middle (m)
+        constexpr float half_way = 0.2F;  // z coordinate shown at the icon's middle (m)
         const float along = static_cast<float>(p.z) - half_way;
         const auto aside = static_cast<float>(flat ? p.x : p.y);
         return middle + scale * 0.7071F * fvec2(along - aside, -along - aside);
@@ -62,8 +62,8 @@ void add_part(const Icon& icon, LookPart part) {
     }
 }
 
-/// Adds the bar of a wand's energy: amber below a fifth. `share` 0: not enough for one use. A bar that is being
-/// refilled has a light edge.
+/// Adds the bar of a wand's energy, amber below a fifth. `share` 0: too little for one use. A bar that is
+/// being refilled has a light edge.
 void add_charge(render::Overlay& out, const Panel& bar, double share, bool refilled, fvec4 full) {
     constexpr double low = 0.2;
     const float corner = (bar.high.y - bar.low.y) / 3,
@@ -84,18 +84,18 @@ void add_charge(render::Overlay& out, const Panel& bar, double share, bool refil
     out.items.emplace_back(render::RectItem{bar.low, end, share < low ? paints.amber : full, corner});
 }
 
-/// Index of the wand in the next slot after that of `in_hand`; after the last one it is the first.
+/// Index of the wand in the slot after that of `in_hand`; after the last slot comes the first.
 std::size_t next_in_slots(const std::vector<WandPresentation>& wands, std::size_t in_hand) {
     if (in_hand >= wands.size()) return wands.size();
     const auto ahead = [&](const WandPresentation& w) {
         return w.slot - wands[in_hand].slot - 1;
-    };  // wraps round
+    };  // continues from the last slot to the first
     const auto next = std::min_element(wands.begin(), wands.end(),
                                        [&](const auto& a, const auto& b) { return ahead(a) < ahead(b); });
     return static_cast<std::size_t>(next - wands.begin());
 }
 
-/// Short labels that the rule of brief_label does not give.
+/// Short labels of controls for which the rule of brief_label gives an unsuitable one.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 31> short_labels{{
     {"Comma", ","},        {"Period", "."},         {"Minus", "-"},           {"Equal", "="},
     {"Slash", "/"},        {"Backslash", "\\"},     {"Semicolon", ";"},       {"Apostrophe", "'"},
@@ -107,8 +107,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 31> short_la
     {"Wheel down", "Wh-"}, {"Left stick in", "LS"}, {"Right stick in", "RS"},
 }};
 
-/// Words on the cell of a wand: the control that takes it; the number of its slot if neither it nor the next wand has
-/// a control.
+/// Text on the cell of a wand: the control that selects it, or the slot's number if neither it nor the next
+/// wand has a control.
 std::string control_of(const WandStrip& strip, std::size_t wand, std::size_t next) {
     const auto slot = strip.wands[wand].slot;
     if (slot < strip.controls.size() && !strip.controls[slot].empty())
@@ -135,7 +135,7 @@ std::string brief_label(std::string_view label) {
 }
 
 void add_wand_icon(render::Overlay& out, const WandLook& look, fvec2 middle, float size, fvec4 paint) {
-    constexpr float diagonal = 0.8F;  // length of a wand with some margin (m)
+    constexpr float diagonal = 0.8F;  // length of a wand, with a margin (m)
     const Icon icon{out, look.flat, middle, 1.414F * size / diagonal, paint};
     icon.line({0, 0, -0.09}, {0, 0, 0.115}, 0.028);  // handle
     for (const auto& part : look.wand) add_part(icon, part);
@@ -153,7 +153,8 @@ void add_wand_strip(render::Overlay& out, const WandStrip& strip, fvec2 upper_le
     const auto paint_of = [&](std::size_t i) {
         return i == strip.in_hand ? paints.chosen : colour(0xB8A8CC, 0.85F);
     };
-    // All shapes come before all words, because the renderer draws neighbours of one kind together.
+    // All shapes are added before all text, because the renderer can draw neighbouring items of one kind
+    // together.
     for (std::size_t i = 0; i < wands.size(); ++i) {
         const auto cell = cell_of(i);
         if (i == strip.in_hand)

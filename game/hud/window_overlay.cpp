@@ -29,7 +29,7 @@ std::string goal_line(const Picture& picture) {
 
 fvec2 middle_of(const Panel& box) { return (box.low + box.high) / 2.0F; }
 
-/// Adds score and clock.
+/// Adds the score and the clock.
 void add_score(Overlay& out, const Picture& picture, const Panel& box, float u) {
     const fvec2 middle = middle_of(box);
     out.items.emplace_back(render::RectItem{box.low, box.high, paints.plate, 12 * u});
@@ -45,7 +45,7 @@ void add_score(Overlay& out, const Picture& picture, const Panel& box, float u) 
                 paints.soft, Align::centre);
 }
 
-/// Adds the score of the practice range, and the line below it. `size`: largest em of the score (px).
+/// Adds the score of the practice range, and the line below it. `size`: largest text size of the score (px).
 void add_practice(Overlay& out, const Picture& picture, const ControlNames& controls, const Panel& box,
                   float u, float size) {
     const auto& practice = picture.practice;
@@ -61,13 +61,13 @@ void add_practice(Overlay& out, const Picture& picture, const ControlNames& cont
 struct Notice {
     std::string words;
     fvec4 paint{};
-    float size = 14;  ///< em (units)
+    float size = 14;  ///< text size (HUD units)
 };
 
 /// Lines for both players, the most important first.
 std::vector<Notice> notices_of(const Picture& picture, const HudSettings& settings) {
     std::vector<Notice> all;
-    constexpr float large = 22;  // em of what may end the round (units)
+    constexpr float large = 22;  // text size of notices that may end the round (HUD units)
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto& work = picture.wizards[player].stations.work;
         if (picture.phase == Phase::playing && work.left_s > 0)
@@ -104,20 +104,20 @@ void add_notices(Overlay& out, const Picture& picture, const HudSettings& settin
     }
 }
 
-/// Words of a lesson and of its hint, in lines.
+/// Text of a lesson and of its hint, broken into lines.
 struct LessonWords {
     FittedWords words, hint;
     float height(float gap) const { return words.height() + (hint.lines.empty() ? 0 : gap + hint.height()); }
 };
 
-/// Breaks the words of a lesson and its hint for a box, as large as both fit, up to `size`. Where the box holds only
-/// tiny ones, the hint is left out.
+/// Breaks the text of a lesson and its hint for a box, in the largest size in which both fit, up to `size`.
+/// If that would be tiny, the hint is left out.
 LessonWords fit_lesson(const std::string& words, const std::string& hint, float size, fvec2 room, float gap) {
     constexpr float any_height = 1e5F, least = 8;  // px
     const auto both = [&](float of) {
         return LessonWords{fit(words, of, {room.x, any_height}), fit(hint, of, {room.x, any_height})};
     };
-    const auto widest = both(size);  // as large as the longest word of each allows
+    const auto widest = both(size);  // as large as the longest word of each text allows
     for (size = std::min(widest.words.size, widest.hint.size); size >= least; --size) {
         auto lesson = both(size);
         if (lesson.height(gap) <= room.y) return lesson;
@@ -125,7 +125,7 @@ LessonWords fit_lesson(const std::string& words, const std::string& hint, float 
     return {fit(words, widest.words.size, room), {}};
 }
 
-/// The words of the Apprentice's present step.
+/// The text of the Apprentice's current step.
 LessonWords lesson_of(const PracticePicture& practice, const ControlNames& controls,
                       const Presentation& shown, const HudLayout& layout) {
     const Panel& box = *layout.lesson;
@@ -151,7 +151,7 @@ void add_seam(Overlay& out, const HudSettings& settings, render::Size size) {
     out.items.emplace_back(render::LineItem{from, to, 4, paints.dark});
 }
 
-constexpr std::uint32_t wall_player = 0;  // the only person on the range
+constexpr std::uint32_t wall_player = 0;  // the range has only one person, the first player
 
 /// Box of the gesture wall: on the left, between the notices and the name.
 Panel wall_box(const HudLayout& layout) {
@@ -167,8 +167,8 @@ bool shows_wall(const Picture& picture, const HudLayout& layout) {
     return picture.practice.wall.on && layout.views[wall_player].has_value();
 }
 
-/// Moves what else is on the left to the right while the wall is shown: the force, what is heard, the messages, and the
-/// panel of strokes.
+/// Moves the panels on the left to the right while the gesture wall is shown: forces, text for sounds,
+/// messages, and the panel of strokes.
 void make_room_for_wall(const Panel& wall, ViewLayout& view) {
     const float gap = 8 * view.unit;
     const fvec2 size = view.forces.high - view.forces.low;
@@ -181,14 +181,14 @@ void make_room_for_wall(const Panel& wall, ViewLayout& view) {
     view.strokes.low.x = std::max(view.strokes.low.x, wall.high.x + gap);
 }
 
-/// Adds what players see while they play: the overlays of the views, the score and the lesson.
+/// Adds everything that players see during play: the overlays of the views, the score and the lesson.
 void add_play(Overlay& out, const Picture& picture, const HudSettings& settings, const HudLayout& layout) {
     for (std::uint32_t player = 0; player < players; ++player) {
         if (layout.views[player]) add_view_overlay(out, picture, settings, player, layout);
     }
     const auto& practice = picture.practice;
     const auto& controls = settings.controls[0];
-    constexpr float title_size = 13;  // size of a lesson's title, which fits on one line (units)
+    constexpr float title_size = 13;  // text size of a lesson's title, which fits on one line (HUD units)
     float size = 17 * layout.unit;
     if (layout.lesson && !practice.lesson.empty()) {
         const auto lesson = lesson_of(practice, controls, *picture.shown, layout);
@@ -207,8 +207,8 @@ void add_play(Overlay& out, const Picture& picture, const HudSettings& settings,
         add_score(out, picture, layout.score, layout.unit);
 }
 
-/// Moves words behind shapes from an item on, because the renderer draws neighbours of one kind together. Only for
-/// shapes that cover no words.
+/// From an item on, moves text behind shapes in the list, because the renderer draws neighbouring items of
+/// one kind together. Only for shapes that cover no text.
 void gather(Overlay& out, std::size_t first) {
     std::stable_partition(out.items.begin() + static_cast<std::ptrdiff_t>(first), out.items.end(),
                           [](const auto& item) { return !std::holds_alternative<render::TextItem>(item); });

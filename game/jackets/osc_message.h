@@ -8,8 +8,8 @@
 
 namespace thaum::app {
 
-/// OSC message to "/h" with one string: four hexadecimal digits for each motor, 0000 (off) to ffff. Amplitudes may be
-/// anything; motors without an actuator in the frame are off.
+/// OSC message to "/h" with one string: four hexadecimal digits for each motor, 0000 (off) to ffff.
+/// Amplitudes may have any value; motors without an actuator in the frame are off.
 std::string osc_message(const tactile::TactileFrame& frame, std::size_t motors);
 
 /// OSC message to "/ping" with one whole number: the port to which a jacket may send its heartbeats.

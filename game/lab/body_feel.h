@@ -4,12 +4,12 @@
 //     opacity  S R                  force along the gradient (N) and drag (N s/m) where the picture is opaque
 //     attract  S R                  the same, but drawn towards opaque matter, to follow thin structures
 //     shell    LOW HIGH S R         the same within a shell between two densities
-//     wall     DENSITY S FRICTION   surface of one density, which a push above S (N) gets through
+//     wall     DENSITY S FRICTION   surface of one density, which the hand breaks through with a force above S (N)
 //     gravity  X Y Z                ambient force (N)
 //     plane    X Y Z NX NY NZ S     guide plane through a place (m), with a normal and its largest force (N)
 //
-// Numbers at the end that are left out are 0. A voxel's material (field/materials.h) scales stiffness and drag: they
-// are given for the first material of the table.
+// Numbers at the end that are left out are 0. A voxel's material (field/materials.h) scales stiffness and
+// drag: they are given for the first material of the table.
 #pragma once
 #include <span>
 #include <string_view>
@@ -25,35 +25,36 @@ enum class FeelKind : std::uint32_t { opacity, attract, shell, wall, gravity, pl
 
 inline constexpr std::size_t most_feel_numbers = 7;
 
-/// One part of a feel. The first `count` numbers are those of its kind.
+/// One part of a feel. Its kind uses the first `count` numbers.
 struct FeelPart {
     FeelKind kind{};
     std::array<double, most_feel_numbers> numbers{};
     bool operator==(const FeelPart&) const = default;
 };
 
-/// Name of a kind of part, and the numbers that it has.
+/// Name of a kind of part, and names of its numbers.
 struct FeelForm {
     std::string_view name{};
-    std::size_t least{}, count{};  ///< numbers that must be given, and all
-    std::size_t most_parts{};      ///< how many parts of this kind act together
+    std::size_t least{}, count{};  ///< how many numbers must be given, and how many there are
+    std::size_t most_parts{};      ///< how many parts of this kind may act together
     std::array<std::string_view, most_feel_numbers> labels{};
 };
 std::span<const FeelForm> feel_forms();
 const FeelForm& form_of(FeelKind kind);
 
-/// Makes a part. The error says what is wrong with its name or its numbers.
+/// Makes a part. The error says what is wrong with the name or the numbers.
 Expected<FeelPart> feel_part(std::string_view name, std::span<const double> numbers);
 
-/// Puts parts together. `opacity`: the picture's opacity by the density; `reach`: depth at which a wall is behind (m).
-/// The fields of the result are still empty. The error says which parts do not fit together.
+/// Combines parts into one feel. `opacity`: the picture's opacity as a function of density; `reach`: depth at
+/// which the hand has broken through a wall (m). The fields of the result are left empty. The error says
+/// which parts do not fit together.
 Expected<haptics::VolumeFeel> feel_of_parts(std::span<const FeelPart> parts,
                                             const field::TransferFunction& opacity, double reach);
 
-/// Factors of each material, relative to the first one of the table.
+/// Haptic factors of each material, relative to the first material of the table.
 haptics::MaterialTable feel_of_materials(const field::Materials& materials);
 
-/// Material of the voxel nearest to a place of the parent's frame; the first material outside the body.
+/// Material of the voxel nearest to a position in the parent frame; the first material outside of the body.
 struct BodyMaterials {
     std::array<int, 3> count{};
     vec3 spacing{1};

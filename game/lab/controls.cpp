@@ -10,10 +10,10 @@ namespace {
 using Rules = CauldronRules;
 
 constexpr double root_of_ten = 3.1622776601683795;
-constexpr double thin = 1e-6;  // smallest viscosity above 0 (m^2/s)
+constexpr double thin = 1e-6;  // smallest viscosity other than 0 (m^2/s)
 constexpr double weight_step = 0.05, weight_least = -1, weight_most = 2;
 
-/// Next viscosity up or down, in half decades; below the thinnest comes 0 (m^2/s).
+/// Next viscosity up or down, in steps of half a decade; below the smallest comes 0 (m^2/s).
 double other_viscosity(double now, int way) {
     if (way > 0) return now < thin ? thin : std::min(now * root_of_ten, fluid::viscosity_most);
     return now <= 1.01 * thin ? 0 : now / root_of_ten;
@@ -36,7 +36,7 @@ void turn_cells(LabHands& hands, const Rules&, int way) {
     hands.settings.cells = lab_cells[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(at + way, 0, last))];
 }
 
-/// Exchanges the chosen substance for the rules' next ingredient that no other substance is.
+/// Replaces the chosen substance by the rules' next ingredient that no other substance has.
 void turn_ingredient(LabHands& hands, const Rules& rules, int) {
     Ingredient* now = chosen(hands);
     const auto& all = rules.ingredients;

@@ -14,10 +14,10 @@ namespace thaum::game {
 namespace {
 
 constexpr double round_s = 4;
-constexpr double width_share = 0.25;   // of the narrower horizontal edge
-constexpr double height_share = 0.45;  // of the height: start and turning point of a press
+constexpr double width_share = 0.25;   // radius of the circle, as a share of the narrower horizontal edge
+constexpr double height_share = 0.45;  // start and turning point of a press, as a share of the height
 
-constexpr std::size_t trace_most = 512U << 20U;  // bytes of a file with a hand's path
+constexpr std::size_t trace_most = 512U << 20U;  // maximum size of a file with a hand's path (bytes)
 constexpr std::array<std::string_view, 6> trace_titles{"time_s",   "hand_x_m", "hand_y_m",
                                                        "hand_z_m", "tool",     "history"};
 
@@ -31,8 +31,8 @@ vec3 on_file(const std::vector<StirPath::Point>& points, double seconds) {
            (seconds - before.time) / (after->time - before.time) * (after->place - before.place);
 }
 
-/// Adds a row of a trace. Its time is that of the step's end; the hand wants the place at the step's beginning. Returns
-/// whether the row is sound.
+/// Adds a row of a trace, in which a time marks the end of a step, while the path needs its beginning.
+/// Returns whether the row is valid.
 bool add_row(const std::array<double, 6>& row, HandPath& path) {
     const auto [time, x, y, z, tool, history] = row;
     const bool sound = time > 0 && time < 1e6 && tool >= 0 && tool < 1000 && std::abs(history) <= 1;

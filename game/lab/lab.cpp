@@ -15,7 +15,7 @@ namespace {
 constexpr double gravity_most = 100;  // largest gravity (m/s^2)
 // largest speed of the ladle (m/s); the mouse may jump any distance in a step
 constexpr double ladle_speed_most = 8;
-constexpr double pour_radius = 0.25;  // radius of the poured cloud (m)
+constexpr double pour_radius = 0.25;  // radius of a poured cloud (m)
 
 Expected<void> check(const LabSettings& s) {
     if (std::ranges::find(lab_cells, s.cells) == lab_cells.end())
@@ -25,7 +25,7 @@ Expected<void> check(const LabSettings& s) {
     return {};
 }
 
-/// Copies the numbers that a running fluid can take over.
+/// Copies the settings that a running fluid can adopt.
 void put_numbers(const LabSettings& from, fluid::Settings& to) {
     to.viscosity = from.viscosity;
     to.gravity = {0, -from.gravity, 0};
@@ -33,7 +33,7 @@ void put_numbers(const LabSettings& from, fluid::Settings& to) {
     for (const Ingredient& i : from.substances) to.substances.push_back(i.substance);
 }
 
-/// Brew at rest without ingredients: the match's brew in the lab's grid and with the lab's settings.
+/// A brew at rest without ingredients: the match's brew with the lab's grid and settings.
 Expected<Brew> brew_of(CauldronRules rules, const LabSettings& settings) {
     rules.cells_across = settings.cells;
     rules.solver = settings.solver;
@@ -54,14 +54,14 @@ Expected<Brew> brew_of(CauldronRules rules, const LabSettings& settings) {
     return brew;
 }
 
-/// Tests whether two settings share the grid, tables and walls.
+/// Tests whether two settings need the same grid, tables and walls.
 bool same_grid(const LabSettings& a, const LabSettings& b) {
     return a.solver == b.solver && a.cells == b.cells && a.order == b.order && a.bowl == b.bowl &&
            a.no_slip == b.no_slip && a.room == b.room && a.substances.size() == b.substances.size();
 }
 
-/// Pushes the fluid by the drag of the ladle's motion against the flow, and returns the force (N). The push
-/// makes the flow at the ladle at most as fast as the ladle.
+/// Applies the ladle's drag to the fluid, and returns the force (N). The force is limited so that the flow at
+/// the ladle does not become faster than the ladle.
 double stir(LabState& lab, vec3 to) {
     const vec3 from = lab.ladle.value_or(to);
     const vec3 speed = limited((to - from) / lab_dt, ladle_speed_most);
@@ -99,7 +99,7 @@ fluid::SpringSurfaceStep step_surface(LabState& lab) {
     return fluid::advance(lab.brew.surface, lab.brew.scratch, probes, lab_dt);
 }
 
-/// Returns f's result and writes the computing time (us).
+/// Returns f's result and stores the computing time (us).
 template <class F>
 auto timed(F&& f, double& us) {
     const auto start = monotonic_ns();
@@ -155,7 +155,7 @@ Expected<void> change_lab(LabState& lab, const LabSettings& settings) {
         put_numbers(settings, wanted);
         if (auto sound = fluid::check(wanted); !sound) return sound;
         fluid.settings = wanted;
-        fluid::refresh_after_edit(fluid);  // fluid that was at rest may have become lighter and must move
+        fluid::refresh_after_edit(fluid);  // a resting fluid whose density has changed must start to move
     } else {
         auto brew = brew_of(lab.rules, settings);
         if (!brew) return brew.error();

@@ -1,9 +1,10 @@
-// game/lab/lab.h: the brew alone, for exploring: `thaum lab --fluid`, with or without a window.
+// game/lab/lab.h: the brew alone, outside of a match, for experiments: `thaum lab --fluid`, with or without a
+// window.
 //
 //     LabInput (ladle, pours, changed settings) -> step of 16 ms -> LabState, LabFigures
 //
-// A deterministic session: the same inputs give the same bits, from a person or a script. The lab stirs the
-// match's own brew (game/brew/brew.h) with the same ladle; LabSettings adds more settings. Frame: the
+// A session is deterministic: the same inputs, from a person or a script, give the same bits. The lab stirs
+// the match's own brew (game/brew/brew.h) with the same ladle; LabSettings adds more settings. Frame: the
 // brew's, origin in the middle of the level surface. The fluid step and the surface step are independent, so
 // they may run in parallel.
 #pragma once
@@ -17,28 +18,28 @@
 
 namespace thaum::game {
 
-inline constexpr double lab_dt = 0.016;  ///< length of a step (s)
+inline constexpr double lab_dt = 0.016;  ///< duration of a step (s)
 /// Choices for the number of cells from wall to wall.
 inline constexpr std::array lab_cells{15, 16, 24, 32, 48, 64};
 
-/// Bowl of the lab, from the data files or from a saved session.
+/// Bowl of the lab, from data files or from a saved session.
 struct LabBowl {
     BowlSize size{};
-    double filled{};  ///< share of the bowl's height that is filled
+    double filled{};  ///< level of the brew, as a share of the bowl's height
     bool operator==(const LabBowl&) const = default;
 };
 
 /// Settings that can change during a session.
 struct LabSettings {
     fluid::Solver solver = fluid::Solver::thaum;
-    int cells = 32;  ///< one of lab_cells
+    int cells = 32;  ///< number of cells from wall to wall, one of lab_cells
     int order = 4;   ///< order of accuracy, 2 or 4; the solver uses 2 at a solid bowl
-    /// false: the surrounding box instead of the bowl; the solver `classic` supports only the box
+    /// false: a box around the bowl instead of the bowl; the solver `classic` supports only the box
     bool bowl = true;
     bool no_slip = true;    ///< true: the fluid sticks to the walls; the surface is always free
     double viscosity{};     ///< kinematic viscosity of the base fluid (m^2/s)
     double gravity = 9.81;  ///< downward acceleration (m/s^2)
-    std::vector<Ingredient> substances{};  ///< at most fluid::substances_most
+    std::vector<Ingredient> substances{};  ///< the substances, at most fluid::substances_most
     LabBowl room{};
 };
 
@@ -56,7 +57,7 @@ LabSettings lab_settings(const LabData& data);
 
 struct LabPour {
     std::size_t substance{};
-    double amount{};  ///< volume (m^3)
+    double amount{};  ///< volume poured (m^3)
     vec3 place{};     ///< centre of the poured cloud (m, brew)
 };
 
@@ -65,17 +66,17 @@ struct LabInput {
     std::optional<vec3> ladle{};
     std::vector<LabPour> pours{};
     std::optional<LabSettings> change{};
-    bool reset = false;  ///< true: back to a brew at rest without ingredients
+    bool reset = false;  ///< true: starts again with a brew at rest without ingredients
 };
 
 struct LabState {
     CauldronRules rules;
     LabSettings settings{};
     Basin basin{};
-    Brew brew{};                  ///< its substances are those of `settings`
+    Brew brew{};                  ///< the fluid; its substances are those in `settings`
     std::int64_t steps{};         ///< number of steps since the start or the last reset
     std::optional<vec3> ladle{};  ///< end of the ladle after the last step (m, brew)
-    std::size_t last_poured{};    ///< index of the substance
+    std::size_t last_poured{};    ///< index of the substance poured last
     double seconds() const { return lab_dt * static_cast<double>(steps); }
 };
 
@@ -83,26 +84,26 @@ struct LabState {
 struct LabFigures {
     fluid::StepReport fluid{};
     fluid::SpringSurfaceStep surface{};
-    double cfl{};     ///< CFL number: cells that the fastest velocity component crosses in the whole step
+    double cfl{};     ///< CFL number: number of cells that the fastest velocity component crosses in one step
     vec3 momentum{};  ///< volume integral of the velocity (m^4/s)
-    double mixing{};  ///< mixing of the substance that was poured last
+    double mixing{};  ///< mixing number of the substance that was poured last
     std::array<double, fluid::substances_most> amounts{};  ///< amount of each substance (m^3)
-    double fluid_us{}, surface_us{};                       ///< computing times; they differ from run to run
-    double ladle_n{};                                      ///< force of the brew on the ladle (N)
-    std::string refused{};  ///< reason why a change of settings was rejected; empty: none
+    double fluid_us{}, surface_us{};  ///< computing times, which differ from run to run (us)
+    double ladle_n{};                 ///< force of the brew on the ladle (N)
+    std::string refused{};            ///< reason why a change of settings was rejected; empty: none
 };
 
 /// Makes a brew at rest without ingredients. The error says which setting is wrong.
 Expected<LabState> make_lab(const CauldronRules& rules, const LabSettings& settings);
 
 /// Changes the settings. The flow and the amount of each substance are carried over to the new grid and
-/// solver. The error says which setting is wrong; then nothing changes.
+/// solver. On error nothing changes, and the error says which setting is wrong.
 Expected<void> change_lab(LabState& lab, const LabSettings& settings);
 
 /// Computes one step of lab_dt. With `jobs` the fluid step may run on another thread, with the same result.
 LabFigures step_lab(LabState& lab, const LabInput& input, Jobs& jobs);
 
-/// Figures of the present state; the figures of a step are zero.
+/// Figures of the present state; those of a step, such as forces, are zero.
 LabFigures figures_of(const LabState& lab);
 
 }  // namespace thaum::game

@@ -9,8 +9,9 @@
 namespace thaum::game {
 namespace {
 
-constexpr std::size_t lab_file_most = 256U << 20U;  // most bytes; 64 cells across need 5 million
-constexpr std::size_t name_most = 32;               // longest name of a substance (characters)
+// Maximum file size (bytes); a grid 64 cells wide needs 5 million.
+constexpr std::size_t lab_file_most = 256U << 20U;
+constexpr std::size_t name_most = 32;  // longest name of a substance (characters)
 constexpr std::uint32_t kept_version = 1;
 constexpr std::int64_t steps_most = std::int64_t{1} << 40;
 
@@ -49,7 +50,7 @@ Expected<std::function<double(vec3)>> solid_of(const fluid::NamedShape& shape, C
     const bool known = std::ranges::any_of(lab_cells, [&](int n) { return n == shape.numbers[next]; });
     if (!known) return fail("its bowl has a number of cells that the lab has not");
     rules.cells_across = static_cast<int>(shape.numbers[next]);
-    rules.solver = fluid::Solver::classic;  // the solver with the cheapest tables
+    rules.solver = fluid::Solver::classic;  // the solver whose tables are the quickest to compute
     auto brew = make_brew(rules, basin_of(room.size, room.filled));
     if (!brew) return brew.error();
     return brew->fluid.settings.solid;
@@ -91,7 +92,7 @@ Expected<Ingredient> get_ingredient(ByteReader& in, const fluid::Substance& subs
     return result;
 }
 
-/// Reads all of the state but the brew.
+/// Reads the whole state except the brew.
 Expected<LabState> get_kept(ByteReader& in, const fluid::Settings& fluid, const CauldronRules& rules) {
     LabState lab{.rules = rules};
     auto& s = lab.settings;

@@ -1,5 +1,5 @@
 // game/lab/lab_file.h: saving a lab session to a file (fluid/saved.h), and loading it. With the same data
-// files a loaded session continues with the same bits.
+// files, a loaded session continues exactly as the saved one would.
 #pragma once
 #include <filesystem>
 
@@ -14,7 +14,7 @@ Bytes save_lab(const LabState& lab);
 /// density. The error says what is wrong with the file.
 Expected<LabState> restore_lab(std::span<const std::byte> bytes, const CauldronRules& rules);
 
-/// File versions of the above. The error also names the file. A failed save leaves no partial file.
+/// Save and restore with a file. The error also names the file. A failed save leaves no partial file.
 Expected<void> save_lab(const LabState& lab, const std::filesystem::path& file);
 Expected<LabState> load_lab(const std::filesystem::path& file, const CauldronRules& rules);
 

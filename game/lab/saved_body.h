@@ -1,7 +1,8 @@
-// game/lab/saved_body.h: a carved body in files. A NRRD file holds one property, so colours and materials stand beside
-// the densities: head.nrrd, head.colour.nrrd, head.material.nrrd. The last two are written only if a tool has changed
-// them, and read if they are there. All files of a body carry the name of the save, so that parts of two bodies, as a
-// power cut between two files may leave them, are not taken for one.
+// game/lab/saved_body.h: a carved body in files. A NRRD file holds one property, so colours and materials
+// have files of their own beside the densities: head.nrrd, head.colour.nrrd, head.material.nrrd. The last two
+// are written only if a tool has changed them, and read if they exist. All files of a body contain the same
+// identifier, so that files of different bodies, as a power cut during saving may leave them, are not
+// combined.
 #pragma once
 #include <array>
 #include <filesystem>
@@ -10,14 +11,14 @@
 
 namespace thaum::game {
 
-/// Files of colours and materials that belong to a file of densities.
+/// Paths of the files of colours and materials that belong to a file of densities.
 std::array<std::filesystem::path, 2> companions_of(const std::filesystem::path& file);
 
-/// Saves the volume as it is now. All files are written before the first one is put at its place. The error names the
-/// file that could not be written.
+/// Saves the volume as it is now. All files are written under temporary names before the first is renamed.
+/// The error names the file that could not be written.
 Expected<void> save_volume(const VolumeLab& lab, const std::filesystem::path& file);
 
-/// Takes colours and materials that stand beside the file of the lab's volume; none are no error.
+/// Loads the colours and materials in the files beside that of the lab's volume. Missing files are no error.
 Expected<void> take_saved_properties(VolumeLab& lab, const std::filesystem::path& file);
 
 }  // namespace thaum::game

@@ -7,18 +7,18 @@ namespace thaum::game {
 
 struct LabScript {
     struct Pour {
-        std::int64_t step{};  ///< step that is computed right after the pour
+        std::int64_t step{};  ///< the pour takes place just before this step
         std::size_t substance{};
-        double amount{};  ///< volume (m^3)
+        double amount{};  ///< volume poured (m^3)
     };
     StirPath path{};
     std::vector<Pour> pours{};
 };
 
-/// Input of the next step. Substances are poured at the ladle or, without a ladle, beside the middle.
+/// Input of the next step. Substances are poured at the ladle, or beside the middle if there is no ladle.
 LabInput scripted_input(const LabScript& script, const LabState& lab);
 
-/// Place where a substance is poured (m, brew).
+/// Position at which a substance is poured (m, brew frame).
 vec3 place_to_pour(const LabState& lab, const std::optional<vec3>& ladle);
 
 }  // namespace thaum::game

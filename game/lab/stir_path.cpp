@@ -12,7 +12,8 @@ namespace {
 
 constexpr double turn_s = 2.5;
 constexpr double radius_share = 0.6, depth_share = 0.4;
-// The dip: duration (s), and start above the level (m). The surface reacts to a ladle that comes from above.
+// The ladle's entry from above, to which the surface reacts: duration (s), and start height above the level
+// surface (m).
 constexpr double dip_s = 0.5, dip_from = 0.1;
 constexpr std::size_t path_file_most = 16U << 20U;
 constexpr double time_most = 1e6, place_most = 100;  // largest time (s) and coordinate (m) in a file

@@ -1,4 +1,4 @@
-// game/lab/stir_path.h: paths of a ladle without a hand.
+// game/lab/stir_path.h: predefined paths of a ladle.
 #pragma once
 #include <optional>
 #include <string_view>
@@ -14,8 +14,8 @@ enum class Stirring : std::uint8_t { none, circle, figure8, file };
 
 struct StirPath {
     Stirring kind{};
-    /// Point of a path from a file, sorted by time (s; m, brew). Between two points the ladle moves in a
-    /// straight line.
+    /// Point of a path from a file (s; m, brew frame). Points are sorted by time. Between two points the
+    /// ladle moves in a straight line.
     struct Point {
         double time{};
         vec3 place{};
@@ -24,19 +24,19 @@ struct StirPath {
 };
 
 /// Parses a word of the command line: none, circle, figure8, or the path of a CSV file with the columns
-/// time_s,x_m,y_m,z_m. The error names the fault, and for a file its line: no such file, no numbers, or times
-/// that do not increase.
+/// time_s,x_m,y_m,z_m. The error says what is wrong, and for a file in which line: no such file, no numbers,
+/// or times that do not increase.
 Expected<StirPath> stir_path(std::string_view word);
-/// Titles of a path's columns, which a file may leave out.
+/// Column titles of a path file; the file may omit them.
 inline constexpr std::string_view stir_path_titles = "time_s,x_m,y_m,z_m";
-/// Parses the text of such a file. `name` is the file's, for the error.
+/// Parses the text of a path file. `name`: file name for the error.
 Expected<StirPath> parse_stir_path(std::string_view csv, std::string_view name);
-/// Reads the rows of such a table.
+/// Reads all rows of a path file.
 Expected<StirPath> read_stir_path(TableReader& table);
 
 /// End of the ladle (m, brew); std::nullopt: out of the brew, as before and after a file's times. The circle
 /// and the figure of eight take 2.5 s a turn. They run at 0.6 of the basin's radius and 0.4 of its depth,
-/// after a dip of half a second.
+/// after an entry from above of half a second.
 std::optional<vec3> ladle_at(const StirPath& path, const Basin& basin, double seconds);
 
 }  // namespace thaum::game

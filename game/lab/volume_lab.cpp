@@ -19,18 +19,19 @@ namespace {
 
 /// Share of the device's workspace that the volume fills.
 constexpr double filled = 0.9;
-/// Strength of a mode that was just chosen, as a share of the device's continuous force.
+/// Initial strength of a newly chosen mode, as a share of the device's continuous force.
 constexpr double usual_strength = 0.8;
-/// Depth at which a wall lets the hand through (samples).
+/// Depth at which the hand has broken through a wall (samples).
 constexpr double reach_samples = 2;
 /// Largest distance of a volume's middle from that of the workspace, along each axis (m).
 constexpr double farthest_place = 1;
-/// Way of a volume in one change from which on its feel jumps (m).
+/// Displacement of a volume in one change that counts as a jump of its feel (m).
 constexpr double jump = 0.001;
 constexpr std::int64_t device_file_version = 1;
 constexpr std::size_t most_file_bytes = std::size_t{1} << 20U;
 
-/// A volume as the source of filters, as it is now. `version` differs for each volume and each of its changes.
+/// A volume in its present state as the source of filters. `version` differs for each volume and each of its
+/// changes.
 field::FilterSource source_of(const field::Volume& volume, const LabSource& views, std::uint64_t version) {
     field::FilterSource source{.count = volume.count, .spacing = volume.spacing};
     if (volume.components == 1)
@@ -46,7 +47,7 @@ haptics::SmoothGrid density_of(const field::Grid& grid, const field::BlockAverag
     return {grid, averages.grid(grid), {range.low, range.high}};
 }
 
-/// Points the views of all volumes at their samples as they are now.
+/// Points the views of all volumes at their present samples.
 void refresh_views(VolumeLab& lab) {
     auto& views = *lab.views;
     if (lab.carvable()) {
@@ -67,7 +68,8 @@ void refresh_views(VolumeLab& lab) {
     }
 }
 
-/// Points all views and fields at the volumes as they are now. Smooths only if something changed.
+/// Points all views and fields at the present volumes. Smoothed samples are recomputed only if something
+/// changed.
 void refresh(VolumeLab& lab) {
     refresh_views(lab);
     for (std::size_t i = 0; i < lab.fields.size(); ++i) {
@@ -84,7 +86,8 @@ void refresh(VolumeLab& lab) {
     }
 }
 
-/// A patient stands upright and faces the user: from left, back, up (field/nrrd.h) to right, up, front.
+/// Rotates a scan of a patient so that the patient stands upright and faces the user: from left, back, up
+/// (field/nrrd.h) to right, up, front.
 const mat3 patient_stands{vec3(1, 0, 0), vec3(0, 0, -1), vec3(0, 1, 0)};
 
 field::Placement fitted(const field::Volume& volume, vec3 workspace) {
@@ -109,7 +112,7 @@ field::SampleRange lengths_of(const field::Volume& volume) {
     return range;
 }
 
-/// Names with commas between them. `name_of` gives the name of one of `all`.
+/// Names separated by commas. `name_of` gives the name of an element of `all`.
 template <class All, class Name = std::identity>
 std::string listed(const All& all, Name name_of = {}) {
     std::string names;
@@ -125,7 +128,7 @@ field::Placement placed(const field::Placement& fitted, const LabPlace& place) {
     return field::combined({place.origin, glm::mat3_cast(look_rotation(place.yaw, 0)), place.scale}, fitted);
 }
 
-/// Placement of a volume in the frame of its file; std::nullopt: the file does not say where the volume lies.
+/// Placement of a volume in the coordinate frame of its file; std::nullopt if the file has none.
 std::optional<field::Placement> placement_in_file(const field::Volume& volume) {
     field::Placement placement = volume.placement;
     if (volume.has_place) return placement;
@@ -134,14 +137,14 @@ std::optional<field::Placement> placement_in_file(const field::Volume& volume) {
     return placement;
 }
 
-/// Placement of `part` in the frame of `whole`, if both lie in the same frame outside.
+/// Placement of `part` in the frame of `whole`, given both placements in the same outer frame.
 field::Placement relative(const field::Placement& whole, const field::Placement& part) {
     return {field::to_own(whole, part.origin), glm::transpose(whole.turn) * part.turn,
             part.scale / whole.scale};
 }
 
-/// Placement in the workspace of a volume beside the first one, before its place is added. If it is registered, both
-/// files must say where their volumes lie.
+/// Placement in the workspace of a volume beside the first one, before its own LabPlace is applied. For a
+/// registered volume, both files must give a placement.
 field::Placement fitted_beside(const VolumeLab& lab, const field::Volume& volume, bool registered) {
     const auto whole = placement_in_file(lab.source), part = placement_in_file(volume);
     if (!registered || !whole || !part) return fitted(volume, lab.data.device.workspace);
@@ -161,7 +164,7 @@ Expected<void> check_places(const VolumeLab& lab, const std::vector<LabPlace>& p
     return {};
 }
 
-/// Moves all volumes to their places. Returns whether one jumped.
+/// Moves all volumes to their places. Returns whether any volume has jumped.
 bool move_volumes(VolumeLab& lab, const std::vector<LabPlace>& places) {
     bool jumps = false;
     const auto place_of = [&](std::size_t n) { return n < places.size() ? places[n] : LabPlace{}; };
@@ -182,8 +185,8 @@ bool move_volumes(VolumeLab& lab, const std::vector<LabPlace>& places) {
     return jumps;
 }
 
-/// Share of a volume's feel at a place: 1 within the box of its samples and 0 beyond. It falls over the last half sample,
-/// so that no force jumps there.
+/// Weight of a volume's feel at a position: 1 within the box of its samples, falling to 0 over the last half
+/// sample, so that no force jumps at the edge.
 double share_within(const VolumeRef& volume, vec3 place) {
     const vec3 own = field::to_own(volume.placement, place), half = 0.5 * volume.source.extent();
     double share = 1;
@@ -217,9 +220,10 @@ void fill_primitives(VolumeLab& lab, vec3 tip, vec3 motion) {
     lab.model.viscosity = haptics::add_volume_feel(lab.feel, input, lab.model.primitives).viscosity;
 }
 
-/// One servo step without safety stage and observer. Returns the force on the hand (N).
+/// One servo step without the safety stage and the observer. Returns the force on the hand (N).
 vec3 pure_step(VolumeLab& lab, vec3 tip) {
-    // The way of the last tick: over one short step, the device's quantum would be most of it.
+    // Displacement over the last whole tick. Over one short step, most of it would be the device's
+    // quantisation.
     const vec3 way = tip - lab.tips[static_cast<std::size_t>(lab.steps_per_tick) - 1];
     fill_primitives(lab, tip, way / static_cast<double>(lab.steps_per_tick));
     auto& state = lab.servo_state;
@@ -241,7 +245,7 @@ vec3 pure_step(VolumeLab& lab, vec3 tip) {
                    lab.device.peak_force);
 }
 
-/// Plays one tick of servo and hand. Sets tip and force of the figures to those of its first step.
+/// Runs one tick of servo and hand. The tip and force in the figures are those of the tick's first step.
 void feel_and_move(VolumeLab& lab, vec3 target, VolumeLabFigures& figures) {
     figures.tip = haptics::measured_position(lab.device, lab.hand);
     if (lab.steps_per_tick == 1) {
@@ -260,7 +264,7 @@ void feel_and_move(VolumeLab& lab, vec3 target, VolumeLabFigures& figures) {
     }
 }
 
-/// Uses the tool at the proxy if it is held and due.
+/// Uses the tool at the proxy if the tool is held and its next use is due.
 field::Edit use_tool(VolumeLab& lab, bool held, std::size_t tool) {
     if (!lab.carvable() || tool >= lab.data.tools.size()) return {};
     const vec3 place = field::to_own(lab.placement, lab.servo_state.proxy);
@@ -274,7 +278,7 @@ field::Edit use_tool(VolumeLab& lab, bool held, std::size_t tool) {
     return field::edit(lab.body.view(), lab.data.tools[tool], dab, lab.history);
 }
 
-/// Begins anew with the device of lab.data: its hand rests at the top of the workspace.
+/// Starts anew with the device of lab.data. The hand rests at the top of the workspace.
 void take_up_device(VolumeLab& lab) {
     const auto& spec = lab.data.device;
     lab.device = haptics::simulated_device(spec, haptics::Hand{}, tick_seconds / lab.steps_per_tick);
@@ -379,7 +383,7 @@ void change_device(VolumeLab& lab, haptics::DeviceSpec device) {
         mode.settings.reach *= grown[mode.volume];
         mode.settings.pitch *= grown[mode.volume];
     }
-    // The same modes and places were valid before.
+    // These modes and places were valid before, so this cannot fail.
     const auto changed = change_volume_lab(lab, settings);
     THAUM_ASSERT(changed.has_value(), "settings that were in use");
 }
@@ -500,7 +504,8 @@ VolumeLabFigures step_volume_lab(VolumeLab& lab, const VolumeLabInput& input) {
     }
     figures.edit = use_tool(lab, input.carve && input.history == 0, input.tool);
     lab.edited |= figures.edit.voxels > 0;
-    // A change of the body under the hand is a switch.
+    // The body under the hand has changed, so the model gets a new number, and the servo fades to the new
+    // force.
     if (lab.carvable() && lab.body.bricks.newest != before) ++lab.model.set_number;
     refresh(lab);
     lab.model.field_motion = lab.moved;

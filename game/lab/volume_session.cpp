@@ -96,7 +96,7 @@ std::string view_text(const SessionView& v) {
                 v.aim.y, ", ", v.aim.z, "]\n");
 }
 
-/// Makes a relative path relative to the program if it was relative to the folder of a session.
+/// Makes a path that was relative to the session's folder relative to the working directory.
 void find_beside(const std::filesystem::path& folder, std::string& volume) {
     std::error_code ignored;
     const auto file = folder / volume;

@@ -1,4 +1,4 @@
-// game/lab/volume_session.h: what a person has set in the volume lab, as a TOML file.
+// game/lab/volume_session.h: the settings of a session in the volume lab, as a TOML file.
 //
 //     version = 1
 //     volume = "head.nrrd"              as on the command line; a relative path is relative to this file
@@ -40,41 +40,42 @@
 
 namespace thaum::game {
 
-/// A volume and where it lies.
+/// A volume and its placement.
 struct SessionVolume {
-    std::string volume{};     ///< path or name
-    std::int64_t count = 64;  ///< samples along each axis of one that is made
-    std::int64_t seed = 1;    ///< seed of one that is made
+    std::string volume{};     ///< path of a file, or name of a generated volume
+    std::int64_t count = 64;  ///< number of samples along each axis of a generated volume
+    std::int64_t seed = 1;    ///< seed of a generated volume
     LabPlace place{};
-    std::int64_t moment = 1;  ///< moment of a file with time, from 1 on
+    std::int64_t moment = 1;  ///< number of the time step in a file with several, from 1 on
 };
 
-/// Place of the eye (game/lab/window/volume_lab_picture.h).
+/// Position of the camera (game/lab/window/volume_lab_picture.h).
 struct SessionView {
-    double yaw{}, pitch{};  ///< turn and height of the eye (rad)
-    double away{1};         ///< distance of the eye, in lengths of the volume's diagonal
-    vec3 aim{};             ///< middle of the picture (m)
+    double yaw{}, pitch{};  ///< azimuth and elevation of the camera (rad)
+    double away{1};         ///< distance of the camera, in lengths of the volume's diagonal
+    vec3 aim{};             ///< point shown in the middle of the picture (m)
 };
 
 struct VolumeSession {
     SessionVolume first{};
     std::vector<SessionVolume> beside{};
-    bool registered = false;  ///< the volumes beside lie to the first one as their files say
+    /// True: the added volumes are placed relative to the first one as their files say.
+    bool registered = false;
     std::string device = "touch";
     bool translucent = false;
     double level{};
     field::TransferFunction opacity{};
-    std::optional<SessionView> view{};  ///< std::nullopt: the usual one
+    std::optional<SessionView> view{};  ///< camera; std::nullopt: the usual one
     std::vector<FeelPart> feel{};
     std::vector<LabMode> modes{};
 };
 
 std::string session_text(const VolumeSession& session);
-/// The error names file, line and key.
+/// Reads a session. The error names file, line and key.
 Expected<VolumeSession> read_session(const Config& file);
 
 Expected<void> save_session(const VolumeSession& session, const std::filesystem::path& file);
-/// Reads a session; a relative path of a volume becomes relative to the program.
+/// Reads a session from a file; a relative path of a volume becomes relative to the working directory.
 Expected<VolumeSession> load_session(const std::filesystem::path& file);
 
 }  // namespace thaum::game

@@ -6,12 +6,13 @@
 namespace thaum::game {
 namespace {
 
-/// Ticks for which one blow is summed. Bullet spreads a blow over a few steps.
+/// Ticks over which the impulses of one blow are summed. Bullet spreads a blow over a few steps.
 constexpr Tick blow_length = 24;
-/// Least speed of a hit, towards the wizard (m/s). A slower thing is pushed, stood on or walked into.
+/// Minimum speed of a hit, in the direction of the wizard (m/s). A slower thing is pushed, stood on or walked
+/// into.
 constexpr double hitting_speed = 0.5;
 
-/// Returns the blow of this thing, or the slot that a new blow may use.
+/// Returns the current blow by this thing, or a slot for a new one.
 Blow& blow_of(Blows& blows, ecs::Entity by) {
     Blow* oldest = blows.recent.data();
     for (auto& blow : blows.recent) {
@@ -35,7 +36,8 @@ void collect(ecs::World& world, ecs::Entity wizard, ecs::Entity thing, const phy
     blow = {.by = thing, .began = tick, .counts_again = tick + again, .impulse = contact.impulse};
 }
 
-/// Player for whom a thing's blow counts; no_player if no player moved the thing within the blame time.
+/// Player for whom a blow by a thing counts; no_player if no player moved the thing within the blame time
+/// (WizardRules).
 std::uint32_t mover_of(const ecs::World& world, ecs::Entity thing, Tick began, Tick blame) {
     const auto* prop = world.find<Prop>(thing);
     return prop != nullptr && began <= prop->moved_at + blame ? prop->moved_by : no_player;
@@ -47,7 +49,7 @@ void blow_on_crystal(MatchContext& context, ecs::Entity crystal, ecs::Entity thi
                     mover_of(context.world, thing, tick, context.data.wizard.blame), tick);
 }
 
-/// Adds the impulses of things that hit wizards to their blows, and notes blows on crystals.
+/// Adds the impulses of things that hit wizards to their blows, and records blows on crystals.
 void collect_blows(MatchContext& context, Tick tick) {
     auto& world = context.world;
     for (const auto& contact : context.physics.read().contacts()) {
@@ -64,7 +66,7 @@ void collect_blows(MatchContext& context, Tick tick) {
     }
 }
 
-/// Number of the thing's Surface, also for a thing that is gone.
+/// Number of a thing's Surface, also if the thing no longer exists.
 std::uint32_t surface_of(const ecs::World& world, ecs::Entity thing) {
     const auto* look = world.find<Look>(thing);
     return static_cast<std::uint32_t>(look != nullptr ? look->surface : Surface{});

@@ -1,24 +1,24 @@
-// game/match/bodies.h: keeps World and physics in step: adds and removes bodies, runs Bullet, counts blows of
-// loose things against wizards, and copies the new motions back into the World.
+// game/match/bodies.h: keeps World and physics consistent: adds and removes bodies, runs Bullet, turns blows
+// of loose things into harm to wizards, and copies the new motions back into the World.
 #pragma once
 #include "game/context/match_context.h"
 
 namespace thaum::game {
 
-/// Installs hooks: adding a Body (to an entity with Motion) puts it into the physics; removing the Body takes
-/// it out.
+/// Installs hooks: adding a Body to an entity with Motion adds the body to the physics; removing the Body
+/// removes it there.
 void add_body_hooks(MatchContext& context);
 
 /// Adds the systems "physics", "blows" and "places", in this order.
 void add_body_systems(MatchContext& context, ecs::Schedule& schedule);
 
-/// Harm (HP) by a blow of that impulse (N s).
+/// Harm by a blow of this impulse (HP; impulse in N s).
 double harm_of_blow(const WizardRules& rules, double impulse);
 
 /// Copies position and velocity of every moving body from the physics into Motion.
 void copy_places(MatchContext& context);
 
-/// Replaces the physics by one that holds exactly the bodies of the World, in canonical order.
+/// Replaces the physics by a new one with exactly the bodies of the World, in canonical order.
 void rebuild_physics(MatchContext& context);
 
 }  // namespace thaum::game

@@ -19,8 +19,8 @@
 namespace thaum::game {
 namespace {
 
-/// Belt for the new data: each wand keeps its energy, the selected wand stays selected, and a new wand is
-/// full.
+/// WandBelt for the new data: each wand keeps its energy, the selected wand stays selected, and added wands
+/// have full energy.
 WandBelt carried_belt(const MatchData& from, const MatchData& to, const WandBelt& old) {
     auto belt = full_belt(to);
     belt.fired = old.fired;
@@ -38,8 +38,8 @@ WandBelt carried_belt(const MatchData& from, const MatchData& to, const WandBelt
     return belt;
 }
 
-/// Replaces the wizard's body by one of the new rules with the feet in the same place. A dead wizard gets no
-/// body.
+/// Replaces the wizard's body by one of the new rules, with the feet at the same position. A dead wizard gets
+/// no body.
 void refit(MatchContext& context, ecs::Entity wizard, const WizardRules& before) {
     auto& world = context.world;
     const auto& rules = context.data.wizard;
@@ -79,7 +79,7 @@ void move_wizard(const MatchContext& from, MatchContext& to, std::uint32_t playe
     let_go(to, now);
     world.remove<Body>(now);
     copy<Motion>(from.world, old, world, now);
-    world.get<Motion>(now).asleep = 0;  // the ground under the wizard may be gone
+    world.get<Motion>(now).asleep = 0;  // wakes the wizard, because the ground below may have changed
     if (const auto* focus = from.world.find<Focus>(old); focus != nullptr && world.has<Focus>(now))
         world.get<Focus>(now) = *focus;
     if (const auto* lens = from.world.find<Lens>(old); lens != nullptr && world.has<Lens>(now))
@@ -109,7 +109,7 @@ void copy_world(const MatchContext& from, MatchContext& to) {
     rebuild_physics(to);
 }
 
-/// Whether the components of one match fit the other: the same scene and the same parts of the game.
+/// Whether the components of one match suit the other: the same scene and the same parts of the game.
 bool fits(const MatchData& from, const MatchData& to) {
     return to.arena == from.arena && (to.gestures == nullptr) == (from.gestures == nullptr) &&
            to.cauldron.has_value() == from.cauldron.has_value() &&

@@ -3,7 +3,8 @@
 namespace thaum::game {
 
 bool MatchFollower::goes_on(const Simulation& match) const {
-    constexpr Tick longest_gap = 64;  // a longer one is a jump (ticks)
+    // Longest interval between two looks; a longer one counts as a jump of the clock (ticks)
+    constexpr Tick longest_gap = 64;
     return begun_ && match.now() >= tick_ && match.now() - tick_ <= longest_gap &&
            match.events().count() >= events_seen_;
 }

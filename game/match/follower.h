@@ -1,4 +1,4 @@
-// game/match/follower.h: for readers that look at a match every few ticks, to make sounds or effects of it.
+// game/match/follower.h: for code that reads a match every few ticks, to make sounds or effects from it.
 #pragma once
 #include <cmath>
 
@@ -6,20 +6,20 @@
 
 namespace thaum::game {
 
-/// Share of full health below which the own heart is heard and felt.
+/// Share of full health below which players hear and feel their own heart.
 inline constexpr double loud_heart_health = 0.25;
 
-/// How far a reader has followed a match.
+/// How far a reader has read a match.
 class MatchFollower {
 public:
-    /// Whether the match went on since the last look. False at the first look, after a jump of the clock, and for a
-    /// match that was changed.
+    /// Whether the match has simply continued since the reader last looked. False at the first look, after a
+    /// jump of the clock, and for a match that was changed.
     bool goes_on(const Simulation& match) const;
     /// Whether the reader has looked before.
     bool has_begun() const { return begun_; }
-    /// Ends a look.
+    /// Marks the end of a look: everything up to now has been read.
     void look(const Simulation& match);
-    /// Leaves out the events up to now.
+    /// Skips the events up to now.
     void skip_events(const Simulation& match) { events_seen_ = match.events().count(); }
     /// Calls f(event) for each event since the last look.
     template <class F>
@@ -33,13 +33,13 @@ private:
     std::uint64_t events_seen_{};  ///< number of the next event
 };
 
-/// Steps of a wizard who walks.
+/// Counts the steps of a walking wizard.
 struct Stride {
     static constexpr double length = 1.5;  ///< distance between two steps (m)
 
     double walked{};  ///< distance since the last step (m)
 
-    /// Adds the way of `dt` seconds. Returns whether a step is done.
+    /// Adds the distance walked in `dt` seconds. Returns whether a step is completed.
     bool walks(const Stance& stance, const Motion& motion, double dt) {
         if (stance.grounded == 0) return false;
         walked += std::hypot(motion.velocity.x, motion.velocity.z) * dt;

@@ -1,17 +1,18 @@
-// game/match/great_work.h: the Great Work (MANUAL.md, "The Great Work"). A wizard who holds both halves of it, Azoth and the Lens, for
-// a time wins the round. Death breaks it, since it takes both halves.
+// game/match/great_work.h: the Great Work (MANUAL.md, "The Great Work"). A wizard who holds both halves of
+// it, Azoth and the Lens, for a set time wins the round. Death ends the attempt, since a dead wizard loses
+// both halves.
 #pragma once
 #include "game/context/match_context.h"
 
 namespace thaum::game {
 
-/// Player who has completed the Great Work at this tick; no_player: none. Reads GreatWork.
+/// Player who completes the Great Work at this tick; no_player: none. Reads GreatWork.
 std::uint32_t great_worker(const MatchContext& context, Tick tick);
 
-/// Time for which a player has held both halves (ticks); 0: does not.
+/// Time for which a player has held both halves (ticks); 0: the player does not hold both.
 Tick held_both_for(const ecs::World& world, std::uint32_t player, Tick tick);
 
-/// Adds the system that follows who holds both halves, every gameplay tick.
+/// Adds the system that tracks who holds both halves, every gameplay tick.
 void add_great_work_system(MatchContext& context, ecs::Schedule& schedule);
 
 }  // namespace thaum::game

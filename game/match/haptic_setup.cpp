@@ -9,8 +9,9 @@ namespace {
 
 using input::HandFader;
 
-/// Usual width of a device's workspace (m, left to right), for which the hand scales in data files are meant.
-/// In a narrower workspace the scales grow in proportion, so that the hand reaches as far in the world.
+/// Width of a typical device's workspace (m, left to right), for which the hand scales in data files are
+/// given. For a narrower workspace the scales grow in proportion, so that the hand reaches equally far in the
+/// world.
 constexpr double usual_width = 0.16;
 
 void set_workspace(const MatchData& data, std::uint32_t player, vec3 box, HapticSetup& setup) {
@@ -19,8 +20,8 @@ void set_workspace(const MatchData& data, std::uint32_t player, vec3 box, Haptic
     setup.wand_per_hand[player] = data.haptic_rules.wand_per_hand * setup.workspace_scale[player];
 }
 
-/// Workspace of a real arm (m); zero if the device is no arm or gives no plausible size. An edge above 1 m
-/// counts as 1 m: no real arm is wider, and a wider one would make the hand slow.
+/// Workspace of a real arm (m); zero if the device is no arm or gives no plausible size. Edges are limited to
+/// 1 m: no real arm is wider, and a wider workspace would make the hand slow.
 vec3 workspace_of(const input::DeviceSpec& device) {
     constexpr std::uint32_t least_um = 20'000, most_um = 1'000'000;
     vec3 box{};
@@ -34,7 +35,7 @@ vec3 workspace_of(const input::DeviceSpec& device) {
 
 static_assert(haptics::fluid_modes.size() == input::fluid_faders);
 
-/// Reduces the brew's effects by the shares that the player does not want to feel.
+/// Reduces the brew's effects to the shares that the player has chosen to feel.
 void reduce_modes(const input::DeviceSpec& device, haptics::FluidModes& modes) {
     for (std::size_t i = 0; i < haptics::fluid_modes.size(); ++i)
         modes.*haptics::fluid_modes[i].strength *= 1 - device.fluid_reduction[i] / 100.0;
@@ -44,7 +45,7 @@ void set_force(const MatchData& data, std::uint32_t player, std::uint8_t percent
     const bool as_rules = percent == input::force_as_rules;
     const auto own = as_rules ? std::lround(100 * data.haptic_rules.share) : long{percent};
     setup.on[player] = own > 0;
-    // The value depends on the last move alone, so that a restored match has the same.
+    // The value depends only on the last move of the fader, so a restored match computes the same.
     setup.force_percent[player] = static_cast<std::uint8_t>(own);
 }
 
@@ -66,7 +67,7 @@ void apply(const MatchData& data, std::uint32_t player, const input::FaderChange
     }
 }
 
-/// The World's record of moved faders, which the first move makes.
+/// The World's record of moved faders, created by the first move.
 MovedFaders& record_of(ecs::World& world) {
     ecs::Entity found;
     world.view<const MovedFaders>().each([&](ecs::Entity e, const MovedFaders&) { found = e; });
@@ -76,10 +77,11 @@ MovedFaders& record_of(ecs::World& world) {
     return world.get<MovedFaders>(world.create(none));
 }
 
-/// Ticks after a move until every system has set its forces anew.
+/// Ticks after a move of a fader until every system has set its forces again.
 constexpr std::uint8_t settling_ticks = gameplay_period + 1;
 
-/// Makes changes of the hands' forces switches, which fade in, as long as a move acts.
+/// While a fader's move takes effect, gives each of the hand's forces a new number, so that the servo fades
+/// to it.
 void announce_switches(ecs::World& world) {
     world.view<MovedFaders>().each([&](MovedFaders& moved) {
         for (std::uint32_t p = 0; p < players; ++p) {
@@ -121,7 +123,7 @@ void move_faders(const MatchData& data, const std::vector<input::DeviceSpec>& de
         if (change.fader == 0 || !is_valid(change) || !devices[i].moves_faders || player >= players) continue;
         auto& moved = record_of(world);
         auto& value = moved.percent[player * input::hand_faders + change.fader - 1];
-        if (value == change.percent) continue;  // nothing changes, so nothing fades
+        if (value == change.percent) continue;  // the value is the same, so there is nothing to fade
         value = change.percent;
         moved.settling[player] = settling_ticks;
         apply(data, player, change, setup);

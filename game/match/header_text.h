@@ -6,7 +6,8 @@
 
 namespace thaum::game {
 
-/// A line for each value of the header, after a line about the file itself. A line begins with the name of the value.
+/// One line for the file itself, then one for each value of the header. Each line begins with the name of its
+/// value.
 std::string header_text(const input::LogReader& log);
 
 }  // namespace thaum::game

@@ -3,8 +3,8 @@
 namespace thaum::app {
 namespace {
 
-constexpr Tick opening = 2000;   ///< ticks after the start in which the wizards only begin to move
-constexpr double too_close = 3;  ///< smallest distance of the wizards (m)
+constexpr Tick opening = 2000;   ///< length of the opening, in which nothing interesting happens (ticks)
+constexpr double too_close = 3;  ///< minimum distance of the wizards (m)
 /// cosine of the largest angle between a gaze and the other wizard
 constexpr double in_view = 0.95;
 

@@ -1,14 +1,14 @@
-// game/match/highlight.h: the moment of a match that makes the best picture.
+// game/match/highlight.h: finds the moment of a match that makes the best picture.
 #pragma once
 #include "game/match/simulation.h"
 
 namespace thaum::app {
 
-/// Tick at which the two wizards were closest, among ticks when both lived, each saw the other and something
+/// Tick at which the two wizards were closest, among ticks when both lived, each saw the other and a missile
 /// flew.
 struct Highlight {
-    double distance = 1e9;  ///< distance between the wizards at that tick (m)
-    Tick tick = 0;          ///< 0: no such moment
+    double distance = 1e9;  ///< distance between the wizards at the chosen tick (m)
+    Tick tick = 0;          ///< tick of the moment; 0: none found
 };
 
 /// Number of ticks between two looks at the match.

@@ -10,7 +10,7 @@ bool strikes_body(EventKind kind) {
 
 std::optional<vec3> way_to_cause(const Simulation& match, const Event& event, std::uint32_t player) {
     constexpr double beside =
-        0.15;  // distance from the middle of the body from which a place is on a side (m)
+        0.15;  // distance from the body's middle beyond which a point counts as on one side (m)
     const auto& world = match.world();
     const auto middle_of = [&](std::uint32_t of) { return world.get<Motion>(wizard_of(world, of)).position; };
     const auto is_beside = [](vec3 way) { return std::hypot(way.x, way.z) > beside; };
@@ -23,7 +23,7 @@ std::optional<vec3> way_to_cause(const Simulation& match, const Event& event, st
 
 std::optional<vec3> way_to_source(const Simulation& match, const Event& event, std::uint32_t player) {
     constexpr double on_body =
-        0.7;  // largest distance of a struck place from the middle of the body along the ground (m)
+        0.7;  // maximum horizontal distance of a point on the body from the body's middle (m)
     const auto way = way_to_cause(match, event, player);
     if (!way || event.by >= players || event.by == player) return way;
     if (!info_of(event.kind).placed || std::hypot(way->x, way->z) > on_body) return way;

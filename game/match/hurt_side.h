@@ -1,4 +1,5 @@
-// game/match/hurt_side.h: the side from which a player is hurt, for readers who tell or show it.
+// game/match/hurt_side.h: the direction from which a player is hurt, for code that shows it or puts it into
+// words.
 #pragma once
 #include <optional>
 
@@ -6,15 +7,16 @@
 
 namespace thaum::game {
 
-/// Whether an event of this kind strikes the body of its subject from a side, be it harm or not.
+/// Whether events of this kind hit their subject's body from a side, with or without harm.
 bool strikes_body(EventKind kind);
 
-/// Way from the middle of the player's body towards what has hurt it (m, world): the place of the event, or
-/// the player who caused it. A burst may be behind, although the foe is ahead. std::nullopt: from no side, as a fall.
+/// Vector from the middle of the player's body towards the cause of an event (m, world): the place of the
+/// event, or the player who caused it. A burst may be behind the player although the foe is in front.
+/// std::nullopt: no direction, as for a fall.
 std::optional<vec3> way_to_cause(const Simulation& match, const Event& event, std::uint32_t player);
 
-/// The same for words and marks: what has struck the body comes from the player who caused it, wherever on the body it
-/// struck. A burst beside the body comes from its own place.
+/// Like way_to_cause, but for words and marks: what has hit the body comes from the direction of the player
+/// who caused it, wherever on the body it hit. A burst beside the body comes from its own place.
 std::optional<vec3> way_to_source(const Simulation& match, const Event& event, std::uint32_t player);
 
 }  // namespace thaum::game

@@ -14,7 +14,7 @@ namespace {
 using input::Kind;
 using input::KindTable;
 
-/// Appends a kind unless its number is unused.
+/// Appends a kind, unless its number is not in use.
 void add(std::size_t number, std::string_view name, KindTable& table) {
     if (!name.empty()) table.kinds.push_back({static_cast<std::uint16_t>(number), std::string(name)});
 }
@@ -25,7 +25,7 @@ const KindTable* table_of(const std::vector<KindTable>& tables, const std::strin
     return found == tables.end() ? nullptr : &*found;
 }
 
-/// Name of a kind with its quotes; "nothing" if the number is unused.
+/// Name of a kind in quotes; "nothing" if the number is not in use.
 std::string kind_in_words(const KindTable* table, std::uint16_t number) {
     const auto none = std::vector<Kind>();
     const auto& kinds = table != nullptr ? table->kinds : none;

@@ -1,16 +1,18 @@
-// game/match/kind_tables.h: the numbers of events, causes of harm, wands, ingredients and power-ups, as a log's header
-// has them. Saved states and samples contain these numbers, so a log replays only in a program that numbers all kinds
-// alike.
+// game/match/kind_tables.h: the numbers of events, causes of harm, wands, ingredients and power-ups, as a
+// log's header stores them. Saved states and samples contain these numbers, so a log can only be replayed by
+// a program with the same numbers.
 #pragma once
 #include "game/data/match_data.h"
 #include "input/log.h"
 
 namespace thaum::game {
 
-/// Tables "cause", "event", "ingredient", "potion", "power_up" and "wand". A wand's number is that of its key, as in input::DeviceSample::wand.
+/// Tables "cause", "event", "ingredient", "potion", "power_up" and "wand". A wand's number is the number of
+/// its key, as in input::DeviceSample::wand.
 std::vector<input::KindTable> kind_tables(const MatchData& data);
 
-/// First difference between the tables of a log and those of this program, in one line; empty if there is none.
+/// First difference between the tables of a log and those of this program, in one line; empty if there is
+/// none.
 std::string kind_difference(const std::vector<input::KindTable>& recorded,
                             const std::vector<input::KindTable>& here);
 

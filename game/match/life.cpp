@@ -11,8 +11,8 @@
 namespace thaum::game {
 namespace {
 
-/// Counts a kill for the killer. A death without a killer, or by the victim's own hand, costs the victim one
-/// kill.
+/// Counts a kill for the killer. A death without a killer, or caused by the victim, reduces the victim's
+/// kills by one.
 void count_kill(ecs::World& world, std::uint32_t victim, std::uint32_t killer) {
     world.view<const Wizard, Score>().each([&](const Wizard& wizard, Score& score) {
         const bool suicide = killer == no_player || killer == victim;
@@ -25,8 +25,8 @@ void count_kill(ecs::World& world, std::uint32_t victim, std::uint32_t killer) {
     });
 }
 
-/// The player who hurt the victim last. If no player did, the foe counts as the killer after hurting the
-/// victim within the blame time. An example is a shot that pushed the victim into a pit.
+/// The player who hurt the victim last. If the last harm came from no player, the foe counts as the killer if
+/// the foe hurt the victim within the blame time: for example by a shot that pushed the victim into a pit.
 std::uint32_t killer_of(const Wizard& wizard, const Health& health, Tick blame, Tick tick) {
     const bool foes_deed = health.foe_did_at != 0 && tick <= health.foe_did_at + blame;
     return health.hurt_by >= players && foes_deed ? 1 - wizard.player : health.hurt_by;

@@ -1,4 +1,4 @@
-// game/match/life.h: death, return to life, and the slow loss of health above the start value.
+// game/match/life.h: death, return to life, and the slow loss of health above the initial value.
 #pragma once
 #include "game/context/match_context.h"
 

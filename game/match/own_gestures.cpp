@@ -10,7 +10,7 @@
 namespace thaum::game {
 namespace {
 
-/// Largest file of a gesture (bytes): three strokes of some seconds take a tenth of it.
+/// Maximum size of a gesture file (bytes). Three strokes of some seconds need a tenth of it.
 constexpr std::size_t largest_text = std::size_t{1} << 20U;
 
 std::string words_of(const input::ProfileData& item) {
@@ -30,7 +30,7 @@ Expected<gesture::Gesture> read_item(const input::ProfileData& item) {
     return gesture;
 }
 
-/// Puts the gesture in the place of the shipped one.
+/// Replaces the shipped gesture of the same name.
 Expected<void> replace(std::vector<gesture::Gesture>& gestures, const input::ProfileData& item) {
     if (item.kind != gesture_kind)
         return fail(text("profile data of the unknown kind '", printable(item.kind, 40), "'"));

@@ -1,22 +1,23 @@
-// game/match/own_gestures.h: gestures that players drew themselves. In a match a player's own gesture stands for the
-// shipped one of the same name, with its strokes and its options.
+// game/match/own_gestures.h: gestures that players recorded themselves. In a match a player's own gesture
+// replaces the shipped one of the same name, with its strokes and its options.
 //
 // The setup of a match, the log and the profile hold the same bytes: the text of a gesture's file
-// (gesture/gesture_file.h). So a replay reads the same numbers without the profile.
+// (gesture/gesture_file.h). So a replay does not need the profile.
 #pragma once
 #include "game/data/match_data.h"
 #include "game/match/simulation.h"
 
 namespace thaum::game {
 
-/// Kind of the profile data that are gestures (input::ProfileData::kind).
+/// Value of input::ProfileData::kind for gestures.
 inline constexpr std::string_view gesture_kind = "gesture";
 
 /// Profile data of one gesture of a player.
 input::ProfileData profile_of(const gesture::Gesture& gesture, std::uint32_t player);
 
-/// Gives a match the players' own gestures, in the order of a log's profile data. The error says which gesture of which
-/// player is wrong and why: no text of a gesture, another name, no shipped gesture of this name, or too many points.
+/// Gives a match the players' own gestures, in the order of a log's profile data. The error says which
+/// gesture of which player is wrong and why: invalid text, a name that differs, no shipped gesture of this
+/// name, or too many points.
 Expected<void> use_profile(const MatchData& data, std::vector<input::ProfileData> profile, MatchSetup& setup);
 
 }  // namespace thaum::game

@@ -72,7 +72,8 @@ std::string Playback::missing_hashes() const {
         if (!log_->hash_at(tick)) return text("tick ", tick, ": the log has no hash of this state");
     }
     if (log_->hashes().empty()) return text("the log has no hashes: nothing was compared");
-    // A log that was cut off has no block with the hash of its last tick. Its hashes hold as far as they go.
+    // Only a log that was closed properly has the hash of its last tick. The hashes of a log that was cut off
+    // are valid up to its end.
     if (log_->ended_cleanly() && !log_->hash_at(last))
         return text("tick ", last, ": the log has no hash of its last state");
     return {};

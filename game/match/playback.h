@@ -1,5 +1,5 @@
-// game/match/playback.h: plays a log again without devices and compares each recorded hash with the
-// recomputed one.
+// game/match/playback.h: replays a log without devices and compares each recorded hash with the recomputed
+// one.
 #pragma once
 #include <filesystem>
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace thaum::game {
 
-/// A recorded hash and the different hashes that the replay computed at the same tick.
+/// A recorded hash and the hashes that the replay computed at the same tick, at least one of which differs.
 struct Divergence {
     input::HashRecord recorded;
     std::uint64_t state{};
@@ -24,36 +24,38 @@ std::string described(const Divergence&);
 /// A log and the match that is recomputed from it.
 class Playback {
 public:
-    /// Opens a log. The error is one line: no log, damaged header, other rules version or changed data.
+    /// Opens a log. The error is one line: the file is not a log, a damaged header, another rules version, or
+    /// changed data.
     static Expected<Playback> open(const std::filesystem::path& log, const std::filesystem::path& assets);
-    /// Opens the same log once more, at its first tick. The error also says if the file holds another match by now.
+    /// Opens the same log once more, at its first tick. The error also says if the file has been replaced by
+    /// another match.
     Expected<Playback> open_again() const;
 
     const input::LogReader& log() const { return *log_; }
     const Simulation& match() const { return *match_; }
     Simulation& match() { return *match_; }
 
-    /// Plays one tick and compares the state with the log's hash, if the log has one. Returns false at the
-    /// log's end.
+    /// Plays one tick and compares the state with the log's hash for this tick, if there is one. Returns
+    /// false at the log's end.
     bool step();
     /// Plays until `tick` ticks are done in total. Returns false if the log is shorter.
     bool play_to(Tick tick);
-    /// Continues from a state that another Playback of the same log saved at tick `at`, a keyframe.
+    /// Continues from a state that another Playback of the same log saved at tick `at`, which must be a
+    /// keyframe.
     Expected<void> restore(std::span<const std::byte> snapshot, Tick at);
     /// The input frame that the last step played.
     const input::InputFrame& frame() const { return frame_; }
     /// The log's hash of this tick if it differs from the state. std::nullopt if they agree or the log has no
     /// hash here.
     std::optional<Divergence> mismatch() const;
-    /// The first divergence that was seen. Whatever follows it in the log differs from the recorded match.
+    /// The first divergence found. After it, the replay no longer shows the recorded match.
     const std::optional<Divergence>& divergence() const { return divergence_; }
 
-    /// One line that says why agreeing hashes do not prove the replay: the log has no hashes, or lacks one of every
-    /// 128th tick, or was closed properly and lacks that of its last tick. Empty if the hashes prove the replay, that of
-    /// a log that was cut off up to its last hash.
+    /// One line that says why equal hashes do not prove the replay: the log has no hashes, lacks one of every
+    /// 128th tick, or was closed properly and lacks that of its last tick. Empty if the hashes prove the
+    /// replay. For a log that was cut off, they prove it up to the last hash.
     std::string missing_hashes() const;
-    /// One line if the result stored in a log that was closed properly differs from the match's result now;
-    /// else empty.
+    /// One line if a properly closed log stores another result than the match has now; else empty.
     std::string wrong_result() const;
 
 private:

@@ -18,7 +18,7 @@ const LoadedWand* emptiest_wand(const MatchData& data, const WandBelt& belt) {
     return found;
 }
 
-/// The nearest wizard on the power-up who would gain by it.
+/// The nearest wizard who stands on the power-up and can gain from it.
 struct Taker {
     ecs::Entity wizard;
     Gift gift;
@@ -30,7 +30,7 @@ Taker find_taker(MatchContext& context, const PowerUp& power_up, vec3 place) {
     Taker best;
     context.world.view<const Health, const WandBelt, const Motion, ecs::Without<Dead>>().each(
         [&](ecs::Entity e, const Health& health, const WandBelt& belt, const Motion& motion) {
-            if (health.points <= 0) return;  // this wizard dies in this tick
+            if (health.points <= 0) return;  // the wizard is about to die in this tick
             const auto distance =
                 distance_on_floor(context.data.wizard, motion.position, place, rules.radius);
             if (!distance || *distance >= best.distance) return;

@@ -8,14 +8,14 @@ void add_power_up_system(MatchContext& context, ecs::Schedule& schedule);
 
 /// Health or energy that a power-up would give to a wizard now.
 struct Gift {
-    double health{};  ///< health to add (HP)
-    double energy{};  ///< energy to add to `slot`
+    double health{};  ///< health that the wizard would gain (HP)
+    double energy{};  ///< energy that the wand in `slot` would gain
     std::uint32_t slot{};
     double amount() const { return health + energy; }
 };
 Gift gift_of(const MatchData& data, PowerUpKind kind, const Health& health, const WandBelt& belt);
 
-/// Smallest gift (HP or energy). A power-up that would give less stays where it is.
+/// Minimum gain (HP or energy). A power-up that would give less is not picked up.
 inline constexpr double least_gift = 1;
 
 }  // namespace thaum::game

@@ -12,10 +12,11 @@ namespace {
 
 constexpr std::string_view match_parameter = "match=";
 
-/// A file that decides what is felt of a crystal, and that older recordings do not name.
+/// A file that affects how a crystal feels, but that older recordings do not list.
 constexpr std::string_view joined_later = "materials.toml";
 
-/// First difference between the data files at recording and now, as one line; empty if there is none.
+/// First difference between the data files of a recording and the present ones, as one line; empty if there
+/// is none.
 std::string changed_file(const std::vector<input::DataFile>& recorded,
                          const std::vector<input::DataFile>& here) {
     for (const auto& file : recorded) {
@@ -116,7 +117,8 @@ Expected<std::unique_ptr<Simulation>> match_of_log(const input::LogHeader& heade
     auto data = load_match_data(assets, choice);
     if (!data) return data.error();
     if (const auto changed = changed_file(header.files, data->files); !changed.empty()) return fail(changed);
-    // Logs of format 1 have no tables. Their kinds were registered in the same way, so the data files suffice.
+    // Logs of format 1 have no tables of kinds. Their kinds were registered in the same way, so comparing
+    // data files is enough.
     if (!header.kinds.empty()) {
         if (const auto other = kind_difference(header.kinds, kind_tables(*data)); !other.empty())
             return fail(other);

@@ -8,13 +8,13 @@
 
 namespace thaum::game {
 
-/// Ticks after the end of a match that are still recorded, so that a replay shows how it ends.
+/// Number of ticks recorded after the end of a match, so that a replay shows how it ends.
 inline constexpr Tick log_after_end = 500;
 
-/// Header of a match that is about to begin. `players` describes the players: "human", "bot 1".
+/// Log header of a match that is about to begin. `players` describes the players: "human", "bot 1".
 input::LogHeader log_header(const MatchData& data, const MatchSetup& setup, std::vector<std::string> players);
 
-/// Writes the tick that the match has just played: its input frame, and the hashes and marks that are due.
+/// Writes the last tick of the match to the log: its input frame, and the hashes and marks that are due.
 void record_tick(const Simulation& match, const input::InputFrame& frame, input::LogWriter& log);
 
 /// Plays one tick and writes it to the log. A null log records nothing.
@@ -23,8 +23,8 @@ void tick_and_record(Simulation& match, const input::InputFrame& frame, input::L
 /// Closes the log with the match's result and the hashes of its last state.
 Expected<void> close_log(input::LogWriter& log, const Simulation& match);
 
-/// The result in one line: who has won, how, and the score. `winner_names` replace "player 1" and "player 2" where they
-/// are not empty. A log's end block has no names.
+/// The result in one line: who has won, how, and the score. Names in `winner_names` that are not empty
+/// replace "player 1" and "player 2". The end block of a log uses no such names.
 std::string result_line(const Simulation& match, const std::array<std::string, players>& winner_names = {});
 
 /// Creates the match that a log's header describes. The error is one line: another rules version, the name of
@@ -32,8 +32,8 @@ std::string result_line(const Simulation& match, const std::array<std::string, p
 Expected<std::unique_ptr<Simulation>> match_of_log(const input::LogHeader& header,
                                                    const std::filesystem::path& assets);
 
-/// One line of warning if the log was recorded with elementary functions whose results differ in some bits, or
-/// with another version of Bullet; else empty.
+/// A one-line warning if the log was recorded with mathematical functions (sin, exp) whose results differ in
+/// some bits, or with another version of Bullet; else empty.
 std::string build_warning(const input::LogHeader& header);
 
 }  // namespace thaum::game

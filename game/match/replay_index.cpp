@@ -7,7 +7,8 @@
 namespace thaum::game {
 namespace {
 
-/// Level of zstd. Higher ones take longer and save little: most bytes of a state are random bits of fluid samples.
+/// Compression level of zstd. Higher levels take longer and save little, because most bytes of a state are
+/// the random bits of fluid samples.
 constexpr int packing_level = 1;
 
 Bytes packed(std::span<const std::byte> state) {
@@ -35,7 +36,7 @@ ReplayIndex::ReplayIndex(const Playback& at_start, std::size_t most_bytes) : mos
 
 void ReplayIndex::add_state(const Simulation& match) {
     const auto at = match.now();
-    if (at % spacing_ != 0) return;  // only this thread changes the spacing
+    if (at % spacing_ != 0) return;  // no lock needed, because only this thread changes the spacing
     Bytes state;
     match.save(state);
     auto kept = std::make_shared<const Bytes>(packed(state));
@@ -52,7 +53,7 @@ void ReplayIndex::add_state(const Simulation& match) {
     }
 }
 
-/// Takes note of new kills, and of the first divergence.
+/// Records new kills, and the first divergence.
 void ReplayIndex::look(const Playback& playback, std::uint64_t& events_seen) {
     const auto now = playback.match().now();
     playback.match().events().each_new(events_seen, [&](const Event& event) {

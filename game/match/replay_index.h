@@ -1,12 +1,13 @@
-// game/match/replay_index.h: makes every place of a replay quick to reach.
+// game/match/replay_index.h: makes it quick to jump to any tick of a replay.
 //
 //     log:    0 ------ 2048 ------ 4096 ------ 6144 ---- ... ---- end
-//     index:  S         S           S           S                        S: packed state, at keyframes only
+//     index:  S         S           S           S                        S: compressed state, only at keyframes
 //     seek to 5000:                 S --------->
 //
-// One thread plays the log once, ahead of the viewer, and keeps the states. Another goes to a tick from the newest
-// state before it. A state of a stirred brew has 1.7 MB, and its packed form a fraction of that. If all of them
-// need more memory than allowed, every second one is dropped, and places take twice as long to reach.
+// One thread plays the log once, ahead of the viewer, and stores the states. Another thread reaches a tick by
+// replaying from the newest state before it. A state of a stirred brew has 1.7 MB, and its compressed form a
+// fraction of that. If all states need more memory than allowed, every second one is dropped, and jumps take
+// twice as long.
 #pragma once
 #include <atomic>
 #include <mutex>
@@ -18,9 +19,9 @@ namespace thaum::game {
 
 /// A death in a match.
 struct Kill {
-    Tick at{};               ///< on the log's clock, Simulation::now
+    Tick at{};               ///< time on the log's clock, Simulation::now (ticks)
     std::uint32_t victim{};  ///< player who died
-    std::uint32_t by{};      ///< player who gets the kill; the victim or no_player: nobody
+    std::uint32_t by{};      ///< player who is credited with the kill; the victim or no_player: no one
     bool operator==(const Kill&) const = default;
 };
 
@@ -28,35 +29,36 @@ class ReplayIndex {
 public:
     static constexpr std::size_t usual_bytes = std::size_t{224} << 20U;
 
-    /// Keeps the state at the log's first tick, where the playback must be. `most_bytes`: memory for all states.
+    /// Stores the state at the log's first tick, where the playback must be. `most_bytes`: memory limit for
+    /// all states.
     explicit ReplayIndex(const Playback& at_start, std::size_t most_bytes = usual_bytes);
 
-    /// Plays from the first tick to the log's end, or until `stop` is set. Only one thread may call it.
+    /// Fills the index by playing from the first tick to the log's end, or until `stop` is set. Only one
+    /// thread may call it.
     void fill(Playback playback, const std::atomic<bool>& stop);
 
-    // Called by any thread.
-    /// The index is filled up to this tick.
+    // Tick up to which the index is filled. May be called by any thread.
     Tick reached() const { return reached_; }
-    /// Whether nobody will fill the index further.
+    /// Whether no thread fills the index any further.
     bool complete() const { return complete_; }
-    /// Says that nobody fills the index.
+    /// Marks the index as one that is no longer filled.
     void give_up() { complete_ = true; }
-    /// Whether the newest state before `target` is here, so that going there is quick.
+    /// Whether the newest state before `target` is in the index, so that a jump there is quick.
     bool covers(Tick target) const;
     std::vector<Kill> kills() const;
-    /// The first divergence that filling has found.
+    /// The first divergence found while filling the index.
     std::optional<Divergence> divergence() const;
-    /// Memory of all kept states.
+    /// Memory used by all stored states (bytes).
     std::size_t bytes() const;
-    /// Distance between two kept states (ticks).
+    /// Distance between two stored states (ticks).
     Tick spacing() const;
 
-    /// A kept state.
+    /// A stored state of the match, from which a replay can continue.
     struct Keyframe {
         Tick at{};
         std::shared_ptr<const Bytes> packed{};
     };
-    /// The newest kept state at or before `target`.
+    /// The newest stored state at or before `target`.
     Keyframe newest_before(Tick target) const;
 
 private:
@@ -65,8 +67,8 @@ private:
 
     const std::size_t most_bytes_;
     mutable std::mutex mutex_;
-    // Under the mutex:
-    std::vector<Keyframe> keyframes_;  ///< by rising tick; the first is tick 0
+    // The mutex guards the following members:
+    std::vector<Keyframe> keyframes_;  ///< stored states in increasing order of tick; the first is at tick 0
     std::size_t bytes_ = 0;
     Tick spacing_ = keyframe_interval;
     std::vector<Kill> kills_;
@@ -76,9 +78,9 @@ private:
     std::atomic<bool> complete_{false};
 };
 
-/// Brings the playback to the state after `target` ticks, or to the log's end if that comes first. The state has the
-/// same bits as if all ticks had been played. Returns early if `stop` becomes true. The error: a kept state could not
-/// be restored.
+/// Brings the playback to the state after `target` ticks, or to the log's end if that comes first. The state
+/// has the same bits as if all ticks had been played. Returns early if `stop` becomes true. The error says
+/// that a stored state could not be restored.
 Expected<void> seek(Playback& playback, const ReplayIndex& index, Tick target, const std::atomic<bool>& stop);
 
 /// The earlier one of two divergences.

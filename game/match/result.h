@@ -4,7 +4,7 @@
 
 namespace thaum::game {
 
-/// Results of both players by one cause over the whole match, as "12 of 64 hit (19 %), 72 HP, 1 kill".
+/// What one player achieved by one cause over the whole match, as "12 of 64 hit (19 %), 72 HP, 1 kill".
 struct ResultRow {
     std::string_view cause;
     std::array<std::string, players> words;
@@ -13,7 +13,7 @@ struct ResultRow {
 
 using AllMatchStats = decltype(EventLog::match_stats);
 
-/// Rows for all causes with any result.
+/// Rows for all causes that have any result.
 std::vector<ResultRow> result_rows(const AllMatchStats& match_stats);
 
 /// Table with one line for each player, followed by the player's rows.

@@ -16,11 +16,11 @@
 namespace thaum::game {
 namespace {
 
-/// Ticks before a player can ask for the next round. A player who is still shooting must not start it by
-/// accident.
+/// Ticks before a player can request the next round, so that a player who is still shooting does not start it
+/// by accident.
 constexpr Tick soonest = ticks(0.8);
 
-/// Removes all entities and keeps the match, its random numbers and its event log.
+/// Removes all entities except the one with the match, its random numbers and its event log.
 void clear_scene(ecs::World& world) {
     const auto match = world.single<Match>();
     const auto dice = world.single<Dice>();
@@ -121,7 +121,7 @@ void add_round_system(MatchContext& context, ecs::Schedule& schedule) {
                       const auto& rules = context.data.round;
                       const auto& match = std::as_const(w).single<Match>();
                       const bool enough = kills[0] >= rules.kills || kills[1] >= rules.kills;
-                      // If both players reach the limit in one tick, the one with more kills wins. Equal
+                      // If both players reach the kill limit in one tick, the one with more kills wins. Equal
                       // kills are a draw.
                       const auto worker = great_worker(context, tick);
                       if (enough) {

@@ -8,7 +8,7 @@ namespace thaum::game {
 /// Replaces the scene by that of a new round: the arena as its file describes it, both wizards on their pads.
 void open_round(MatchContext& context, BrewSolver& solver, CrystalBodies& crystals);
 
-/// Adds the system that ends a round, and after the last round the match.
+/// Adds the system that ends a round and, after the last round, the match.
 void add_round_system(MatchContext& context, ecs::Schedule& schedule);
 
 /// Adds the system that waits between rounds. The next round begins when a player confirms, or by itself

@@ -34,7 +34,7 @@ void spawn_match(ecs::World& world, std::uint64_t seed) {
     world.create(Match{}, Dice{.spread = random_stream(seed, 1)}, EventLog{});
 }
 
-/// Makes what the seed decides.
+/// Creates the parts of the state that depend on the seed.
 void draw_by_seed(MatchContext& context, std::uint64_t seed) {
     draw_orders(context, seed);
     draw_crystals(context, seed);
@@ -133,8 +133,8 @@ void Simulation::tick(const input::InputFrame& frame) {
     publish_models(context_, brew_, live);
     for (const auto& device : frame.devices) world.single<Match>().skipped += device.skips;
     ++now_;
-    // A state that is saved at a keyframe must have the impulses that systems gave to bodies after the step of physics,
-    // such as those of a recalled thing in its flight.
+    // A state saved at a keyframe must include impulses that systems gave to bodies after the physics step,
+    // such as those on a recalled thing in flight.
     if (now_ % keyframe_interval == 0) copy_places(context_);
 }
 
@@ -171,7 +171,8 @@ const ForceTrace& Simulation::felt(std::uint32_t player) const {
 
 std::unique_ptr<Simulation> Simulation::continued_with(std::shared_ptr<const MatchData> data) const {
     auto setup = setup_;
-    // Own gestures stand among the gestures of the data. Those that no longer fit keep their old neighbours.
+    // Players' own gestures are recombined with the gestures of the new data. If an own gesture no longer
+    // fits, the old set is kept.
     (void)use_profile(*data, setup_.profile, setup);
     return continued_with(std::move(data), std::move(setup));
 }

@@ -22,12 +22,12 @@ inline constexpr std::uint32_t rules_version = 27;
 
 struct MatchSetup {
     std::uint64_t seed = 1;
-    std::vector<input::DeviceSpec> devices;  ///< in the order of the samples in an input frame
-    /// Gestures of players who drew their own; null: those of the match's data. Set by use_profile.
+    std::vector<input::DeviceSpec> devices;  ///< devices, in the order of the samples in an input frame
+    /// Gestures of players who recorded their own; null: those of the match's data. Set by use_profile.
     std::array<std::shared_ptr<const GestureSet>, players> gestures{};
-    /// The data of these gestures, as the log holds them.
+    /// These own gestures as profile data, as the log stores them.
     std::vector<input::ProfileData> profile{};
-    /// Number of threads for large work, besides the calling thread; does not affect the match.
+    /// Number of threads for large computations, besides the calling thread; does not affect the match.
     unsigned workers = 0;
 };
 
@@ -38,19 +38,19 @@ public:
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;
 
-    /// Plays one tick of 1 ms with one sample of each device. Play stands still in a pause and after a round
-    /// has ended.
+    /// Plays one tick of 1 ms with one sample of each device. Play does not advance in a pause and after a
+    /// round has ended.
     void tick(const input::InputFrame& frame);
     /// Number of ticks played, pauses included. This is the log's clock.
     Tick now() const { return now_; }
 
     const ecs::World& world() const;
-    /// Write access for scenarios that set a scene and for tests that corrupt a value. Not for a match that
-    /// is logged.
+    /// Write access, for scenarios that build a scene and for tests that corrupt a value. Not for a match
+    /// that is logged.
     ecs::World& world_to_change();
     MatchContext& context_to_change();
     const MatchContext& context() const { return context_; }
-    /// Lets strokes of a player mean nothing, or something again. Not for a match that is logged.
+    /// Switches the recognition of a player's strokes off or on. Not for a match that is logged.
     void leave_strokes_unread(std::uint32_t player, bool unread);
     physics::Physics& physics();
     const physics::Physics& physics() const;
@@ -58,35 +58,38 @@ public:
     const std::shared_ptr<const MatchData>& shared_data() const { return data_; }
     const MatchSetup& setup() const { return setup_; }
     const Match& match() const { return world().single<Match>(); }
-    /// Every event of the last seconds.
+    /// All events of the last seconds.
     const EventJournal& events() const;
 
     std::uint64_t state_hash() const;
     /// Hash of the forces commanded to devices since the last multiple of hash_interval.
     std::uint64_t force_hash() const { return force_hash_; }
-    /// Magnitude of the force on a player's hand (N). Tick t of play is at index t modulo the size.
+    /// Magnitude of the force on a player's hand (N). Index: tick of play modulo the size.
     const ForceTrace& felt(std::uint32_t player) const;
     const HapticSetup& haptic_setup() const;
-    /// The part that computes the cauldron's brew (game/stations/cauldron/cauldron.h); null if no player has touched
-    /// the brew.
+    /// The part that computes the cauldron's brew (game/stations/cauldron/cauldron.h); null if no player has
+    /// touched the brew.
     const BrewWork* brew() const;
-    /// What is known of the crystals beside their state: changed bricks and ghost keys (game/stations/crystal/crystal.h).
+    /// Data on the crystals that is not part of the state: changed bricks and ghost keys
+    /// (game/stations/crystal/crystal.h).
     const CrystalBodies& crystals() const;
-    /// The same, for scenarios and tests that carve.
+    /// Write access to this data, for scenarios and tests that carve.
     CrystalBodies& crystals_to_change();
     /// Writes the World's snapshot (ecs/snapshot.h). It can be restored only if now() is a multiple of
     /// keyframe_interval.
     void save(Bytes& out) const;
-    /// Restores a state that another Simulation of the same data and setup saved at tick `at`, a keyframe. What is
-    /// only shown begins anew: older events and forces are gone, and force_hash() is right after the next tick.
+    /// Restores a state that another Simulation of the same data and setup saved at tick `at`, a keyframe.
+    /// Data that is only shown starts anew: older events and forces are lost, and force_hash() is valid only
+    /// after the next tick.
     Expected<void> restore(std::span<const std::byte> snapshot, Tick at);
-    /// Returns a match that continues this one by other data (game/match/carry_over.h). Its state no longer
+    /// Returns a match that continues this one with other data (game/match/carry_over.h). Its state no longer
     /// follows from its own data, seed and input, so it must not be logged.
     std::unique_ptr<Simulation> continued_with(std::shared_ptr<const MatchData> data) const;
-    /// The same, with gestures that players drew in the meantime. The setup has the same seed and devices.
+    /// Like the overload above, with gestures that players have recorded in the meantime. The setup must have
+    /// the same seed and devices.
     std::unique_ptr<Simulation> continued_with(std::shared_ptr<const MatchData> data, MatchSetup setup) const;
 
-    /// Systems of the match with their counters. Those of `always` also run in a pause.
+    /// Systems of the match with their performance counters. The systems of `always` also run in a pause.
     ecs::Schedule& always() { return always_; }
     ecs::Schedule& live() { return live_; }
 

@@ -7,7 +7,7 @@ namespace thaum::game {
 
 void spawn_arena(ecs::World& world, const Arena& arena);
 
-/// Creates one body of the arena at its position. Scenarios also use it to set a scene.
+/// Creates one body of the arena at its position. Scenarios also use this to build a scene.
 ecs::Entity spawn_thing(ecs::World& world, const Thing& thing);
 
 }  // namespace thaum::game

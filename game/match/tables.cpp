@@ -13,7 +13,7 @@
 namespace thaum::game {
 namespace {
 
-/// Time in seconds. One division rounds once, so 9 ticks are 0.009 and not 0.009000000000000001.
+/// Time in seconds. A single division rounds only once, so 9 ticks are 0.009 and not 0.009000000000000001.
 double in_seconds(Tick tick) { return static_cast<double>(tick) / static_cast<double>(ticks_per_second); }
 
 std::string name_of_ingredient(const MatchData& data, std::uint32_t number) {
@@ -31,7 +31,7 @@ std::string name_of_gesture(const MatchContext& context, std::uint32_t player, s
     return gestures == nullptr ? std::string() : std::string(gestures->name(number));
 }
 
-/// A told recipe: "azoth: moss, salt, mist".
+/// Text of a revealed recipe: "azoth: moss, salt, mist".
 std::string words_of_recipe(const MatchData& data, std::uint32_t detail) {
     const auto words = brew_words_of(data);
     return text(words.potion(detail & 0xFFU), ": ", words_of_order(words, detail));

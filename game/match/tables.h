@@ -44,20 +44,21 @@ private:
     void follow_devices(const Playback& playback, std::string& out);
     void follow_faders(const Playback& playback, std::string& out);
 
-    std::uint64_t seen_ = 0;  ///< value of EventJournal::count up to which events were written
+    std::uint64_t seen_ = 0;  ///< value of EventJournal::count up to which events have been written
     std::size_t marks_ = 0;
     bool paused_ = false;
-    std::array<bool, input::max_devices> away_{};  ///< devices that had left at the last step
+    /// For each device, true if it was disconnected at the last step.
+    std::array<bool, input::max_devices> away_{};
 };
 
-/// What an event was with, in words: the value of the column `with`. Empty if there is none.
+/// Value of the column `with` for an event; empty if it has none.
 std::string with_of(const Event& event, const Simulation& match);
 
 /// Header of `append_state`: tick, time_s, played_s, paused, then for player N = 1, 2: pN_x_m ... (body
 /// centre), pN_vx_m_s ..., pN_yaw_rad, pN_pitch_rad, pN_dead, pN_health_hp, pN_wand and the energy of each
 /// wand.
 std::string state_header(const Simulation& match);
-/// Appends one row of the present state.
+/// Appends one row about the present state.
 void append_state(const Simulation& match, std::string& out);
 
 /// Header of `append_forces`: tick, time_s, then for player N = 1, 2:
@@ -73,7 +74,7 @@ void append_state(const Simulation& match, std::string& out);
 ///     pN_touches, pN_sx_m ...     1 or 0: contact with a surface, and the contact point of this tick's force
 ///     pN_arm             1 for a real arm
 std::string forces_header();
-/// Appends one row of the tick that was just played.
+/// Appends one row about the tick that was just played.
 void append_forces(const Simulation& match, std::string& out);
 
 }  // namespace thaum::game

@@ -20,12 +20,12 @@ struct BrewColours {
     std::array<fvec3, fluid::substances_most> substances{};
 };
 
-/// One moment of a brew as plain data. Taking a brew into the same object again allocates nothing.
+/// One moment of a brew as plain data. Copying a brew into the same object again allocates nothing.
 struct BrewPicture {
-    std::uint64_t state{};  ///< number of the brew's state; a change means new contents; 0: empty
+    std::uint64_t state{};  ///< number of the brew's state, which changes with the contents; 0: empty
     fluid::Lattice lattice{};
     std::array<fluid::Samples, 3> velocity{};  ///< velocity components (m/s)
-    /// Place of each velocity component of cell (0, 0, 0), in cells.
+    /// Position of each velocity component of cell (0, 0, 0), in cells.
     std::array<vec3, 3> velocity_places{};
     /// Density of each substance; empty if the substance holds no ingredient.
     std::array<fluid::Samples, fluid::substances_most> densities{};
@@ -46,22 +46,25 @@ struct CauldronPicture {
     bool there = false;
     BrewPicture brew;
     std::array<std::optional<LadlePicture>, players> ladles{};
-    /// Names of the ingredients; empty: free substance.
+    /// Names of the ingredients; an empty name is an unused substance.
     std::array<std::string_view, fluid::substances_most> contents{};
     std::string_view potion{};  ///< name of the potion that has changed the brew; empty: none
     std::uint32_t owner{no_player};
-    double mixed{};  ///< share of the brew that the newest ingredient fills, 0 to 1 (fluid::filled_share)
-    double heat{};   ///< 0 for the weight of a pure brew, 1 for a brew light enough to lift wizards
-    double spoils_in_s{};  ///< time until the brew boils over; 0: no ingredient yet
-    /// Time from the first ingredient to boiling over; 0: the brew never boils over.
+    /// Share of the brew that the newest ingredient has reached, 0 to 1 (fluid::filled_share)
+    double mixed{};
+    /// Lightness: 0 for the density of a pure brew, 1 for a brew light enough to lift wizards.
+    double heat{};
+    double spoils_in_s{};  ///< time until the brew boils over (s); 0: no ingredient yet
+    /// Time from the first ingredient to boiling over (s); 0: the brew never boils over.
     double whole_time_s{};
     double fresh{};       ///< spoils_in_s as a share of the whole time, 0 to 1
     double well_mixed{};  ///< value of `mixed` from which the owner is rewarded
-    double boon_in_s{};   ///< time until the owner's boon, if the brew stays well mixed; 0: none is near
-    bool boon_open{};     ///< the brew can still heal its owner
-    std::uint32_t boon_for{no_player};  ///< player whom the boon heals now; no_player: nobody
-    Tick mixed_at{};                    ///< fluid step of which `mixed` tells (ticks of play)
-    bool slows{}, lifts{};              ///< whether the brew slows, and whether it lifts, wizards near it
+    /// Time until the owner gains the boon, if the brew stays well mixed (s); 0: not soon.
+    double boon_in_s{};
+    bool boon_open{};                   ///< true: the brew can still heal its owner
+    std::uint32_t boon_for{no_player};  ///< player whom the boon heals now; no_player: none
+    Tick mixed_at{};                    ///< fluid step for which `mixed` was computed (ticks of play)
+    bool slows{}, lifts{};              ///< whether the brew slows wizards near it, and whether it lifts them
 };
 void take_cauldron(const Simulation& match, CauldronPicture& out);
 

@@ -22,7 +22,7 @@ void take_points(const DrawnStroke& stroke, StrokePicture& out) {
     out.force_mean = mean_force_of(stroke);
 }
 
-/// Finds the places on the brew at which the ladle drew.
+/// Finds the points on the brew where the ladle drew.
 void find_places(const Simulation& match, ecs::Entity wizard, StrokePicture& out) {
     const auto& rules = match.data().cauldron;
     if (!out.on_brew || !match.world().has<Ladle>(wizard) || !rules) {
@@ -37,7 +37,7 @@ void find_places(const Simulation& match, ecs::Entity wizard, StrokePicture& out
     }
 }
 
-/// Puts the force of a key chord in place of the stroke's, if a chord was pressed during the stroke.
+/// Replaces the force of the stroke by that of a key chord, if one was pressed during the stroke.
 void take_chord(const Simulation& match, ecs::Entity wizard, const DrawnStroke& drawn, StrokePicture& out) {
     const auto* last = match.world().find<LastReading>(wizard);
     out.chord = drawn.over == by_chord && last != nullptr && last->at != 0;
@@ -103,8 +103,8 @@ void take_reading(const Simulation& match, ecs::Entity wizard, std::uint32_t pla
     }
 }
 
-/// Takes a stroke that was too small or too quick to be read. A key chord, or a ladle that comes or goes, ends a stroke
-/// that was none.
+/// Copies a stroke that was too small or too quick to be read. If a key chord, or the ladle coming or going,
+/// ended the stroke, nothing is copied.
 void take_slip(const Simulation& match, std::uint32_t player, CastingPicture& out) {
     out.slip = Slip::none;
     out.slip_age_s = 1e6;
@@ -116,7 +116,7 @@ void take_slip(const Simulation& match, std::uint32_t player, CastingPicture& ou
     if (out.slip_age_s <= reading_seconds) out.slip = slip_of(*match.data().casting, ended.stroke);
 }
 
-/// Takes what became of a spell that was cast before.
+/// Copies how a spell that was cast earlier has ended.
 void take_outcome(const Simulation& match, std::uint32_t player, CastingPicture& out) {
     out.outcome.clear();
     out.outcome_age_s = 1e6;
@@ -127,9 +127,9 @@ void take_outcome(const Simulation& match, std::uint32_t player, CastingPicture&
     if (out.outcome_age_s <= reading_seconds) out.outcome = ended.outcome;
 }
 
-/// Takes the way of a hand that may cast without a button, and its last near miss.
+/// Copies the path of a hand that may cast without a button, and its last near miss.
 void take_free(const Simulation& match, ecs::Entity wizard, FreePicture& out) {
-    constexpr std::uint32_t shown = 125;  // points of one second
+    constexpr std::uint32_t shown = 125;  // number of points in one second
     out.count = 0;
     out.miss_age_s = 1e6;
     const auto& world = match.world();
@@ -149,14 +149,15 @@ void take_free(const Simulation& match, ecs::Entity wizard, FreePicture& out) {
     }
 }
 
-/// Number of the first event of the last `age` ticks.
+/// Number of the first event in the last `age` ticks.
 std::uint64_t first_since(const EventJournal& events, Tick played, Tick age) {
     auto i = events.count();
     while (i > events.first() && events[i - 1].tick + age >= played) --i;
     return i;
 }
 
-/// Takes the shield: what is left of it, and when it last began to flash. A hit during a flash starts no other.
+/// Copies the shield: its remaining strength, and when it last began to flash. A hit during a flash starts no
+/// new one.
 void take_ward(const Simulation& match, const Health& health, std::uint32_t player, CastingPicture& out) {
     constexpr Tick after = ticks(1.0), longest = ticks(10.0);
     const auto played = match.match().played;

@@ -1,4 +1,5 @@
-// game/picture/gesture_wall_picture.h: the gesture wall of the range as a picture has it. The session fills it in.
+// game/picture/gesture_wall_picture.h: the contents of the gesture wall of the range, for pictures. The
+// session fills them in.
 #pragma once
 #include <memory>
 #include <string>
@@ -8,12 +9,12 @@
 
 namespace thaum::game {
 
-/// A gesture of the wall.
+/// A gesture on the wall.
 struct WallGesture {
-    std::string name;   ///< as the screen has it: "Circle"
-    std::string spell;  ///< name of the spell that it casts; empty: none
+    std::string name;   ///< display name: "Circle"
+    std::string spell;  ///< name of the spell that the gesture casts; empty: none
     std::vector<gesture::StrokePoint> ghost;
-    bool own = false;  ///< true: drawn by the player
+    bool own = false;  ///< true: recorded by the player
 };
 
 struct GestureWallPicture {
@@ -23,7 +24,8 @@ struct GestureWallPicture {
     int chosen = -1;            ///< gesture that the newest stroke belongs to; -1: none
     std::vector<gesture::StrokePoint> stroke{};
     bool drawing = false;  ///< true: the stroke has not ended
-    /// Lines below the cells: what was read, and what to do better. Controls are in braces (game/data/control_words.h).
+    /// Lines below the cells: the recognised gesture, and advice. Controls are in braces
+    /// (game/data/control_words.h).
     std::vector<std::string> lines{};
 };
 

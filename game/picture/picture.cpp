@@ -21,7 +21,7 @@ constexpr double long_ago = 1e6;
 /// Upper bound on the speed of anything that moves by itself (m/s).
 constexpr double fastest = 60;
 
-/// Age of an event. Events are dated in ticks of play.
+/// Age of an event (s). The time of an event is in ticks of play.
 double age(const Match& match, Tick at) { return match.played >= at ? seconds(match.played - at) : 0; }
 
 ThingPicture thing_of(ecs::Entity e, const Motion& motion, const Look& look, const Body* body,
@@ -66,7 +66,7 @@ void take_power_ups(const Simulation& match, Picture& out) {
     });
 }
 
-/// Takes the way of the shot that is being drawn, up to the first thing in the way.
+/// Computes the path of the shot that is being drawn, up to the first thing in its way.
 void take_arc(const Simulation& match, ecs::Entity wizard, const ShotKind& shot, PlayerPicture& out) {
     constexpr double step_s = 0.06;
     const quat looking = look_rotation(out.vitals.yaw, out.vitals.pitch);
@@ -95,7 +95,7 @@ void take_belt(const Simulation& match, ecs::Entity wizard, const LoadedWand* wa
         out.wand.charges.at(i) = belt.energy[wands[i].stats.energy_slot];
 }
 
-/// Takes what a drawn wand shows: the way of its shot, and the spring of its sling.
+/// Copies what a drawn wand shows: the path of its shot, and the spring of its sling.
 void take_draw(const Simulation& match, ecs::Entity wizard, const LoadedWand* wand,
                const HandState& hand_state, PlayerPicture& out) {
     if (wand == nullptr || out.wand.readiness <= 0) return;
@@ -113,7 +113,7 @@ void take_held(const Simulation& match, ecs::Entity wizard, const LoadedWand* wa
     out.wand.holds_thing = out.wand.held && wand->rules->grasp();
 }
 
-/// Fills in the target: the thing that the wand would take hold of or, for a wand that shoots, the foe.
+/// Fills in the target: the thing that the wand would take hold of, or the foe for a wand that shoots.
 void take_target(const Simulation& match, ecs::Entity wizard, const LoadedWand* wand, PlayerPicture& out) {
     constexpr double foe_reach = 60;  // distance up to which a foe under the crosshair is marked (m)
     if (wand == nullptr || out.stations.works()) return;
@@ -136,8 +136,8 @@ void take_force(const Simulation& match, ecs::Entity wizard, std::uint32_t playe
                                   wand != nullptr ? wand->look.steady_force : std::string_view())
                      .name;
     out.created = hand_state.servo.energy.most_created;
-    // The plot shows whole columns, so that a shown column never changes. The ring's oldest column is being
-    // overwritten, so it is skipped.
+    // The plot has only complete columns, so a column that is shown never changes. The ring buffer's oldest
+    // column is being overwritten, so it is left out.
     const auto fills = match.match().played / force_column;
     for (std::size_t i = 0; i < out.strongest.size(); ++i) {
         const auto* from = &trace[(fills + 1 + i) * force_column % trace.size()];
@@ -194,7 +194,7 @@ void take_niches(const Simulation& match, Picture& out) {
     });
 }
 
-/// Time in which a cloud of fog spreads, and in which it vanishes (s).
+/// Time in which a cloud of fog appears, and also in which it vanishes (s).
 constexpr double fog_spreads = 0.4;
 
 void take_fogs(const Simulation& match, Picture& out) {
@@ -211,7 +211,7 @@ void take_fogs(const Simulation& match, Picture& out) {
     });
 }
 
-/// Takes what the wizard does at stations and with spells.
+/// Copies the wizard's work at stations and with spells.
 void take_magic(const Simulation& match, ecs::Entity wizard, std::uint32_t player, const Motion& motion,
                 const Health& health, PlayerPicture& out) {
     take_brewing(match, wizard, motion, out);
@@ -268,7 +268,8 @@ vec3 direction(vec3 from, vec3 to) {
     return length > 1e-6 ? d / length : vec3(0);
 }
 
-/// Direction of a hurt: towards the player who caused it, or else towards the place of the event.
+/// Mark for the direction of a hurt: towards the player who caused it, or else towards the place of the
+/// event.
 HurtMark mark_of(const Picture& picture, const Event& event, HudMark how, double age_s) {
     const auto& victim = picture.wizards[event.subject];
     HurtMark mark{.age_s = age_s};
@@ -309,7 +310,8 @@ void note_mark(const Event& event, HudMark mark, double age_s, Picture& out) {
     }
 }
 
-/// Name of the thing that killed, from the last blow before a death: "barrel". Empty if no thing did.
+/// Name of the thing that killed a player, taken from the last blow before the death: "barrel". Empty if it
+/// was no thing.
 std::string_view thing_that_killed(const EventJournal& events, std::uint64_t death) {
     const auto& event = events[death];
     if (event.kind != EventKind::death || static_cast<EventKind>(event.detail) != EventKind::object_hit)
@@ -336,8 +338,8 @@ void note(const EventJournal& events, std::uint64_t number, double age_s, Pictur
         out.feed[out.feed_lines++] = {age_s, event, thing_that_killed(events, number)};
 }
 
-/// Takes the newest events first, so that a full list leaves out the oldest. Events older than anything shown
-/// are left out.
+/// Copies events, the newest first, so that a full list lacks only the oldest. Events too old to be shown are
+/// left out.
 void take_events(const Simulation& match, Picture& out) {
     const auto& events = match.events();
     out.feed_lines = out.burst_count = out.cast_count = 0;
@@ -372,11 +374,11 @@ void take_round(const Simulation& match, Picture& out) {
 }
 
 bool jumped(vec3 from, vec3 to, double dt) {
-    // The extra 1 m allows for a body that the solver pushes out of an overlap at once.
+    // The extra 1 m allows for a body that the solver pushes out of an overlap in one step.
     return !(glm::length(to - from) <= 1 + fastest * dt);
 }
 
-/// Interpolates an angle the short way across +-pi.
+/// Interpolates an angle, the short way across +-pi.
 double turned(double from, double to, double alpha) {
     return from + alpha * std::remainder(to - from, 2 * pi);
 }
@@ -439,7 +441,7 @@ void interpolate(const Picture& from, const Picture& to, double alpha, Picture& 
     const double dt = seconds(to.tick - from.tick);
     for (std::size_t i = 0; i < out.things.size(); ++i) {
         auto& thing = out.things[i];
-        // Tables keep their order between pictures, except for rows that were added or removed.
+        // Both tables have the same order, except for added or removed rows.
         const auto same = [&](const ThingPicture& t) { return t.entity == thing.entity; };
         const auto found = i < from.things.size() && same(from.things[i])
                                ? from.things.begin() + static_cast<std::ptrdiff_t>(i)

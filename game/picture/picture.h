@@ -1,5 +1,5 @@
-// game/picture/picture.h: everything visible at one moment of a match, copied from the Simulation as plain data.
-// The match can then go on while another thread draws. Taking a picture into the same Picture again allocates
+// game/picture/picture.h: everything visible at one moment of a match, copied from the Simulation as plain
+// data. The match can then continue while another thread draws. Copying into the same Picture again allocates
 // nothing.
 #pragma once
 #include <array>
@@ -21,7 +21,7 @@
 
 namespace thaum::game {
 
-/// Things with equal keys look the same.
+/// Key of a shape: things with equal keys look the same.
 struct ShapeKey {
     Surface surface{};
     physics::Shape shape{};
@@ -44,11 +44,11 @@ struct MissilePicture {
     std::uint32_t player{};
     vec3 position{};
     vec3 velocity{};
-    std::uint32_t wand{};  ///< index of its wand in Presentation::wands
-    double size{};         ///< scale of the look; 0: the look has its own size
+    std::uint32_t wand{};  ///< index of the missile's wand in Presentation::wands
+    double size{};         ///< scale of the missile's look; 0: unscaled
 };
 
-/// Time for which a burst is shown.
+/// Time for which a burst is shown (s).
 inline constexpr double burst_seconds = 0.4;
 
 struct BurstPicture {
@@ -58,31 +58,31 @@ struct BurstPicture {
     double radius{};  ///< final radius of the burst (m)
 };
 
-/// Time for which the dust of a push is shown.
+/// Time for which the dust of a push spell is shown (s).
 inline constexpr double push_seconds = 0.5;
-/// Time for which a cast is in the picture.
+/// Time for which a cast spell stays in the picture (s).
 inline constexpr double cast_seconds = 1;
 
-/// A spell that was cast just now.
+/// A spell that was cast a moment ago.
 struct CastShown {
     double age_s{};
     std::uint32_t player{};
     SpellSign sign{};
-    double strength{};  ///< 1 for a gentle stroke
-    vec3 place{};       ///< middle of the caster's body
+    double strength{};  ///< strength of the spell; 1 for a gentle stroke
+    vec3 place{};       ///< middle of the caster's body (m, world)
 };
 
 /// A cloud of fog.
 struct FogPicture {
     vec3 place{};
     double radius{};    ///< (m)
-    double sight{};     ///< length of a way through the cloud from which on nothing is seen (m)
-    double strength{};  ///< 1, less while it appears and while it vanishes
+    double sight{};     ///< length of a line of sight through the cloud beyond which nothing is seen (m)
+    double strength{};  ///< opacity: 1, or less while the cloud appears and vanishes
 };
 
-/// A place with an ingredient, or one that waits for its ingredient to return.
+/// A niche, with its ingredient or waiting for it to return.
 struct NichePicture {
-    vec3 position{};  ///< position on the ground
+    vec3 position{};  ///< position on the ground (m, world)
     fvec3 colour{};   ///< colour of the ingredient, linear light
     IngredientShape shape{};
     bool there{};
@@ -90,8 +90,8 @@ struct NichePicture {
 
 struct PowerUpPicture {
     PowerUpKind kind{};
-    vec3 position{};    ///< position on the ground
-    double returned{};  ///< 1: present; below 1: elapsed share of the absence
+    vec3 position{};    ///< position on the ground (m, world)
+    double returned{};  ///< 1: the power-up is present; below 1: elapsed share of its absence
 };
 
 /// What is seen of one wizard, and what the player knows.
@@ -103,20 +103,20 @@ struct PlayerPicture {
     SensesPicture senses{};
 };
 
-/// An event whose row has words for the feed, such as a death.
+/// An event that has a text for the feed, such as a death.
 struct FeedLine {
     double age_s{};
     Event event{};
-    std::string_view thing{};  ///< the thing that caused it, such as "barrel"; empty: no thing
+    std::string_view thing{};  ///< the thing that caused the event, such as "barrel"; empty: none
 };
 
-/// The display of the practice range, in place of score and clock. The session fills it in.
+/// The display of the practice range, instead of score and clock. The session fills it in.
 struct PracticePicture {
     bool on = false;
-    std::string score;  ///< text ready to be shown
-    // Words that may name controls (game/data/control_words.h).
-    std::string below;         ///< line below the score: the dummy, or the ways out of a lesson
-    std::string lesson, hint;  ///< the Apprentice's present step; empty: no lesson
+    std::string score;  ///< text of the score, ready for display
+    // Texts that may name controls (game/data/control_words.h).
+    std::string below;         ///< line below the score: the dummy's behaviour, or how to leave a lesson
+    std::string lesson, hint;  ///< text of the Apprentice's current step and its hint; empty: no lesson
     GestureWallPicture wall{};
 };
 
@@ -127,8 +127,8 @@ struct Caption {
 };
 
 struct Picture {
-    Tick tick{};            ///< Simulation::now
-    std::int64_t due_ns{};  ///< wall-clock time of that tick; filled in by the session
+    Tick tick{};            ///< time of the picture, Simulation::now (ticks)
+    std::int64_t due_ns{};  ///< wall-clock time of `tick` (ns); filled in by the session
     std::vector<ThingPicture> things;
     std::vector<MissilePicture> missiles;
     std::vector<PowerUpPicture> power_ups;
@@ -137,16 +137,17 @@ struct Picture {
     OrbPicture orb;
     std::vector<CrystalPicture> crystals;
     std::array<PlayerPicture, players> wizards{};
-    std::shared_ptr<const MatchData> data;  ///< keeps what the picture refers to, although the match may end
+    /// Keeps data alive to which the picture refers, even if the match ends.
+    std::shared_ptr<const MatchData> data;
     std::shared_ptr<const Presentation>
-        shown;  ///< rows of events and looks of wands; never null after taking
+        shown;  ///< how events and wands are shown; not null once the picture is filled in
 
     double played_s{}, left_s{};
     Phase phase{};
     Ending ending{};
     std::uint32_t winner{no_player};        ///< winner of the round that has ended
-    std::uint32_t match_winner{no_player};  ///< player with more rounds won
-    std::uint32_t round{}, rounds{};        ///< index of the round, from 0, and the most rounds of a match
+    std::uint32_t match_winner{no_player};  ///< player who has won more rounds
+    std::uint32_t round{}, rounds{};  ///< index of the round, from 0, and maximum number of rounds of a match
     std::array<std::uint32_t, players> rounds_won{};
     double next_round_in_s{};
     AllMatchStats match_stats{};
@@ -160,25 +161,26 @@ struct Picture {
     std::uint32_t cast_count{};  ///< number of entries in `casts`, the newest first
     std::array<CastShown, 4> casts{};
     std::vector<FogPicture> fogs;
-    std::uint32_t skipped{};  ///< number of samples left out so far
+    std::uint32_t skipped{};  ///< number of device samples skipped so far
     int countdown{};       ///< seconds to the start of the match; 0: it has begun; filled in by the session
-    std::uint32_t mark{};  ///< number of a mark set just now; 0: none; filled in by the session
-    bool overloaded{};     ///< samples were left out just now; filled in by the session
+    std::uint32_t mark{};  ///< number of a mark that was set just now; 0: none; filled in by the session
+    bool overloaded{};     ///< true: samples were skipped just now; filled in by the session
     PracticePicture practice{};
     Caption caption{};
 };
 
-/// Makes a Picture with memory for a busy match, so that later pictures need no more.
+/// Creates a Picture with memory for a busy match, so that filling it in needs no more.
 Picture make_picture();
 
 void take_picture(const Simulation& match, Picture& out);
 
-/// Seconds to the start of the match or of the next round, to be counted in every view; 0: nothing starts soon.
+/// Seconds to the start of the match or of the next round, shown as a countdown in every view; 0: nothing
+/// starts soon.
 int seconds_to_start(const Picture& picture);
 
-/// Interpolates between two pictures, `alpha` in [0, 1]. Anything that is not in both, or that moved farther
-/// than anything can (a respawn), has its place from `to`. All values that are not interpolated come from
-/// `to`.
+/// Interpolates between two pictures, `alpha` in [0, 1]. Things that are not in both pictures, or that moved
+/// farther than possible (a respawn), have their position from `to`. So have all values that are not
+/// interpolated.
 void interpolate(const Picture& from, const Picture& to, double alpha, Picture& out);
 
 }  // namespace thaum::game

@@ -22,7 +22,8 @@ double area_of(std::span<const gesture::StrokePoint> points) {
     return sum / 2;
 }
 
-/// Puts the first template of a gesture into the picture, in the sense that the recipe wants.
+/// Copies the first template of a gesture into the picture, in the direction of rotation that the recipe asks
+/// for.
 void take_ghost(const gesture::Gesture& gesture, CircleSense sense, double scale, RecipePicture& out) {
     if (gesture.strokes.empty() || gesture.strokes.front().size() < 2) return;
     const std::span points(gesture.strokes.front());
@@ -67,7 +68,7 @@ void take_stroke(const Simulation& match, const Cauldron& cauldron, const Recipe
     }
 }
 
-/// Whether a wizard was told the order of a recipe, if the orb is the one to tell it.
+/// Whether the wizard knows the order of a recipe. Only for some recipes must the orb reveal it.
 bool knows(const Simulation& match, ecs::Entity wizard, const Recipe& recipe) {
     const auto* modes = match.world().find<WornModes>(wizard);
     return !recipe.drawn || modes == nullptr || modes->order_told != 0;
@@ -79,8 +80,9 @@ struct Brewer {
     ecs::Entity wizard;
 };
 
-/// Takes the names of open recipes but one, with their ingredients from the step `before` on. A secret order is a choice
-/// only at first: later its name would tell that the ingredients are right.
+/// Copies the names of all open recipes except one, with their ingredients from the step `before` on. A
+/// recipe with a secret order is listed only at the beginning: later its name would reveal that the
+/// ingredients so far are right.
 void take_choices(const Simulation& match, const Brewer& brewer, const RecipeList& open, const Recipe* but,
                   std::size_t before, RecipePicture& out) {
     for (std::size_t i = 0; i < open.count; ++i) {
@@ -95,8 +97,8 @@ void take_choices(const Simulation& match, const Brewer& brewer, const RecipeLis
     }
 }
 
-/// The recipe to show: one that wants what the wizard carries, or else the first. One with a secret order only if there
-/// is no other.
+/// The recipe to show: one that needs the carried ingredient, or else the first. A recipe with a secret order
+/// is chosen only if there is no other.
 const Recipe& shown_recipe(const Simulation& match, const Brewer& brewer, const RecipeList& open,
                            std::size_t before, std::uint32_t carried) {
     const Recipe* first = nullptr;

@@ -16,7 +16,7 @@
 namespace thaum::game {
 namespace {
 
-/// Greatest half edge of what a tool reaches (m), in voxels of this edge (m).
+/// Largest half edge of the box that a tool changes (m), for a given voxel edge (m).
 double reach_of(const field::Tool& tool, double voxel) {
     double reach = 0;
     for (const auto& operation : tool.operations) {
@@ -26,10 +26,10 @@ double reach_of(const field::Tool& tool, double voxel) {
     return reach;
 }
 
-/// Time for which a tool is tried (s): a short click.
+/// Duration of the trial use of a tool (s), that of a short click.
 constexpr double trial = 0.15;
 
-/// Effect of a carver's tool on the overlap where it is.
+/// Effect that a carver's tool would have on the overlap at its present position.
 DabWorth worth_of(const Simulation& match, const AtStation& station, const Chisel& chisel,
                   const field::Tool& tool) {
     const auto& world = match.world();
@@ -43,11 +43,11 @@ DabWorth worth_of(const Simulation& match, const AtStation& station, const Chise
     return worth_of_dab(match.context(), match.crystals(), crystal, tool, dab);
 }
 
-/// A wizard who may begin at a station.
+/// A wizard who may begin work at a station.
 struct Comer {
     bool presses{};  ///< Stir
-    vec3 eye{};      ///< (m, world)
-    vec3 ahead{};    ///< direction of view
+    vec3 eye{};      ///< position of the eye (m, world)
+    vec3 ahead{};    ///< direction of view (unit, world)
 };
 
 Comer comer_of(const Simulation& match, ecs::Entity wizard) {
@@ -57,27 +57,28 @@ Comer comer_of(const Simulation& match, ecs::Entity wizard) {
             look_rotation(gaze.yaw, gaze.pitch) * vec3(0, 0, -1)};
 }
 
-/// Whether a press of Stir is meant for a station that lies beyond the reach (m, on the ground).
+/// Whether a press of Stir is meant for a station that is out of `reach` (m, along the ground).
 bool misses(const Comer& comer, vec3 middle, double reach) {
     return comer.presses && off_axis(comer.eye - middle) < reach + missed_station_m;
 }
 
-/// Whether a wizard looks towards a station within 60 degrees, seen from above.
+/// Whether a wizard looks towards a station to within 60 degrees, seen from above.
 bool faces(const Comer& comer, vec3 middle) {
     vec3 way = middle - comer.eye, ahead = comer.ahead;
     way.y = ahead.y = 0;
     return glm::dot(way, ahead) > 0.5 * glm::length(way) * glm::length(ahead);
 }
 
-/// Place at which a probe is shown: within the glass, although the hand can go beyond it.
+/// Position at which a probe is shown: inside the glass, although the hand can move beyond it.
 vec3 within_glass(const Orb& orb, vec3 place) {
-    constexpr double share = 0.97;  // share of the radius at which a bead does not pierce the glass
+    // Share of the radius within which the tip's bead does not pierce the glass.
+    constexpr double share = 0.97;
     const vec3 off = place - orb.middle;
     const double most = share * orb.radius, length = glm::length(off);
     return length > most ? orb.middle + most / length * off : place;
 }
 
-/// Words for the names of modes, which are those of files.
+/// Display names of modes, instead of the names in files.
 std::string_view shown_mode(std::string_view name) { return name == "vortex_tube" ? "vortex tube" : name; }
 
 double force_share(const Simulation& match, std::uint32_t player, vec3 force) {
@@ -86,7 +87,7 @@ double force_share(const Simulation& match, std::uint32_t player, vec3 force) {
     return cap > 0 ? glm::length(force) / cap : 0;
 }
 
-/// Takes a curve as its player sees it on the sheet: from the mode's least strength to the most.
+/// Copies a curve as the player sees it on the drawing plane: from the mode's lowest strength to its highest.
 void take_curve(const OrbRules& rules, const OrbMode& mode, const field::TransferFunction& strength,
                 std::array<float, curve_points>& out) {
     for (std::size_t i = 0; i < out.size(); ++i) {
@@ -95,7 +96,7 @@ void take_curve(const OrbRules& rules, const OrbMode& mode, const field::Transfe
     }
 }
 
-/// Takes the player's own order of the first recipe whose order is drawn.
+/// Copies the order of ingredients for this player, for the first recipe whose order is random.
 void take_order(const Simulation& match, std::uint32_t player, ScryingPicture& out) {
     for (const auto& recipe : match.data().recipes) {
         if (!recipe.drawn) continue;
@@ -118,7 +119,7 @@ void take_modes(const Simulation& match, const WornModes& modes, ScryingPicture&
         take_curve(rules, rules.modes[out.newest], modes.strength.at(out.newest), out.curve);
 }
 
-/// Voxels of one crystal in the World's blobs.
+/// Voxels of one crystal in the World's blobs, as views.
 struct VoxelBlobs {
     std::span<const float> density;
     std::span<const std::uint8_t> colour;
@@ -130,7 +131,7 @@ VoxelBlobs voxels_in(const ecs::World& world, const Crystal& crystal) {
             world.blob<CrystalColour>().subspan(crystal.number * bytes, bytes)};
 }
 
-/// Whether the voxels are those of an earlier picture.
+/// Whether the voxels are equal to those of an earlier picture.
 bool equal(const CrystalVoxels& old, const VoxelBlobs& now) {
     return std::memcmp(old.density.data(), now.density.data(), now.density.size_bytes()) == 0 &&
            std::memcmp(old.colour.data(), now.colour.data(), now.colour.size_bytes()) == 0;

@@ -1,4 +1,4 @@
-// game/picture/stroke_pieces.h: the pieces in which a stroke is drawn.
+// game/picture/stroke_pieces.h: splits a stroke into the pieces in which it is drawn.
 #pragma once
 #include <cstddef>
 
@@ -6,9 +6,9 @@
 
 namespace thaum::game {
 
-/// Calls `take(from, to)` with the numbers of two points for each piece of a stroke's picture: for every step of the hand,
-/// or, of a stroke of more than `most` steps, for pieces of about equal length. So a rest takes no pieces from the motion.
-/// `at(i)` is the place of a point, a vector.
+/// Calls `take(from, to)` with the numbers of two points for each piece of a stroke. A piece is one step of
+/// the hand or, if there are more than `most` steps, a part of the path; all parts have about the same
+/// length, so that a hand at rest uses up none of them. `at(i)` is the position of a point, a vector.
 template <class At, class Take>
 void each_piece(std::size_t count, std::size_t most, At&& at, Take&& take) {
     const auto step = [&](std::size_t i) { return static_cast<double>(glm::distance(at(i - 1), at(i))); };

@@ -10,16 +10,18 @@
 namespace thaum::game {
 namespace {
 
-constexpr Tick praise = ticks(1.5);     ///< time between a step that is done and the next one
-constexpr double one_floor = 1.5;       ///< largest height difference of a place on the same floor (m)
-constexpr double pushing_force = 1e-3;  ///< force of a ladle above which it pushes the brew (N)
-constexpr double drift = 0.05;          ///< speed below which a ladle does not count as stirring (m/s)
-constexpr double fallen = 2;            ///< depth below the step's place at which the player has fallen (m)
-constexpr double jump = 1;              ///< way within a look that is no walk but a placing (m)
+constexpr Tick praise = ticks(1.5);  ///< time between a completed step and the next one (ticks)
+constexpr double one_floor = 1.5;    ///< largest height difference between positions on the same floor (m)
+/// Force of a ladle above which the ladle counts as pushing the brew (N)
+constexpr double pushing_force = 1e-3;
+constexpr double drift = 0.05;  ///< speed below which a ladle does not count as stirring (m/s)
+constexpr double fallen = 2;    ///< depth below the step's place at which the player counts as fallen (m)
+/// Displacement between two looks that is too large for walking: the player was placed elsewhere (m)
+constexpr double jump = 1;
 
 double along_ground(vec3 way) { return std::hypot(way.x, way.z); }
 
-/// The player's hand, as conditions see it.
+/// State of the player's hand that conditions use.
 struct Hand {
     const LoadedWand* wand{};
     std::optional<vec3> held{};
@@ -31,7 +33,7 @@ Hand hand_of(const Simulation& match, ecs::Entity wizard) {
     return {wand, wand->rules->held_at(match.world(), wizard)};
 }
 
-/// Whether the held thing is the first one on the way from the dummy's eye to a place.
+/// Whether the held thing is the first obstacle between the dummy's eye and a position.
 bool stands_between(const Simulation& match, vec3 held, vec3 place) {
     const auto& world = match.world();
     const auto dummy = wizard_of(world, dummys);
@@ -50,7 +52,7 @@ bool guards(const Simulation& match, ecs::Entity wizard, const Hand& hand) {
            stands_between(match, *hand.held, eye_of(match.data().wizard, body));
 }
 
-/// Way of the ladle through the brew since the last look, parallel to the surface (m).
+/// Distance that the ladle moved through the brew since the last look, parallel to the surface (m).
 double way_stirred(const Simulation& match, ecs::Entity wizard) {
     const auto* ladle = match.world().find<Ladle>(wizard);
     if (ladle == nullptr || glm::length(ladle->force) < pushing_force) return 0;
@@ -67,13 +69,13 @@ double readiness_of(const Simulation& match, ecs::Entity wizard, const Hand& han
     return hand.wand->rules->readiness(match.world(), wizard).value_or(0);
 }
 
-/// Motion of the player since the last look.
+/// Motion of the player since the match was last looked at.
 struct Steps {
-    double way{}, turn{};  ///< way along the ground (m) and turn of the view (rad)
+    double way{}, turn{};  ///< distance along the ground (m) and rotation of the view (rad)
     vec3 feet{};
 };
 
-/// New amount of a condition, from its amount at the last look. Events are counted elsewhere.
+/// New value of a condition's quantity, from its value at the last look. Events are counted elsewhere.
 double measured(const Simulation& match, const Condition& condition, const Steps& steps, double before) {
     const auto wizard = wizard_of(match.world(), practising);
     const auto hand = hand_of(match, wizard);
@@ -143,7 +145,8 @@ DummyKind Apprentice::dummy_kind() const {
     return lessons_.steps[at_].dummy_kind;
 }
 
-/// Counts events of the player. A wizard who returns to life stands at a pad, and is placed again.
+/// Counts events of the player. A wizard who returns to life appears at a pad, and is then moved to the
+/// step's place again.
 void Apprentice::measure_events(const Simulation& match) {
     match.events().each_new(seen_events_, [&](const Event& event) {
         if (event.kind == EventKind::spawn && event.subject < players) to_place_[event.subject] = true;
@@ -173,7 +176,7 @@ void Apprentice::measure(const Simulation& match) {
         reached_[i] = measured(match, deed().conditions[i], steps, reached_[i]);
 }
 
-/// Goes on to the next deed or step where the present one is done.
+/// Advances to the next deed or step if the present one is completed.
 void Apprentice::advance(Tick now) {
     if (done_) {
         if (now >= since_ + praise) begin(at_ + 1);

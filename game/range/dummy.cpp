@@ -8,10 +8,11 @@
 namespace thaum::game {
 namespace {
 
-constexpr double step_ahead = 1.2;     ///< distance ahead of the feet that must be safe to walk on (m)
-constexpr double held_up_below = 0.3;  ///< speed below which a walking dummy has met an obstacle (m/s)
+constexpr double step_ahead = 1.2;  ///< distance ahead of the feet that must be safe to walk on (m)
+/// Speed below which a walking dummy counts as blocked by an obstacle (m/s)
+constexpr double held_up_below = 0.3;
 constexpr Tick held_up_for = ticks(0.25);
-/// Least time between two turns, so that the dummy does not tremble at an obstacle.
+/// Minimum time between two reversals, so that the dummy does not tremble at an obstacle.
 constexpr Tick turns_not_before = ticks(0.4);
 constexpr std::int32_t full = 127;
 
@@ -38,7 +39,7 @@ void Dummy::adopt(const Simulation& match, const DummyRules& rules) {
     grid_ = WalkGrid(match.physics(), ground_bounds(match.data().arena));
 }
 
-/// Walks sideways and turns back at the end of the stride, at an edge and at an obstacle.
+/// Walks sideways, and reverses at the end of the stride, at an edge and at an obstacle.
 void Dummy::walk_to_and_fro(const Self& self, Tick tick) {
     const vec3 right = look_rotation(self.yaw, 0) * vec3(1, 0, 0);
     const auto safe = [&] { return grid_.straight(self.centre, self.centre + right * (way_ * step_ahead)); };

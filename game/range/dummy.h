@@ -8,7 +8,8 @@ namespace thaum::game {
 
 enum class DummyKind : std::uint8_t {
     still,
-    /// Walks sideways to and fro about the place where it came to life; turns at walls, edges and obstacles.
+    /// Walks sideways to and fro around the place where it came to life; reverses at walls, edges and
+    /// obstacles.
     strafing,
     shooting,  ///< stands, turns to a foe in sight and shoots
 };
@@ -46,10 +47,10 @@ private:
     Eyes eyes_{};
     Mind mind_{};
     WalkGrid grid_;
-    bool begins_ = true;          ///< true: the next gameplay tick starts with a new memory
+    bool begins_ = true;          ///< true: the next gameplay tick starts with empty memory
     std::optional<vec3> home_{};  ///< place where the dummy came to life; std::nullopt while it is dead
     std::int32_t way_ = 1;        ///< direction of walking: 1 to its right, -1 to its left
-    Tick walked_at_{};            ///< when the dummy last moved on
+    Tick walked_at_{};            ///< when the dummy last made progress in walking (ticks of play)
     Tick turned_at_{};
 };
 

@@ -1,5 +1,5 @@
-// game/range/force_sample.h: lets a player of the range feel one fader of the forces: some kicks of a bolt, a blow on a
-// carried thing, or the weight of a thing, as strong as the fader lets them be.
+// game/range/force_sample.h: lets a player on the range feel the effect of one force fader: some kicks of a
+// bolt, a blow on a carried thing, or the weight of a thing, scaled by the fader.
 #pragma once
 
 #include "game/match/simulation.h"
@@ -8,20 +8,20 @@ namespace thaum::app {
 
 class ForceSample {
 public:
-    /// Whether there is something to feel for a fader.
+    /// Whether there is a sample for this fader.
     static bool exists_for(input::HandFader fader);
 
-    /// Begins anew. Nothing happens for a fader without a sample.
+    /// Starts the sample from the beginning. Does nothing for a fader without a sample.
     void begin(input::HandFader fader);
     bool runs() const { return left_ > 0; }
-    /// Acts before a tick of play of the player's match.
+    /// Applies the sample's forces. Call this before each tick of play of the player's match.
     void step(game::Simulation& match, std::uint32_t player);
-    /// Words for the player.
+    /// Text about the sample for the player.
     std::string_view words() const;
 
 private:
     input::HandFader fader_{};
-    Tick left_{};  ///< ticks to the end; 0: nothing plays
+    Tick left_{};  ///< ticks until the end; 0: no sample is playing
 };
 
 }  // namespace thaum::app

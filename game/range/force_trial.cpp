@@ -30,11 +30,12 @@ std::optional<std::uint32_t> ForceTrial::step(game::Simulation& match, std::uint
         runs_ = false;
         return percent_;
     }
-    if (percent_ == 100 && age_ % between_kicks == 0) {  // nobody has pressed, so nothing changes
+    // The player has not pressed fire at all, so nothing changes.
+    if (percent_ == 100 && age_ % between_kicks == 0) {
         runs_ = false;
         return {};
     }
-    // The whole force may come out during the trial.
+    // The full force must be available during the trial.
     if (age_ == 0) frame.devices.at(0).change = {static_cast<std::uint8_t>(input::HandFader::force), 100};
     if (age_ > 0 && age_ % between_kicks == 0) {
         percent_ += percent_per_kick;

@@ -1,6 +1,7 @@
-// game/range/force_trial.h: finds the largest force that a player wants, by feel. On the range the hand is kicked every
-// half second, each time by 5 % of the device's peak more, until the player presses fire. A kick is as short as the
-// strongest recoil, so that the last ones stay below the limit of the motors' heat.
+// game/range/force_trial.h: finds the largest force that a player likes, by trying. On the range the hand is
+// kicked every half second, each time stronger by 5 % of the device's peak, until the player presses fire. A
+// kick is as short as the strongest recoil, so that even the last ones do not reach the thermal limit of the
+// motors.
 #pragma once
 #include <optional>
 #include <string>
@@ -9,7 +10,7 @@
 
 namespace thaum::app {
 
-/// Takes fire out of a player's samples. Returns whether it was down.
+/// Removes presses of fire from a player's samples. Returns whether fire was down.
 bool take_fire(const std::vector<input::DeviceSpec>& devices, std::uint32_t player, input::InputFrame& frame);
 
 class ForceTrial {
@@ -17,15 +18,15 @@ public:
     static constexpr std::uint32_t percent_per_kick = 5;
     static constexpr Tick between_kicks = 500, kick_length = 60;
 
-    /// Begins with the weakest kick.
+    /// Starts with the weakest kick.
     void begin() { *this = ForceTrial(true); }
     bool runs() const { return runs_; }
-    /// Acts before a tick of play of the player's match: kicks the hand, and takes fire out of the player's samples.
-    /// Returns the force on which the player has decided (% of the device's peak), once. Who never presses decides on
-    /// none.
+    /// Runs the trial; call this before each tick of play of the player's match. Kicks the hand, and removes
+    /// fire from the player's samples. Returns, once, the force that the player has chosen (% of the device's
+    /// peak). Without a press there is no result.
     std::optional<std::uint32_t> step(game::Simulation& match, std::uint32_t player,
                                       input::InputFrame& frame);
-    /// Words for the player.
+    /// Text about the trial for the player.
     std::string words() const;
 
     ForceTrial() = default;
@@ -34,8 +35,9 @@ private:
     explicit ForceTrial(bool runs) : runs_(runs) {}
 
     bool runs_ = false;
-    bool held_ = true;  ///< fire was down in the last tick: a press that began before does not count
-    Tick age_{};        ///< ticks since the beginning
+    /// Fire was down in the last tick; initially true, so that a press from before does not count.
+    bool held_ = true;
+    Tick age_{};  ///< ticks since the start
     std::uint32_t percent_{};
 };
 

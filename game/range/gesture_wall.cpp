@@ -17,13 +17,14 @@ namespace {
 using game::practising;
 
 constexpr Tick shown_after = ticks(8.0);
-constexpr double shortest_recorded = 0.15;  // shortest stroke that is recorded (s)
+constexpr double shortest_recorded = 0.15;  // minimum duration of a recorded stroke (s)
 
 std::string words_of_force(const game::CastingRules& rules, double force) {
     return text(game::force_word(rules, force), " (", fixed(force, 1), " N)");
 }
 
-/// The gesture with the bands of force by which the match casts, in place of those of the gesture's file.
+/// The gesture with the force limits by which the match casts spells, instead of those in the gesture's own
+/// file.
 gesture::Gesture by_bands_of(const game::CastingRules& rules, gesture::Gesture gesture) {
     gesture.options.gentle_below = rules.gentle_below;
     gesture.options.harsh_above = rules.harsh_from;
@@ -35,7 +36,7 @@ std::string spell_shown(const game::MatchData& data, const std::string& gesture)
     return spell == nullptr ? std::string() : spell->stats.shown;
 }
 
-/// Length of the way of a stroke (m).
+/// Arc length of a stroke (m).
 double way_of(gesture::Points stroke) {
     double way = 0;
     for (std::size_t i = 1; i < stroke.size(); ++i) way += glm::distance(stroke[i - 1].at, stroke[i].at);
@@ -44,7 +45,7 @@ double way_of(gesture::Points stroke) {
 
 }  // namespace
 
-/// Lists the ghosts of the player's gestures, where the set is another one.
+/// Lists the ghosts of the player's gestures, if the set of gestures has changed.
 void GestureWall::list(const game::Simulation& match) {
     const auto& own = match.setup().gestures[practising];
     const auto& set = own ? own : match.data().gestures;
@@ -70,13 +71,13 @@ std::string GestureWall::words_of_haste() const {
     return text("too fast: ", fixed(stroke_.back().t, 1), " s; take a second");
 }
 
-/// Why a stroke was not even read, or does not count for a recorded gesture: too small or too fast.
+/// Why a stroke was not read, or is not accepted for a recorded gesture: too small or too fast.
 std::string GestureWall::words_of_slip(const game::CastingRules& rules, double shortest) const {
     if (way_of(stroke_) >= rules.smallest || stroke_.back().t < shortest) return words_of_haste();
     return "too small: draw 5 to 10 cm with the hand";
 }
 
-/// Shows why a stroke was not even read.
+/// Shows why a stroke was not read.
 void GestureWall::refuse(const game::Simulation& match) {
     lines_.clear();
     if (stroke_.empty()) return;
@@ -84,8 +85,9 @@ void GestureWall::refuse(const game::Simulation& match) {
     lines_.push_back(words_of_slip(rules, seconds(rules.shortest)));
 }
 
-/// Number of the gesture that an unread stroke has the shape of, but for its direction or its turn; otherwise of the
-/// gesture that the recogniser took for the nearest, if that is likely at all. no_gesture: none.
+/// Number of the gesture that an unrecognised stroke was probably meant to be: one with the same shape but
+/// another direction or rotation; otherwise the recogniser's nearest gesture, if it is likely at all.
+/// no_gesture: none.
 std::uint32_t GestureWall::gesture_tried(std::uint32_t nearest, int score) const {
     std::uint32_t tried = score > 0 ? nearest : game::no_gesture;
     double least = 1;
@@ -99,7 +101,7 @@ std::uint32_t GestureWall::gesture_tried(std::uint32_t nearest, int score) const
     return tried;
 }
 
-/// Shows the newest reading: the gesture, its score, and what to do better.
+/// Shows the newest reading: the gesture, its score, and advice.
 void GestureWall::read(const game::Simulation& match) {
     const auto& reading = match.world().get<game::LastReading>(game::wizard_of(match.world(), practising));
     read_at_ = reading.at;
@@ -114,7 +116,8 @@ void GestureWall::read(const game::Simulation& match) {
         return;
     }
     chosen_ = static_cast<int>(number);
-    scores_[number] = meant ? score : -1;  // see words_of_miss in game/hud/stroke_words.cpp
+    // No score if no gesture was meant; see words_of_miss in game/hud/stroke_words.cpp.
+    scores_[number] = meant ? score : -1;
     const auto& shown = (*gestures_)[number];
     if (meant)
         lines_.push_back(text(shown.spell.empty() ? shown.name : shown.spell, ", ", score, " % sure, ",
@@ -127,7 +130,7 @@ void GestureWall::read(const game::Simulation& match) {
     advise(rules, listed_->gestures()[number], reading.force, meant);
 }
 
-/// Adds what to do better.
+/// Adds advice on how to draw the gesture better.
 void GestureWall::advise(const game::CastingRules& rules, const gesture::Gesture& gesture, double force,
                          bool meant) {
     if (!meant && game::is_too_fast(rules, force)) lines_.push_back(words_of_haste());
@@ -137,7 +140,7 @@ void GestureWall::advise(const game::CastingRules& rules, const gesture::Gesture
     if (lines_.size() == 1) lines_.emplace_back(meant ? "well drawn" : "draw it slower, along the pale line");
 }
 
-/// Says which stroke of the recorded gesture comes next, and how to give up.
+/// Says which stroke of the recorded gesture comes next, and how to cancel.
 void GestureWall::tell_recording() {
     lines_.push_back(text("Your own ", capitalised(recording_.name), ": draw stroke ",
                           recording_.strokes.size() + 1, " of ", recorded_strokes));
@@ -145,7 +148,7 @@ void GestureWall::tell_recording() {
     lines_.emplace_back("to give up: {pause}, then Give up drawing");
 }
 
-/// Keeps a stroke for the gesture that is recorded.
+/// Stores a stroke of the gesture that is being recorded.
 void GestureWall::keep(const game::Simulation& match) {
     if (checked_ || stroke_.empty()) return;
     const auto& rules = *match.data().casting;
@@ -156,7 +159,7 @@ void GestureWall::keep(const game::Simulation& match) {
     }
     recording_.strokes.push_back(stroke_);
     if (recording_.strokes.size() < recorded_strokes) return tell_recording();
-    if (!match.data().gestures->number(recording_.name)) {  // its file was deleted meanwhile
+    if (!match.data().gestures->number(recording_.name)) {  // the gesture's file was deleted in the meantime
         lines_ = {text("there is no gesture ", capitalised(recording_.name), " any more")};
         return record({});
     }
@@ -177,7 +180,7 @@ void GestureWall::record(const std::string& name) {
 }
 
 void GestureWall::draw_again(std::vector<std::string> why) {
-    if (!records()) return;  // the player has given up meanwhile
+    if (!records()) return;  // the player has cancelled in the meantime
     record(recording_.name);
     why.push_back(text("try another shape: draw stroke 1 of ", recorded_strokes));
     why.push_back(lines_.back());
@@ -197,7 +200,7 @@ void GestureWall::say(const game::Simulation& match, std::vector<std::string> li
     shown_until_ = match.match().played + shown_after;
 }
 
-/// Clears what belongs to the stroke before. What is recorded, and how, stays in words.
+/// Clears what is shown of the last stroke. Text about a recording stays.
 void GestureWall::begin_stroke() {
     chosen_ = -1;
     stroke_.clear();
@@ -212,7 +215,7 @@ void GestureWall::follow(const game::Simulation& match) {
     const auto* drawn = world.find<game::DrawnStroke>(wizard);
     const auto now = match.match().played;
     if (drawn != nullptr) {
-        // At the cauldron the card guides the strokes (hud/rim_card.h).
+        // At the cauldron, the card helps with strokes instead (hud/rim_card.h).
         if (drawn->on_brew != 0) return;
         if (!drawing_) begin_stroke();
         if (match.now() % game::gameplay_period == 0) stroke_ = game::points_of(*drawn);

@@ -1,5 +1,6 @@
-// game/range/gesture_wall.h: the gesture wall of the range. It follows the strokes of the practising player, compares each
-// with the gesture that it was read as, and collects three strokes for a gesture of the player's own.
+// game/range/gesture_wall.h: the gesture wall of the range. It follows the strokes of the practising player,
+// compares each with the gesture as which it was recognised, and collects three strokes when the player
+// records a gesture.
 #pragma once
 #include <memory>
 #include <optional>
@@ -13,23 +14,27 @@ class GestureWall {
 public:
     static constexpr std::size_t recorded_strokes = 3;
 
-    /// Looks at the match after a tick.
+    /// Reads the match after a tick.
     void follow(const game::Simulation& match);
-    /// Takes the next three strokes of the player for the gesture of this name. Empty: stops recording.
+    /// Starts to record: the player's next three strokes become the gesture of this name. An empty name stops
+    /// recording.
     void record(const std::string& name);
-    /// Whether strokes are recorded, or complete ones are being checked. Ends by `record({})` or `give_up`.
+    /// Whether strokes are being recorded, or a complete recording is being checked. `record({})` or
+    /// `give_up` ends this.
     bool records() const { return !recording_.name.empty(); }
-    /// Name of the gesture that is recorded; empty: none.
+    /// Name of the gesture that is being recorded; empty: none.
     const std::string& recorded_name() const { return recording_.name; }
-    /// The recorded gesture was refused: says why, and takes the next three strokes for it.
+    /// To be called if the recorded gesture was refused: shows why, and records three strokes again.
     void draw_again(std::vector<std::string> why);
-    /// The player gives up the gesture that is recorded.
+    /// Cancels the recording, as the player wants.
     void give_up(const game::Simulation& match);
-    /// The gesture whose strokes are complete, once. The wall goes on recording until it is told what became of it.
+    /// Returns a gesture whose strokes are complete, once. The wall stays in recording until it is told the
+    /// result of the check.
     std::optional<gesture::Gesture> take_recorded() { return std::exchange(recorded_, std::nullopt); }
-    /// Words for the player in the wall's first line, such as that a gesture was saved, for some seconds.
+    /// Shows lines of text first on the wall for some seconds, such as that a gesture was saved.
     void say(const game::Simulation& match, std::vector<std::string> lines);
-    /// Fills in what is shown. The wall is shown during a stroke, for some seconds after it, and while it records.
+    /// Fills in the wall's picture. The wall is shown during a stroke, for some seconds after it, and during
+    /// recording.
     void show(const game::Simulation& match, game::GestureWallPicture& picture) const;
 
 private:
@@ -44,18 +49,19 @@ private:
     void tell_recording();
     void begin_stroke();
 
-    std::shared_ptr<const game::GestureSet> listed_{};  ///< set whose ghosts `gestures_` has; null: none
+    /// The set whose ghosts are in `gestures_`; null: none.
+    std::shared_ptr<const game::GestureSet> listed_{};
     std::shared_ptr<const std::vector<game::WallGesture>> gestures_{};
     std::vector<int> scores_{};
     std::vector<gesture::StrokePoint> stroke_{};
     bool drawing_ = false;
-    bool chord_ = false;  ///< a key chord took the place of the newest stroke
+    bool chord_ = false;  ///< true: a key chord has replaced the newest stroke
     int chosen_ = -1;
     Tick read_at_{};  ///< LastReading::at of the newest reading that was shown
     Tick shown_until_{};
     std::vector<std::string> lines_{};
-    gesture::Gesture recording_{};  ///< without a name: nothing is recorded
-    bool checked_ = false;  ///< the recorded strokes are complete, and somebody compares them with others
+    gesture::Gesture recording_{};  ///< the gesture being recorded; without a name: none
+    bool checked_ = false;  ///< true: the recording is complete, and is being compared with other gestures
     std::optional<gesture::Gesture> recorded_{};
 };
 

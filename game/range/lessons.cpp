@@ -16,10 +16,10 @@ namespace thaum::game {
 namespace {
 
 constexpr auto lessons_file = "apprentice.toml";
-constexpr double farthest = 500;  ///< limit of coordinates (m)
-constexpr double longest = 600;   ///< limit of times (s)
+constexpr double farthest = 500;  ///< largest coordinate in the file (m)
+constexpr double longest = 600;   ///< longest time in the file (s)
 
-/// A condition of one number, as the file names it.
+/// A condition whose value in the file is one number.
 struct NumberCondition {
     std::string_view key;
     ConditionKind kind;
@@ -36,7 +36,7 @@ constexpr NumberCondition number_conditions[] = {
     {"stirred_m", ConditionKind::stirred, 0.01, farthest, 1},
 };
 
-/// A key that belongs to a condition, and the key of that condition.
+/// A key that is only allowed with a certain condition, and the key of that condition.
 struct Companion {
     std::string_view key, of;
 };
@@ -45,7 +45,7 @@ constexpr Companion companions[] = {{"count", "event"}, {"within_m", "near"}, {"
 std::vector<std::string_view> wand_names() {
     std::vector<std::string_view> names;
     for (const auto& wand : wand_kinds()) names.push_back(wand.name);
-    std::sort(names.begin(), names.end());  // the linker decides on the order of wands
+    std::sort(names.begin(), names.end());  // sorted, because the linker decides the order of wands
     return names;
 }
 
@@ -55,7 +55,7 @@ bool is_condition(std::string_view key) {
                        [&](const auto& c) { return c.key == key; });
 }
 
-/// Reports keys that are no condition, and keys without the condition that they belong to.
+/// Reports keys that are no condition, and keys without the condition that they need.
 void check_keys(const ConfigTable& table) {
     std::string all;
     for (const auto& condition : number_conditions) all += text(condition.key, ", ");
@@ -72,10 +72,10 @@ void check_keys(const ConfigTable& table) {
     }
 }
 
-/// The table of places, and the arena in which they must lie.
+/// Named places of the file, and the arena in which they must lie.
 struct Places {
     ConfigTable table;
-    std::optional<StandingRoom> room{};  ///< std::nullopt: places are not checked
+    std::optional<StandingRoom> room{};  ///< free room of the arena; std::nullopt: places are not checked
 };
 
 std::optional<LessonPlace> read_place(const Places& places, const ConfigTable& table, std::string_view key) {
@@ -131,7 +131,7 @@ Deed read_deed(const Places& places, const ConfigTable& table) {
     return deed;
 }
 
-/// Reports words that nobody can read: none at all, or with characters that cannot be shown.
+/// Reports texts that no one can read: empty ones, or with characters that cannot be shown.
 void check_words(const ConfigTable& table, std::string_view key, const std::string& words) {
     if (words.find_first_not_of(' ') == std::string::npos)
         table.report(key, text("'", key, "' is empty: write some words"));
@@ -179,7 +179,7 @@ LessonStep read_step(const Places& places, const ConfigTable& table) {
     return step;
 }
 
-/// The places of the file, with the arena if its data can be read.
+/// Reads the places of the file, with the arena if its data can be read.
 Places places_of(const ConfigTable& root, const std::string& arena, const std::filesystem::path& assets) {
     Places places{.table = root.table("place")};
     if (assets.empty()) return places;

@@ -14,7 +14,7 @@ constexpr auto look_period = std::chrono::milliseconds(200);
 constexpr Tick welcome_shown = ticks(8.0), reading_shown = ticks(4.0);
 constexpr Tick until_next_reading = std::numeric_limits<Tick>::max() / 2;
 
-/// The score in words that fit on one line of the screen: "12 of 64 hit, 72 HP, 1 kill".
+/// The score as text that fits on one line of the screen: "12 of 64 hit, 72 HP, 1 kill".
 std::string short_words_of(const game::RangeScore& score) {
     return text(score.hits, " of ", score.shots, " hit, ", std::llround(score.damage), " HP, ", score.kills,
                 score.kills == 1 ? " kill" : " kills");
@@ -23,7 +23,7 @@ std::string short_words_of(const game::RangeScore& score) {
 }  // namespace
 
 DataWatcher::DataWatcher(game::RangeFiles files) : files_(std::move(files)) {
-    // Without this thread data files are read only once, and practice goes on.
+    // If this thread cannot be started, data files are read only once, and practice goes on.
     if (auto started = start_thread([this] { watch(); })) thread_ = std::move(*started);
 }
 
@@ -55,7 +55,7 @@ Practice::Practice(const game::RangeData& data, const std::vector<input::DeviceS
                               std::move(profile))) {
     if (lessons) {
         apprentice_.emplace(std::move(*lessons));
-        // A lesson waits for a deed and not for energy, and nothing else may kill an apprentice.
+        // Lessons test skills: a learner should not have to wait for energy, nor die by the brew.
         set_changes({.endless_energy = true, .harmless_brew = true});
         return;
     }
@@ -68,7 +68,7 @@ void Practice::say(std::string words, Tick how_long) {
 }
 
 void Practice::tell_found(std::uint32_t percent) {
-    fire_anew_ = true;  // the press that decided shoots nothing
+    fire_anew_ = true;  // the press that chose the force fires no shot
     say(text("your largest force is now ", percent, " % of what the device can do"), reading_shown);
 }
 
@@ -93,7 +93,8 @@ void Practice::adopt(const game::Reload& reload) {
     scorer_.reset(match());
 }
 
-/// Puts a wizard to its place of the present step, or refreshes it where it stands.
+/// Moves a wizard to its place in the present step. If the step has no place for it, only empties its hands
+/// and restores full health.
 void Practice::place(std::uint32_t player) {
     const auto& step = apprentice_->lessons().steps[apprentice_->at()];
     const auto& place = player == game::practising ? step.player : step.dummy;
@@ -108,7 +109,7 @@ void Practice::hold_fire_back(input::InputFrame& frame) {
     if (fire_anew_) fire_anew_ = take_fire(match().setup().devices, game::practising, frame);
 }
 
-/// Gives the learner back some health each gameplay tick.
+/// Restores some of the learner's health each gameplay tick.
 void Practice::heal() {
     if (match().match().paused != 0 || match().match().played % game::gameplay_period != 0) return;
     const double gain = apprentice_->lessons().healing * game::gameplay_dt;

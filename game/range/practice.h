@@ -1,4 +1,4 @@
-// game/range/practice.h: the range in a live session: its match and dummy, the scores, and data files that
+// game/range/practice.h: the range in a live session: its match and dummy, the scores, and data files, which
 // are read again when they change.
 #pragma once
 #include <condition_variable>
@@ -17,8 +17,7 @@
 
 namespace thaum::app {
 
-/// Watches the data files in a thread of its own, so that neither the match nor the window waits for the
-/// disk.
+/// Watches the data files in a thread of its own, so that neither match nor window waits for the disk.
 class DataWatcher {
 public:
     explicit DataWatcher(game::RangeFiles files);
@@ -26,7 +25,7 @@ public:
     DataWatcher(const DataWatcher&) = delete;
     DataWatcher& operator=(const DataWatcher&) = delete;
 
-    /// Newest data read since the last call, or null. The data stay valid until the next call. Never waits.
+    /// Newest data read since the last call, or null. The data is valid until the next call. Never blocks.
     const game::Reload* take();
 
 private:
@@ -37,59 +36,62 @@ private:
     std::mutex mutex_;
     std::condition_variable stopped_;
     bool stop_ = false;
-    std::jthread thread_;  ///< last, so that it ends while the other members still live
+    std::jthread thread_;  ///< declared last, so that the thread ends before the other members are destroyed
 };
 
 /// The match of a range with its dummy and scores. The caller passes the data of changed files.
 class Practice {
 public:
-    /// `devices` are those of the practising player: the hands first, then the real arm if the player holds
-    /// one. With lessons the practice is the Apprentice.
+    /// `devices` are those of the practising player: the simulated hands first, then the real arm if the
+    /// player holds one. With `lessons`, the Apprentice runs instead of free practice.
     Practice(const game::RangeData& data, const std::vector<input::DeviceSpec>& devices, game::DummyKind kind,
              std::uint64_t seed, std::optional<game::Lessons> lessons = {},
              std::vector<input::ProfileData> profile = {});
 
     game::Simulation& match() { return *range_.match; }
-    /// Takes fire out of the practising player's samples until it is released, where a step has just begun.
+    /// At the start of a step, removes fire from the practising player's samples until it is released.
     void hold_fire_back(input::InputFrame& frame);
-    /// Begins to find the largest force that the player wants.
+    /// Starts the search for the largest force that the player likes.
     void find_force() { force_trial_.begin(); }
-    /// Acts on the input of a tick while a force is sought. Returns the one that is found (%), once.
+    /// Runs the force search for a tick, acting on its input. Returns the chosen force (%), once.
     std::optional<std::uint32_t> try_force(input::InputFrame& frame) {
         force_sample_.step(match(), game::practising);
         const auto found = force_trial_.step(match(), game::practising, frame);
         if (found) tell_found(*found);
         return found;
     }
-    /// Lets the player feel one fader of the forces.
+    /// Lets the player feel one force fader.
     void play_force(input::HandFader fader) { force_sample_.begin(fader); }
-    /// Whether a force is sought at present. Then the player's own largest force does not count.
+    /// Whether the force search is running. Meanwhile the player's own force limit does not apply.
     bool finds_force() const { return force_trial_.runs(); }
     input::DeviceSample dummy_sample() { return range_.dummy.sample(*range_.match); }
     void set_dummy(game::DummyKind kind);
-    /// Continues with changed rules; match() may then be another object. Returns whether anything changed.
+    /// Continues with changed rules; match() may then return another object. Returns whether anything
+    /// changed.
     bool set_changes(const game::RangeChanges& changes);
-    /// Continues with the data of changed files; match() may then be another object. If a file is faulty, the
-    /// old data stays, and a caption names the fault until the next reload.
+    /// Continues with the data of changed files; match() may then return another object. If a file has a
+    /// fault, the old data is kept, and a caption shows the fault until the next reload.
     void adopt(const game::Reload& reload);
-    /// Follows the Apprentice after a tick: measures the step, and sets places and dummy where one begins.
+    /// Updates the Apprentice after a tick: measures the step, and puts wizards and dummy in place if a step
+    /// begins.
     void follow_lessons();
-    /// The course; null on the range.
+    /// The lessons; null on the range.
     game::Apprentice* apprentice() { return apprentice_ ? &*apprentice_ : nullptr; }
     /// Takes the player's next strokes for a gesture, by its number in the match's set. Unknown numbers do nothing.
     void draw_gesture(std::uint32_t number);
     /// Looks at the strokes of the practising player after a tick.
     void follow_gestures();
-    /// The wall; the Apprentice has none.
+    /// The gesture wall. The Apprentice does not show it.
     GestureWall& wall() { return wall_; }
-    /// Continues with other own gestures of the player; match() is then another object. After a refusal the same ones
-    /// stay, and the wall goes on recording.
+    /// Continues with other recorded gestures of the player; match() then returns another object. If they are
+    /// refused, the old ones are kept, and the wall keeps recording.
     void use_gestures(OwnGestures own);
     void show(game::Picture& picture);
     std::string score() { return words_of(scorer_.score(*range_.match)); }
-    /// The Apprentice's present step: "2 of 8: Bolt".
+    /// Number and name of the Apprentice's present step: "2 of 8: Bolt".
     std::string step_words() const;
-    /// Words about the practice that ends: the score of the range, or how far the player has come in the course.
+    /// Text about the practice that is ending: the score of the range, or the player's progress in the
+    /// lessons.
     std::string last_words();
 
 private:
@@ -99,7 +101,7 @@ private:
     void heal();
     void show_lesson(game::PracticePicture& picture);
 
-    game::RangeData data_;  ///< as the files say, before `changes_`
+    game::RangeData data_;  ///< data as in the files, without `changes_`
     game::RangeChanges changes_{};
     game::RangeMatch range_;
     game::RangeScorer scorer_{};
@@ -109,7 +111,7 @@ private:
     ForceSample force_sample_{};
     bool fire_anew_ = false;  ///< true: fire does nothing until it has been released
     game::Caption caption_{};
-    Tick caption_until_{};  ///< end of the caption in ticks of play, so that a pause does not use up its time
+    Tick caption_until_{};  ///< end of the caption (ticks of play, so that a pause does not use up its time)
 };
 
 // Requests to the practice (range_request.h). The menu's rows send them.

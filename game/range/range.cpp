@@ -14,7 +14,8 @@ namespace thaum::game {
 namespace {
 
 constexpr auto range_file = "range.toml";
-constexpr Tick never = std::numeric_limits<Tick>::max() / 2;  // halved, so that sums with it do not overflow
+// Half of the largest value, so that sums with it do not overflow.
+constexpr Tick never = std::numeric_limits<Tick>::max() / 2;
 /// energy that a wand regains (1/s), enough to fill it within one tick
 constexpr double fills_at_once = 1e6;
 
@@ -52,7 +53,8 @@ Expected<RangeData> load_range(const std::filesystem::path& assets, const DataCh
     if (!dummy) return dummy.error();
     match->round.kills = std::numeric_limits<std::int32_t>::max();
     match->round.length = never;
-    // A free cauldron: only a brew of which nothing can come boils over, and ingredients are back at once.
+    // On the range, only a brew that can no longer become a potion boils over, and ingredients return to
+    // their niches at once.
     if (match->cauldron) {
         match->cauldron->spoils_after = never;
         match->cauldron->niche_again = 0;
@@ -116,7 +118,7 @@ RangeMatch make_range(const RangeData& data, const input::DeviceSpec& device, Du
                       std::vector<input::ProfileData> profile) {
     MatchSetup setup{.seed = seed, .devices = {device, dummy_device()}};
     for (auto& other : more) setup.devices.push_back(std::move(other));
-    (void)use_profile(*data.match, std::move(profile), setup);  // the setup stays as it is after an error
+    (void)use_profile(*data.match, std::move(profile), setup);  // after an error the setup is unchanged
     auto match = std::make_unique<Simulation>(data.match, std::move(setup));
     Dummy dummy(*match, dummys, kind, data.dummy, seed);
     return {std::move(match), std::move(dummy)};

@@ -11,7 +11,7 @@ namespace {
 std::vector<std::filesystem::path> paths_of(const std::filesystem::path& assets, const MatchData& data) {
     std::vector<std::filesystem::path> paths;
     for (const auto& file : data.files) paths.push_back(assets / file.name);
-    paths.push_back(assets / "events.toml");  // shown only, so not among the files that decide a match
+    paths.push_back(assets / "events.toml");  // only changes what is shown, so affects no match
     return paths;
 }
 

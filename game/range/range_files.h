@@ -6,9 +6,9 @@
 
 namespace thaum::game {
 
-/// Result of reading changed files.
+/// Result of reading changed data files.
 struct Reload {
-    std::shared_ptr<const RangeData> data;  ///< null: the old data stays in force
+    std::shared_ptr<const RangeData> data;  ///< new data; null: the old data stays in use
     std::string line;                       ///< names of the files read, or the error with file, line and key
 };
 
@@ -17,10 +17,10 @@ class RangeFiles {
 public:
     static Expected<RangeFiles> open(const std::filesystem::path& assets, const DataChoice& choice);
 
-    /// Data as the files were when opened.
+    /// Data read when the object was created.
     const RangeData& data() const { return data_; }
-    /// Reads files that have changed. Call it a few times a second from a thread that may wait for the disk.
-    /// A change is read at the second call after it.
+    /// Reads files that have changed. Call this a few times a second, from a thread that may wait for the
+    /// disk. A change is read at the second call after it, when the file no longer changes.
     std::optional<Reload> look();
 
 private:

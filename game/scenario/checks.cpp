@@ -1,4 +1,5 @@
-// Checks on the frames of a run: a match depends only on its input, from any starting point and at any delay.
+// Checks on the frames of a run: they test that a match depends only on its input, from any starting point
+// and at any delay.
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
@@ -24,7 +25,7 @@ std::string describe(const Bytes& a, const Bytes& b) {
     return text(d.component, " of entity ", d.entity, ", ", d.field, ": ", d.a, " and ", d.b);
 }
 
-/// A state of a match and its hash.
+/// A state that a match has reached, as bytes and as a hash.
 struct Reached {
     std::uint64_t hash{};
     Bytes state;
@@ -46,7 +47,7 @@ void play_to(Simulation& match, const std::vector<input::InputFrame>& frames, Ti
     while (match.now() < end) match.tick(frames[match.now()]);
 }
 
-/// Plays from the keyframe at or before `tick`.
+/// Plays to `tick` from the keyframe at or before it.
 Expected<Reached> sought(const Play& play, Tick tick) {
     Simulation match(play.data, play.match->setup());
     const auto after = std::find_if(play.keyframes.begin(), play.keyframes.end(),
@@ -71,7 +72,8 @@ void stall(Random& random) {
     if (random.below(4) == 0) std::this_thread::sleep_for(std::chrono::microseconds(random.below(2000)));
 }
 
-/// Takes all waiting frames at once. Empty after the channel is closed and drained.
+/// Takes all queued frames at once. The result is empty only once the channel is closed and all frames have
+/// been taken.
 std::deque<input::InputFrame> take(Channel& channel) {
     std::unique_lock lock(channel.mutex);
     channel.filled.wait(lock, [&] { return channel.closed || !channel.frames.empty(); });
@@ -119,7 +121,7 @@ void send_frames(const Play& play, Channel& channel, std::uint64_t seed) {
     channel.filled.notify_one();
 }
 
-/// Returns an empty string, or names the first state whose hash differs from the play's.
+/// Returns an empty string, or names the first state whose hash differs from that of the original play.
 std::string other_state(const Play& play, const char* which, const std::vector<std::uint64_t>& hashes) {
     for (std::size_t i = 0; i < play.hashes.size(); ++i) {
         if (i < hashes.size() && hashes[i] == play.hashes[i]) continue;
@@ -128,7 +130,7 @@ std::string other_state(const Play& play, const char* which, const std::vector<s
     return {};
 }
 
-/// Hashes of the state and of the forces on both hands.
+/// Hash of the state and of the forces on both hands.
 std::uint64_t hash_of_all(const Simulation& match) {
     return hash_value(match.force_hash(), match.state_hash());
 }

@@ -21,7 +21,7 @@ std::vector<std::string> lines_of(const std::string& file) {
     return lines;
 }
 
-/// Returns the word after `key` in the first line.
+/// Returns the value that follows `key` in the first line.
 std::string told(const std::string& first, std::string_view key) {
     const auto at = first.find(key);
     if (at == std::string::npos) return {};

@@ -1,5 +1,5 @@
-// game/scenario/force_trace.h: the forces on both hands in a scenario, kept in a small file and compared to
-// the bit.
+// game/scenario/force_trace.h: the forces on both hands in a scenario, stored in a small file and compared
+// exactly.
 //
 //     # thaum forces, rules 7, maths 0123456789abcdef, 5230 ticks, hash 0123456789abcdef
 //     from_tick,p1_peak_n,p1_x_n,p1_y_n,p1_z_n,p2_peak_n,p2_x_n,p2_y_n,p2_z_n,hash
@@ -21,9 +21,10 @@ namespace thaum::game {
 
 class ForceRecord {
 public:
-    /// Adds the forces on both hands (N) in the tick that the match has just played. `now`: ticks played.
+    /// Adds the forces on both hands (N) in the tick that the match has just played. `now`: number of ticks
+    /// played.
     void add(Tick now, std::span<const vec3, players> forces);
-    /// Text of the whole trace file. `rules`: version of the rules.
+    /// Text of the whole trace file. `rules`: version of the game's rules.
     std::string file(std::uint32_t rules);
 
 private:
@@ -40,7 +41,7 @@ private:
 };
 
 /// Compares two trace files. Returns an empty string if they agree. Otherwise one line names the first
-/// difference, or says that the files were made with other rules or other elementary functions.
+/// difference, or says that the files were made with other rules or other mathematical functions (sin, exp).
 std::string difference_of_forces(const std::string& kept, const std::string& now);
 
 }  // namespace thaum::game

@@ -40,13 +40,13 @@ int call_wrapped(lua_State* lua) {
 }
 
 /// Lua's own coroutine.create or coroutine.wrap (upvalue 1). Each coroutine has its own instruction count, so
-/// making one is charged with the most that this count can miss.
+/// creating one costs as many steps as that count can miss.
 int make_coroutine(lua_State* lua) {
     charge(lua, hook_steps);
     return call_wrapped(lua);
 }
 
-/// Lua's own coroutine.resume or coroutine.close (upvalue 1), which catch errors themselves.
+/// Wraps Lua's own coroutine.resume or coroutine.close (upvalue 1), which catch errors themselves.
 int call_catcher(lua_State* lua) {
     call_wrapped(lua);
     const bool caught = lua_gettop(lua) >= 2 && lua_isboolean(lua, 1) && lua_toboolean(lua, 1) == 0;
@@ -81,7 +81,7 @@ int safe_tostring(lua_State* lua) {
     return 1;
 }
 
-/// Replaces each argument without text by the name of its type, so that no address is shown.
+/// Replaces each argument that has no text form by the name of its type, so that no memory address is shown.
 void hide_addresses(lua_State* lua) {
     for (int i = 2; i <= lua_gettop(lua); ++i) {
         const int type = lua_type(lua, i);
@@ -104,7 +104,7 @@ bool has_pointer_format(const char* format) {
     return false;
 }
 
-/// string.format; upvalue 1 is Lua's original.
+/// Wraps string.format; upvalue 1 is Lua's original.
 int safe_format(lua_State* lua) {
     if (has_pointer_format(luaL_checkstring(lua, 1)))
         return luaL_error(lua, "%%p: addresses are not for scripts");
@@ -140,15 +140,15 @@ int safe_print(lua_State* lua) {
 /// A key of a table, of a type that can be sorted.
 struct SortKey {
     int type;
-    bool whole;  ///< true for an integer key
+    bool whole;  ///< true for an integer key, false for a float key
     lua_Integer integer;
     lua_Number number;
-    const char* chars;  ///< points into a string that the table keeps alive
+    const char* chars;  ///< points into a string that is alive as long as the table
     std::size_t size;
 };
 
-/// Compares an integer key with a float key. A float key has a fraction or lies beyond all integers, because
-/// Lua converts all others to integers.
+/// Compares an integer key with a float key. A float key has a fraction or is beyond all integers, because
+/// Lua converts other floats to integers.
 bool integer_before(lua_Integer i, lua_Number f) {
     if (f >= 0x1p63) return true;
     if (f < -0x1p63) return false;
@@ -207,8 +207,8 @@ std::size_t count_keys(lua_State* lua, int table) {
     return count;
 }
 
-/// Returns the next pair that still has a value. Upvalues: the table, its sorted keys, their number, and the
-/// present position.
+/// Returns the next key and value whose value still exists. Upvalues: the table, its sorted keys, their
+/// number, and the current position.
 int next_sorted(lua_State* lua) {
     const auto count = lua_tointeger(lua, lua_upvalueindex(3));
     for (auto at = lua_tointeger(lua, lua_upvalueindex(4)) + 1; at <= count; ++at) {
@@ -252,7 +252,8 @@ constexpr lua_Integer most_moved = 1 << 16;
 
 constexpr std::size_t bytes_per_step = 8;
 
-/// utf8.len and utf8.offset can walk through the whole text (argument 1), so the call costs its length.
+/// Wraps utf8.len and utf8.offset, which may read the whole text (argument 1), so that a call costs the
+/// text's length.
 int counted_by_length(lua_State* lua) {
     std::size_t size = 0;
     luaL_checklstring(lua, 1, &size);
@@ -260,8 +261,8 @@ int counted_by_length(lua_State* lua) {
     return call_wrapped(lua);
 }
 
-/// string.byte and utf8.codepoint read the text from argument 2 to argument 3, by default one place. The call
-/// costs the length of that part.
+/// Wraps string.byte and utf8.codepoint, which read the text from argument 2 to argument 3, by default one
+/// character, so that a call costs the length of that part.
 int counted_by_range(lua_State* lua) {
     std::size_t size = 0;
     luaL_checklstring(lua, 1, &size);
@@ -290,7 +291,7 @@ int safe_rep(lua_State* lua) {
     return 1;
 }
 
-/// table.concat, table.move and table.unpack. `first` and `last` are the arguments `at` and `at + 1`.
+/// Wraps table.concat, table.move and table.unpack. The range is given by the arguments `at` and `at + 1`.
 template <int at>
 int safe_range(lua_State* lua) {
     luaL_checktype(lua, 1, LUA_TTABLE);
@@ -316,7 +317,7 @@ std::uint64_t bytes_in_list(lua_State* lua, lua_Integer count) {
     return bytes;
 }
 
-/// table.sort compares each element about log2(count) times, and compares texts byte by byte.
+/// Wraps table.sort, which compares each element about log2(count) times, and compares texts byte by byte.
 int counted_sort(lua_State* lua) {
     luaL_checktype(lua, 1, LUA_TTABLE);
     const auto count = luaL_len(lua, 1);
@@ -327,7 +328,7 @@ int counted_sort(lua_State* lua) {
     return call_wrapped(lua);
 }
 
-/// table.insert and table.remove, which use the length that a metatable may define.
+/// Wraps table.insert and table.remove, which use a length that a metatable may define.
 int safe_length(lua_State* lua) {
     luaL_checktype(lua, 1, LUA_TTABLE);
     if (luaL_len(lua, 1) > most_moved)
@@ -392,7 +393,7 @@ void remove_fields(lua_State* lua, int table, std::initializer_list<const char*>
     }
 }
 
-/// Replaces the function of that name by ours, with the original as upvalue 1.
+/// Replaces Lua's function of this name by our own, with the original as upvalue 1.
 void wrap(lua_State* lua, int table, const char* name, lua_CFunction ours) {
     table = lua_absindex(lua, table);
     lua_getfield(lua, table, name);
@@ -406,8 +407,8 @@ void set(lua_State* lua, int table, const char* name, lua_CFunction ours) {
     lua_setfield(lua, table, name);
 }
 
-/// Stands for string.find, match, gmatch and gsub (name: upvalue 1). Lua's own matcher counts no steps, so one
-/// call with a few repetitions could take longer than a whole match.
+/// Replaces string.find, match, gmatch and gsub (name: upvalue 1) by an error. Lua's own matcher counts no
+/// steps, so one call with a few repetitions could take longer than a whole match.
 int no_patterns(lua_State* lua) {
     lua_pushfstring(lua,
                     "string.%s: patterns are not available in scenarios: compare whole texts, take one apart "
@@ -440,7 +441,7 @@ void open_string(lua_State* lua) {
     wrap(lua, -1, "rep", safe_rep);
     wrap(lua, -1, "byte", counted_by_range);
     for (const char* name : {"find", "match", "gmatch", "gsub"}) refuse_patterns(lua, -1, name);
-    // Arithmetic on text would call the machine's own pow, like the operator ^.
+    // Removes arithmetic on texts, which would call the machine's own pow, like the operator ^.
     lua_pushliteral(lua, "");
     lua_getmetatable(lua, -1);
     remove_fields(lua, -1, {"__pow"});
@@ -523,7 +524,7 @@ void open_library(lua_State* lua) {
     wrap(lua, -1, "codepoint", counted_by_range);
     open_coroutine(lua);
     lua_settop(lua, 0);
-    // Table that `require` would search.
+    // removes the table that `require` would search
     lua_pushnil(lua);
     lua_setfield(lua, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
 }

@@ -7,16 +7,17 @@ namespace thaum::game {
 struct MatchOptions {
     DataChoice data;
     std::uint64_t seed = 1;
-    std::array<int, players> bot_level{};  ///< level of the bot; 0: the script plays
+    std::array<int, players> bot_level{};  ///< level of the bot; 0: the script plays this wizard
     using Percents = std::array<std::optional<std::uint32_t>, players>;
-    Percents force{};   ///< share of the device's force for each player (%); null: set by the rules
+    /// Largest force for each player, as a share of the device's (%); null: set by the rules.
+    Percents force{};
     Percents weight{};  ///< share of a carried thing's weight that the player feels (%); null: 100 %
-    Percents blows{};   ///< share of a carried thing's blows that the player feels (%); null: 100 %
-    /// Shares of a stirred brew's forces, by haptics::fluid_modes (%); null: 100 %.
+    Percents blows{};   ///< share of the blows on a carried thing that the player feels (%); null: 100 %
+    /// Shares of a stirred brew's forces, in the order of haptics::fluid_modes (%); null: 100 %.
     std::array<std::array<std::optional<std::uint32_t>, input::fluid_faders>, players> modes{};
     std::array<bool, players> casts_freely{};   ///< true if the player casts without a button
     std::array<bool, players> arm{};            ///< true if the player holds a simulated arm of a real device
-    std::vector<input::ProfileData> profile{};  ///< own gestures of the players
+    std::vector<input::ProfileData> profile{};  ///< recorded gestures of the players
 };
 
 }  // namespace thaum::game

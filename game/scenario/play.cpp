@@ -23,7 +23,7 @@
 namespace thaum::game {
 namespace {
 
-/// Largest turn of a script's hand per tick: 400 degrees a second, like a brisk player.
+/// Largest turn of a scripted player's view per tick: 400 degrees a second, as fast as a quick player.
 constexpr std::int32_t most_counts = 8;
 constexpr std::size_t most_trace_bytes = 64U << 20U;
 
@@ -83,7 +83,7 @@ input::InputFrame frame_of(Play& play) {
     return frame;
 }
 
-/// Collects new events, since the journal keeps only the last seconds.
+/// Copies new events, since the journal holds only those of the last seconds.
 void collect_events(Play& play) {
     play.match->events().each_new(play.events_seen, [&](const Event& e) { play.events.push_back(e); });
 }
@@ -104,7 +104,7 @@ void note_forces(Play& play) {
     append_forces(*play.match, play.felt->csv);
 }
 
-/// Hands the match's latest orders to the arms.
+/// Passes the match's latest orders to the arms.
 void publish_orders(const Simulation& match, ScriptArms& arms) {
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto& arm = arms[player];
@@ -313,10 +313,10 @@ using Reader = double (*)(const Play&, std::uint32_t);
 
 struct Column {
     std::string_view name, header;
-    Reader of_wizard, of_thing;  ///< null: no such column
+    Reader of_wizard, of_thing;  ///< functions that read the column; null: there is no such column
 };
 
-/// Motion of a thing, or a motion at rest if the thing is gone.
+/// Motion of a thing, or a motion at rest if the thing no longer exists.
 Motion thing_motion(const Play& play, std::uint32_t number) {
     const auto* found = play.match->world().find<Motion>(play.things[number].entity);
     return found == nullptr ? Motion{} : *found;

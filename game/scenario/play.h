@@ -1,6 +1,7 @@
-// game/scenario/play.h: one run of one scenario: a match, its simulated hands, and all records of it. This
-// file does not depend on Lua; verbs.cpp offers it to scripts. It names the match and its data without their
-// headers, which are long: most verbs need only components and the functions below.
+// game/scenario/play.h: one run of one scenario: a match, its simulated hands, and everything recorded of it.
+// This file does not depend on Lua; verbs.cpp makes it available to scripts. Types of the match are only
+// declared, not included, because their headers are long and most verbs need only components and the
+// functions below.
 #pragma once
 #include <filesystem>
 #include <memory>
@@ -37,16 +38,16 @@ struct Presentation;
 struct ScriptArm;
 using ScriptArms = std::array<std::unique_ptr<ScriptArm>, players>;
 
-/// State of a script's hand. It becomes one device sample per tick.
+/// State of a scripted player's input, from which a device sample is made in each tick.
 struct Hand {
     std::int32_t look_right{}, look_up{};    ///< mouse counts still to be sent
-    std::int32_t drawn_right{}, drawn_up{};  ///< mouse counts of the coming tick, besides those
+    std::int32_t drawn_right{}, drawn_up{};  ///< mouse counts added in the coming tick
     std::int32_t stick_right{}, stick_up{};  ///< deflection of the stick that turns the view, -127 to 127
     std::int32_t strafe{}, forward{};        ///< movement axes, -127 to 127
     std::uint32_t buttons{};
     std::uint8_t wand{};                        ///< wand whose key is down, 1 to input::most_wands; 0: none
     std::int32_t trigger{255};                  ///< pull of the trigger while fire is held, 0 to 255
-    std::vector<input::FaderChange> changes{};  ///< moves of faders still to be sent, one in each tick
+    std::vector<input::FaderChange> changes{};  ///< moves of faders that are still to be sent, one per tick
 };
 
 /// A thing that the script has added to the world.
@@ -66,10 +67,10 @@ struct Trace {
 /// Forces on the hands since the force trace began.
 struct FeltForces {
     ForceRecord record;
-    std::string csv;  ///< the format of `thaum replay --forces`
+    std::string csv;  ///< rows in the format of `thaum replay --forces`
 };
 
-/// The state before a keyframe tick. A run can continue from it.
+/// The state at a keyframe tick, from which a run can continue.
 struct Keyframe {
     Tick tick{};
     Bytes world;
@@ -83,24 +84,24 @@ struct Play {
 
     const ScenarioOptions* options{};
     std::string name;
-    bool keeps_files{};  ///< true in the first run: writes log, traces and pictures
+    bool keeps_files{};  ///< true in the first run, which writes log, traces and pictures
     int run{};           ///< number of the run, 1 or 2
 
     std::shared_ptr<const MatchData> data;
     std::unique_ptr<Simulation> match;  ///< null until the script calls match{}
-    std::unique_ptr<Bots> bots;         ///< null until a bot plays
+    std::unique_ptr<Bots> bots;         ///< null unless a bot plays
     std::array<int, players> bot_level{};
     std::array<Hand, players> hands{};
     ScriptArms arms;
-    Tick behind{};  ///< ticks that the arms ran while the match stood still
+    Tick behind{};  ///< number of ticks that the arms have run while the match was stopped
 
-    std::vector<input::InputFrame> frames;  ///< all input frames so far
+    std::vector<input::InputFrame> frames;  ///< all input frames since the start
     std::vector<std::uint64_t> hashes;      ///< state hashes, one after every hash_interval ticks
-    std::vector<Keyframe> keyframes;        ///< keyframes, if the match can be replayed
-    std::vector<Event> events;              ///< all events so far
+    std::vector<Keyframe> keyframes;        ///< states at keyframes, if the match can be replayed
+    std::vector<Event> events;              ///< all events since the start
     std::uint64_t events_seen{};            ///< EventLog::count after the last collected event
     std::size_t events_expected{};          ///< index of the first event that expect_event has not examined
-    Bytes begun;                            ///< state before the first tick
+    Bytes begun;                            ///< saved state of the match before its first tick
     std::vector<Bytes> states;              ///< states saved by the script
     std::vector<SpawnedThing> things;
     std::vector<Trace> traces;
@@ -110,15 +111,16 @@ struct Play {
     std::vector<std::string> files;
     std::string write_fault;  ///< first file that could not be written, with the reason; empty: none
 
-    bool no_picture{};  ///< the script asked for a picture, but no picture function is set
-    bool scene_set{};   ///< the script has changed the world, so input alone does not lead to this state
+    bool no_picture{};  ///< true: the script asked for a picture, but no picture function is set
+    /// True: the script has changed the world, so the input alone does not lead to this state.
+    bool scene_set{};
     std::unique_ptr<input::LogWriter> log;
     std::filesystem::path log_path;
-    std::optional<Tick> save_at;  ///< tick at which `saved` is taken, to examine a difference
+    std::optional<Tick> save_at;  ///< tick at which the state is copied to `saved`, to examine a difference
     Bytes saved;
 
     Tick wait_until{};  ///< tick at which the wait ends, compared with Simulation::now
-    bool waits{};       ///< a verb has set wait_until
+    bool waits{};       ///< true: a verb has set wait_until
 };
 
 /// Begins the match that a script asks for (game/scenario/match_options.h).
@@ -127,21 +129,21 @@ Expected<void> begin_match(Play& play, const MatchOptions& wanted);
 /// Plays one tick of the match with the input of all hands.
 void tick(Play& play);
 
-/// Stops the match for some ticks while the arms continue, then lets it catch up.
+/// Stops the match for some ticks while the arms continue, then lets the match catch up.
 void stall(Play& play, Tick ticks);
 
-/// Marks that log and frames no longer determine the match.
+/// Records that log and frames no longer determine the match.
 void scene_is_set(Play& play);
 
 /// Closes the log and writes the traces.
 void end_match(Play& play);
 
-/// Text of the force trace; std::nullopt: the script has asked for none.
+/// Text of the force trace; std::nullopt: the script did not ask for one.
 std::optional<std::string> force_trace_of(Play& play);
 /// Number of ticks in which the match computed another force than an arm's thread. It must be 0.
 std::uint64_t differing_forces(const Play& play);
 
-// Readings of a begun match, for the runner and the verbs.
+// These functions read a match that has begun, for the runner and the verbs.
 
 /// Ticks played, pauses included.
 Tick now_of(const Play& play);
@@ -164,9 +166,9 @@ double readiness(const Play& play, std::uint32_t player);
 
 ecs::Entity wizard_entity(const Play& play, std::uint32_t player);
 
-/// Words for the subject of an event, as in the table of events.
+/// Text for the column `with` in the table of events.
 std::string with_of(const Play& play, const Event& event);
-/// Records an event that has not happened.
+/// Records an event that did not happen in the match.
 void record_by_hand(Play& play, const Event& event);
 
 /// A missile in flight.
@@ -178,7 +180,7 @@ struct FlyingMissile {
 /// All missiles, in the order of the wands.
 std::vector<FlyingMissile> missiles_of(const Play& play);
 
-/// A kind of event that is heard or felt. An empty name: it has no sound, or no effect.
+/// A kind of event that is heard or felt. If it has no sound or no effect, that name is empty.
 struct SensedKind {
     std::string_view kind, sound, tactile;
 };
@@ -187,7 +189,7 @@ std::vector<SensedKind> sensed_kinds_of(const Play& play);
 
 /// Velocity of the brew at a place (m/s, world). Zero outside the brew.
 vec3 current_at(const Play& play, vec3 place);
-/// Height of the brew's surface at a place (m, world). The match has a cauldron.
+/// Height of the brew's surface at a position (m, world). The match must have a cauldron.
 double surface_at(const Play& play, vec3 place);
 /// Name of an ingredient of the cauldron.
 const std::string& ingredient_name(const Play& play, std::size_t ingredient);
@@ -196,7 +198,7 @@ const std::string& ingredient_name(const Play& play, std::size_t ingredient);
 struct CoreInHand {
     vec3 place{}, axis{};
 };
-/// The core, if the wizard of this player stands at the orb.
+/// The core, if this player's wizard works at the orb; else std::nullopt.
 std::optional<CoreInHand> core_in_hand(const Play& play, std::uint32_t player);
 
 /// Mouse counts that turn a wizard towards a place.
@@ -205,9 +207,9 @@ struct LookCounts {
 };
 LookCounts counts_to(const Play& play, std::uint32_t player, vec3 target);
 
-/// Begins to record the forces on both hands.
+/// Starts to record the forces on both hands.
 void begin_force_trace(Play& play);
-/// Adds the column "1.x", "2.health" or "t3.speed". The error says that there is no such column.
+/// Adds a column such as "1.x", "2.health" or "t3.speed". The error says that there is no such column.
 Expected<void> add_column(const Play& play, const std::string& column, Trace& trace);
 /// Adds one line to the trace.
 void trace_now(const Play& play, Trace& trace);
@@ -220,8 +222,8 @@ std::string check_seek(const Play& play, const std::vector<Tick>& ticks);
 std::string check_late(const Play& play, std::uint64_t seed);
 /// Plays the same frames in a match with `workers` extra job threads.
 std::string check_threads(const Play& play, unsigned workers);
-/// Plays the same frames in two matches, one of them heard and felt with these layouts until the tick `quit`. Compares
-/// states and forces.
+/// Plays the same frames in two matches. In one, hearing and feeling are computed with these layouts until
+/// the tick `quit`. Compares states and forces.
 std::string check_senses(const Play& play, const std::vector<std::string>& layouts, Tick quit);
 
 }  // namespace thaum::game

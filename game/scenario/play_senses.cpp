@@ -20,12 +20,11 @@ constexpr std::size_t most_mixed = 120 * audio::sample_rate;  // samples
 struct PlaySenses::Inside {
     std::unique_ptr<Senses> senses;
     std::vector<std::string> names{"abstract_4x5"};  ///< names of the layouts, by number
-    std::deque<tactile::Layout> layouts;             ///< numbers 1 and up of `senses`
+    std::deque<tactile::Layout> layouts;  ///< layouts that the script asked for; the first has number 1
     std::optional<audio::Mixer> mixer;
     std::array<float, audio::block_values> block{};
     std::vector<float> mixed;
-    std::vector<audio::Signature>
-        known;  ///< signature of each sound; empty before the first call of `nearest`
+    std::vector<audio::Signature> known;  ///< signature of each sound; empty until `nearest` is called
 };
 
 PlaySenses::PlaySenses(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}

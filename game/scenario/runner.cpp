@@ -17,7 +17,7 @@ namespace thaum::game {
 namespace {
 
 constexpr std::size_t most_source = 1U << 20U;
-/// Upper bound on changes in an arena without any action, in HP, m, rad and so on.
+/// Changes below this limit happen in an arena even without any action (HP, m, rad and so on).
 constexpr double noticeable = 0.02;
 
 /// Result of one run.
@@ -32,8 +32,8 @@ struct Outcome {
     std::vector<std::uint64_t> hashes;
     std::string output;
     std::vector<std::string> files;
-    Bytes saved;                        ///< state at the requested tick
-    std::optional<std::string> forces;  ///< force trace of a scenario that has one
+    Bytes saved;                        ///< saved state of the match at the requested tick
+    std::optional<std::string> forces;  ///< force trace; std::nullopt for a scenario that has none
 };
 
 struct RunOptions {
@@ -47,10 +47,12 @@ bool is_number(const std::string& text, double& value) {
     return end.ec == std::errc{} && end.ptr == text.data() + text.size();
 }
 
-/// True for a field that changes in any match, even without any action.
+/// True for a field that changes in every match, even without any action.
 bool passes_anyway(const ecs::Difference& d) {
     if (d.component == "Match") return d.field == "played";
-    if (d.component == "EventLog") return true;  // players are told recipes; a deed changes more than the log
+    // The log changes without any action when players are shown recipes; an action changes other components,
+    // too.
+    if (d.component == "EventLog") return true;
     if (d.component == "Stance" || d.component == "Controls") return true;
     if (d.component == "HandState") return !d.field.starts_with("device") && !d.field.starts_with("kick");
     if (d.component == "Motion") return !d.field.starts_with("position");
@@ -150,7 +152,7 @@ std::optional<Tick> first_difference(const Outcome& a, const Outcome& b) {
     return std::nullopt;
 }
 
-/// Runs the scenario twice more up to this tick, to name the field that differs.
+/// Runs the scenario twice more up to this tick, and reports the field that differs.
 std::string describe_difference(std::string_view source, const std::string& name,
                                 const ScenarioOptions& options, Tick tick) {
     const auto one = run_once(source, name, options, {.run = 1, .save_at = tick});
@@ -179,7 +181,8 @@ std::string fault_of_replay(const std::filesystem::path& log, const ScenarioOpti
     return playback->missing_hashes();
 }
 
-/// Shows that the scenario gives the same match again. Returns an empty string, or the fault of the run or of that.
+/// Checks that the scenario gives the same match again. Returns an empty string, or the fault of the run or
+/// of this check.
 std::string fault_of_repeat(std::string_view source, const std::string& name, const ScenarioOptions& options,
                             const Outcome& one) {
     const auto log = options.out / (name + ".thaumlog");
@@ -197,7 +200,7 @@ std::string fault_of_repeat(std::string_view source, const std::string& name, co
 
 constexpr std::size_t most_force_trace = 1U << 20U;
 
-/// Writes the force trace, or compares it with the kept one. Returns an empty string, or the fault.
+/// Writes the force trace, or compares it with the stored one. Returns an empty string, or the fault.
 std::string check_forces(const std::string& forces, const std::string& name,
                          const std::filesystem::path& folder, bool keep) {
     const auto file = folder / (name + ".csv");
@@ -219,12 +222,12 @@ void write_result(const ScenarioOptions& options, ScenarioResult& result) {
     const auto written = write_text_file(options.out / file, scenario_report({result}));
     if (written) return;
     result.files.pop_back();
-    // The reason for a failed scenario matters more than the failure to write it.
+    // If the scenario has failed, its own message matters more than the failure to write files.
     if (result.passed) result.message = written.error().message;
     result.passed = false;
 }
 
-/// `kept`: folder of the force traces; empty: no comparison.
+/// Runs a scenario from its source. `kept`: folder of the stored force traces; empty: no comparison.
 ScenarioResult run_source(std::string_view source, const std::string& name, const ScenarioOptions& options,
                           const std::filesystem::path& kept) {
     std::error_code ignored;

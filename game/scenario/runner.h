@@ -1,9 +1,9 @@
 // game/scenario/runner.h: runs scenarios. A scenario is a Lua script that plays a match through the players'
 // own devices, faster than real time, and checks what a player would notice.
 //
-// After a scenario its log is replayed. The state and force hashes of both must agree every 128 ticks and at the end. A
-// scenario without a log runs twice from scratch instead. The match must also have changed, because a match without any
-// action proves nothing. A run leaves these files:
+// After a scenario its log is replayed. The state and force hashes of both must agree every 128 ticks and at
+// the end. A scenario without a log runs twice from scratch instead. A scenario also fails if no action of it
+// changed the match, because such a run proves nothing. A run leaves these files:
 //
 //     NAME.thaumlog     the match, for `thaum replay`; absent if the script set the scene
 //     NAME.TRACE.csv    one for each `trace`
@@ -11,8 +11,8 @@
 //     NAME.PICTURE.png  one for each `picture`; NAME.failed.png after a failure
 //     NAME.json         the result, in the format of `thaum scenario --json`
 //
-// The forces of a scenario with a force trace are also compared with the kept trace
-// (game/scenario/force_trace.h), to the bit.
+// The forces of a scenario with a force trace are also compared exactly with the stored trace
+// (game/scenario/force_trace.h).
 //
 // game/scenario/verbs.h lists the verbs of the scripts.
 #pragma once
@@ -46,18 +46,18 @@ using TakePicture =
 /// Returns all words over both players' views of the match's present state.
 using ReadScreen = std::function<std::vector<std::string>(const Simulation& match)>;
 
-/// How a scenario is shown to give the same match again.
+/// How a scenario is checked to give the same match again.
 enum class SameAgain : std::uint8_t {
     unchecked,
-    by_replay,      ///< its log is replayed; where it has none, by a second run
-    by_second_run,  ///< the script runs twice, bots included
+    by_replay,      ///< by replaying its log or, if it has none, by a second run
+    by_second_run,  ///< by running the script twice, bots included
 };
 
 struct ScenarioOptions {
     std::filesystem::path assets;
     std::filesystem::path out;      ///< folder for output, created when needed; empty: no files
     std::filesystem::path scripts;  ///< folder in which scenarios are found by name
-    TakePicture take_picture;       ///< null: scenarios that need pictures fail with a message
+    TakePicture take_picture;       ///< null: scenarios that take pictures fail with a message
     ReadScreen read_screen;         ///< null: scenarios that read the screen fail with a message
     /// Folder for writing force traces. If it is empty, traces are compared with those in ../replays/forces
     /// beside the script's folder, if that folder exists.
@@ -72,10 +72,10 @@ struct ScenarioOptions {
 struct ScenarioResult {
     std::string name;
     bool passed = false;
-    bool no_picture = false;  ///< the only fault is the missing picture function
+    bool no_picture = false;  ///< true: the only fault is that no picture function was given
     Tick ticks{};
     std::uint64_t hash{};  ///< hash of the last state
-    std::string message;   ///< one line: the reason of a failure, or a remark on a pass; can be empty
+    std::string message;   ///< one line: why the scenario failed, or a remark on a passed one; may be empty
     std::string output;    ///< text printed by the script
     std::vector<std::string> files;  ///< file names inside ScenarioOptions::out
 };
@@ -85,20 +85,20 @@ std::filesystem::path forces_folder(const std::filesystem::path& script, const S
 
 /// Runs one scenario from its file.
 ScenarioResult run_scenario(const std::filesystem::path& script, const ScenarioOptions& options);
-/// Runs one scenario from a source in memory.
+/// Runs one scenario from source text in memory.
 ScenarioResult run_scenario_source(std::string_view source, const std::string& name,
                                    const ScenarioOptions& options);
 
-/// Finds scenarios by file name (with .lua) or by name in ScenarioOptions::scripts. An empty list selects all
+/// Finds scenarios by path (ending in .lua) or by name in ScenarioOptions::scripts. An empty list selects all
 /// of them, sorted by name. The error names the scenario that does not exist.
 Expected<std::vector<std::filesystem::path>> find_scenarios(const std::vector<std::string>& names,
                                                             const ScenarioOptions& options);
-/// Finds scenarios like find_scenarios and runs them. `report` is called after each.
+/// Finds scenarios like find_scenarios and runs them. `report` is called after each one.
 Expected<std::vector<ScenarioResult>> run_scenarios(
     const std::vector<std::string>& names, const ScenarioOptions& options,
     const std::function<void(const ScenarioResult&)>& report = nullptr);
 
-/// The report of `thaum scenario --json`.
+/// Text that `thaum scenario --json` prints.
 std::string scenario_report(const std::vector<ScenarioResult>& results);
 
 /// Folder of the scenarios that belong to these assets.

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int resume_steps = 100;
 constexpr std::size_t memory_per_step = 64;  ///< requested memory that costs one step (bytes)
-/// Extra memory beyond the limit for trusted code between two checks (bytes).
+/// Memory that trusted code may use beyond the limit between two checks (bytes).
 constexpr std::size_t reserve = 8U << 20U;
 
 using State = Sandbox::State;
@@ -28,7 +28,8 @@ bool allowed(const State& state, std::size_t old_size, std::size_t new_size) {
 /// Lua's only allocator. Shrinking a block must never fail.
 void* allocate(void* context, void* block, std::size_t old_size, std::size_t new_size) {
     auto& state = *static_cast<State*>(context);
-    if (block == nullptr) old_size = 0;  // here Lua passes the kind of object
+    // For a new block, Lua passes the kind of object here instead of a size.
+    if (block == nullptr) old_size = 0;
     if (new_size == 0) {
         std::free(block);
         state.memory -= old_size;
@@ -83,7 +84,7 @@ int guarded_call(lua_State* lua, const VerbEntry& entry, State& state) noexcept 
     return results;
 }
 
-/// The last lines can jump over this frame, so no object in it needs a destructor.
+/// The last lines can jump over this frame (longjmp), so it holds no object with a destructor.
 int call_verb(lua_State* lua) {
     auto& state = state_of(lua);
     const auto& entry = *static_cast<const VerbEntry*>(lua_touserdata(lua, lua_upvalueindex(1)));
@@ -94,7 +95,7 @@ int call_verb(lua_State* lua) {
         return raise_at_script(lua);
     }
     charge(lua, 0);
-    // A verb may exceed the memory limit for a while, but the script must not stay beyond it.
+    // A verb may exceed the memory limit temporarily, but afterwards the script must be within it.
     if (state.memory > state.limits.memory) lua_gc(lua, LUA_GCCOLLECT);
     if (state.memory > state.limits.memory) return luaL_error(lua, "not enough memory");
     if (results != Sandbox::wait) return results;
@@ -113,7 +114,7 @@ std::string message_of(lua_State* lua) {
     return in_one_line({message, size});
 }
 
-/// Loads text, but never compiled code, as a function on top of the stack.
+/// Loads source text (compiled code is refused) as a function on top of the stack.
 Expected<void> load(lua_State* lua, std::string_view source, const std::string& chunk) {
     const int status = luaL_loadbufferx(lua, source.data(), source.size(), chunk.c_str(), "t");
     if (status == LUA_OK) return {};
@@ -142,7 +143,7 @@ void charge(lua_State* lua, std::uint64_t steps) {
 
 int raise_at_script(lua_State* lua) {
     auto& state = state_of(lua);
-    state.trusted = true;  // building the message must not fail
+    state.trusted = true;  // trusted, because building the message must not fail
     lua_Debug frame;
     for (int level = 0; lua_getstack(lua, level, &frame) != 0; ++level) {
         lua_getinfo(lua, "Sl", &frame);
@@ -219,7 +220,7 @@ Expected<Sandbox::Progress> Sandbox::resume() {
         return Progress::waits;
     }
     auto message = message_of(state_->script);
-    // If the steps ran out during an allocation, Lua reports only a lack of memory.
+    // If the steps ran out during an allocation, Lua reports only that memory is short.
     const std::string why = state_->late ? out_of_time : endless;
     if (state_->exhausted && message.find("steps") == std::string::npos &&
         message.find("processor time") == std::string::npos)

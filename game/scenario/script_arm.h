@@ -1,6 +1,6 @@
-// game/scenario/script_arm.h: a simulated arm of a real device, moved by a script. It runs the work of a
-// device thread step by step in the match's own thread. The hand follows the script's path whatever the force
-// on it.
+// game/scenario/script_arm.h: a simulated arm of a real device, moved by a script. The work of the device's
+// thread is done step by step in the match's own thread. The hand follows the script's path exactly, whatever
+// force acts on it.
 #pragma once
 #include <array>
 #include <memory>

@@ -134,7 +134,7 @@ void read_arms(lua_State* lua, int index, MatchOptions& wanted) {
     }
 }
 
-/// Places such as {{0, 0}, {1, 2}}.
+/// Reads a list of positions such as {{0, 0}, {1, 2}}.
 std::vector<vec3> read_places(lua_State* lua, int index, const std::string& name) {
     constexpr lua_Unsigned most_places = 1000;
     if (!lua_istable(lua, index)) fault("gestures: '", name, "' must be a list of places {x, y}");
@@ -156,7 +156,7 @@ std::vector<vec3> read_places(lua_State* lua, int index, const std::string& name
     return places;
 }
 
-/// A stroke along places, at an even pace in a second.
+/// A stroke along positions at constant speed, one second long.
 std::vector<gesture::StrokePoint> stroke_along(const std::vector<vec3>& places) {
     constexpr double points = 100;
     double length = 0;
@@ -175,7 +175,7 @@ std::vector<gesture::StrokePoint> stroke_along(const std::vector<vec3>& places) 
     return stroke;
 }
 
-/// Reads own gestures of the players: a list of tables such as {circle = {{0, 0}, {1, 2}}}.
+/// Reads recorded gestures of the players: a list of tables such as {circle = {{0, 0}, {1, 2}}}.
 void read_gestures(lua_State* lua, int index, MatchOptions& wanted) {
     if (!lua_istable(lua, index)) fault("gestures must be a list of tables, one for each player");
     index = lua_absindex(lua, index);
@@ -325,7 +325,7 @@ ScriptArm& arm_of(Play& play, std::uint32_t player) {
 
 /// Half width of a device's workspace (m).
 constexpr double arm_reach = 0.3;
-/// Longest delay before the match leaves samples out (s).
+/// Longest delay before the match skips device samples (s).
 constexpr double longest_stall = 0.25;
 
 int verb_reach(lua_State* lua, void* context) {
@@ -383,8 +383,8 @@ struct WizardReader {
 
 vec3 centre(const Play& play, std::uint32_t player) { return part<Motion>(play, player).position; }
 
-/// The last reading of the player's strokes: gesture, force (N), turns, probability. Without a gesture, the name is
-/// missing.
+/// Pushes the last reading of the player's strokes: gesture, force (N), turns, probability. If no gesture was
+/// recognised, its name is missing.
 void push_reading(lua_State* lua, const Play& play, std::uint32_t player) {
     const auto& reading = part<LastReading>(play, player);
     lua_createtable(lua, 0, 5);
@@ -398,8 +398,8 @@ void push_reading(lua_State* lua, const Play& play, std::uint32_t player) {
     arg::set_text(lua, "gesture", name);
 }
 
-/// What a player who casts without a button did last: `cast_at`, and of a near miss `missed_at` (ticks, 0: never), `like`
-/// (a gesture), `probability` and `reason`.
+/// Pushes the results of free casting (without a button): `cast_at`, and for a near miss `missed_at` (ticks,
+/// 0: never), `like` (a gesture), `probability` and `reason`.
 void push_free_casting(lua_State* lua, const Play& play, std::uint32_t player) {
     constexpr std::array reasons{"none", "unclear", "too fast", "too small", "too soon"};
     const auto& world = world_of(play);
@@ -419,8 +419,8 @@ void push_free_casting(lua_State* lua, const Play& play, std::uint32_t player) {
     lua_setfield(lua, -2, "reason");
 }
 
-/// The potions that act on the player, each with its time left (s), and `work_half`: whether the player holds half of the
-/// Great Work.
+/// Pushes the potions that act on the player, each with the time left (s), and `work_half`: whether the
+/// player holds half of the Great Work.
 void push_potions(lua_State* lua, const Play& play, std::uint32_t player) {
     const auto& potions = part<Potions>(play, player);
     const auto played = play.match->match().played;
@@ -431,7 +431,7 @@ void push_potions(lua_State* lua, const Play& play, std::uint32_t player) {
     arg::set_flag(lua, "work_half", potions.work_half != 0);
 }
 
-/// Harm that the wizard's shield still takes (HP).
+/// Harm that the wizard's shield can still absorb (HP).
 double ward(const Play& play, std::uint32_t player) {
     const auto& health = part<Health>(play, player);
     return play.match->match().played < health.ward_until ? health.ward : 0;
@@ -485,7 +485,8 @@ constexpr WizardReader wizard_readers[] = {
                 std::uint32_t i) { arg::push_place(lua, part<HandState>(p, i).device.position); }},
     {"force", [](lua_State* lua, const Play& p,
                  std::uint32_t i) { arg::push_place(lua, part<HandState>(p, i).servo.safety.output); }},
-    // Largest net energy that passive sources gave to the hand, beyond what hand and world gave to them (J).
+    // Largest net energy that passive sources have given to the hand, beyond the energy that hand and world
+    // gave to them (J).
     {"created",
      [](lua_State* lua, const Play& p, std::uint32_t i) {
          lua_pushnumber(lua, part<HandState>(p, i).servo.energy.most_created);

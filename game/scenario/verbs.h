@@ -1,6 +1,6 @@
-// game/scenario/verbs.h: the verbs of scenarios. A scenario acts through the players' own commands and
-// reads what a player could see. Times are seconds of the match. Places are metres, as {x, y, z} or
-// {x = , y = , z = }. Players are 1 and 2.
+// game/scenario/verbs.h: the verbs of scenarios. A scenario acts through the players' own commands and reads
+// what a player could see. Times are seconds of the match. Places are metres, as {x, y, z} or {x = , y = , z
+// = }. Players are 1 and 2.
 //
 //     match{arena = , rules = "thaum" | "classic", match = "quick" | "standard", seed = ,
 //           set = {"quick.kills=1"}, players = {"script", "bot 1"}, forces = {100, 0},
@@ -22,12 +22,12 @@
 //                         draws a list of {t = , x = , y = } with Trace held (s, m)
 //       free_casting()    what was cast or almost cast without a button: {cast_at = , missed_at = , like = , probability = ,
 //                         reason = }
-//       reading()         what was read last: {gesture = (nil: nothing), probability = , force = , turns = , at = }
+//       reading()         the last reading of a stroke: {gesture = (nil: none), probability = , force = , turns = , at = }
 //       look(right, up) in degrees, aim(place | wizard | thing)
 //       trigger(share)    pull of the device's trigger while fire is held, in 0..1
 //       position() (feet), centre(), eye(), velocity(), yaw(), pitch() in rad, health(), energy(), shots(),
 //       readiness() of the wand in hand in 0..1, kills(), deaths(), dead(), grounded(), shielded(),
-//       focus(), ward() (harm that the wizard's shield still takes)
+//       focus(), ward() (harm that the wizard's shield can absorb)
 //       cast(shape [, how])
 //                         draws "circle", "v", "s", "star" or a list of places with Trace held;
 //                         how: {size = width in m, seconds, times = turns in one stroke}
@@ -94,8 +94,8 @@
 //                         plays the same frames again, with and without hearing and feeling; quit: all of it dies then
 //     distance(a, b), length(v), plus(a, b [, share]), dot(a, b), unit(v), log(...)
 //
-// Verbs that set the scene are not actions of a player, so the input alone cannot replay the match. A scenario
-// that uses them leaves no log and cannot use check_seek, check_late, check_threads or check_senses.
+// Verbs that set the scene are not actions of a player, so the input alone cannot replay the match. A
+// scenario that uses them leaves no log and cannot use check_seek, check_late, check_threads or check_senses.
 #pragma once
 #include "game/scenario/sandbox.h"
 

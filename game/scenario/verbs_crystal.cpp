@@ -37,7 +37,8 @@ std::string voxel_hash_of(const ecs::World& world, const Crystal& crystal) {
     return text(hash_bytes(std::as_bytes(colour), hash_bytes(std::as_bytes(density))));
 }
 
-/// Overlap with the key. An untouched crystal counts it only when a hand comes, so it is counted here.
+/// Overlap with the key's shape. For an untouched crystal, the match computes it only when a wizard starts to
+/// carve, so it is computed here.
 double overlap_of(const Crystal& crystal) {
     if (crystal.touched != 0) return crystal.overlap;
     const auto key = key_density(crystal.seed, crystal_side);
@@ -70,7 +71,7 @@ int verb_crystal_density(lua_State* lua, void* context) {
     return 1;
 }
 
-/// The place where a ray meets the surface that the picture shows; nil if it misses.
+/// Verb: the point where a ray meets the surface that the picture shows; nil if the ray misses.
 int verb_crystal_ray(lua_State* lua, void* context) {
     const auto& play = began(context);
     const auto& crystal = touched_crystal(play, lua);
@@ -83,11 +84,12 @@ int verb_crystal_ray(lua_State* lua, void* context) {
     return 1;
 }
 
-/// Largest density of the key in a voxel that clearly lies outside of it.
+/// A voxel in which the key's density is at most this clearly lies outside of the key.
 constexpr float clear_miss = 0.1F;
 
-/// The voxel nearest to a place that is solid and clearly should not be ("melt"), or clearly should be and is not
-/// ("construct"), with that word; nil if there is none. `kind`: one of these words, or nil for both.
+/// Verb: the nearest voxel that is solid and clearly should not be ("melt"), or is not solid and clearly
+/// should be ("construct"), with that word; nil if there is none. `kind`: one of these words, or nil for
+/// both.
 int verb_crystal_fault(lua_State* lua, void* context) {
     auto& play = *static_cast<Play*>(context);
     const auto& crystal = touched_crystal(began(context), lua);
@@ -116,7 +118,8 @@ int verb_crystal_fault(lua_State* lua, void* context) {
     return 2;
 }
 
-/// What a wizard has of crystals: tool, cutting, place of the tool, Lens, seconds of the Great Work.
+/// Verb: state of a wizard's work on crystals: tool, whether it cuts, position of the tool, Lens, time of the
+/// Great Work (s).
 int verb_carver(lua_State* lua, void* context) {
     const auto& play = began(context);
     const auto player = arg::player(lua, 1);
@@ -138,7 +141,7 @@ int verb_carver(lua_State* lua, void* context) {
     return 1;
 }
 
-/// Gives a wizard one half of the Great Work by hand.
+/// Verb that sets the scene: gives a wizard one half of the Great Work.
 int verb_give(lua_State* lua, void* context) {
     auto& play = began(context);
     const auto wizard = wizard_of(world_of(play), arg::player(lua, 1));

@@ -9,7 +9,7 @@ namespace {
 
 namespace arg = arguments;
 
-/// Sets the list of worn modes by name, the oldest first.
+/// Sets the list of active modes by name, the oldest first.
 void set_modes(lua_State* lua, const Play& play, const WornModes& modes) {
     lua_newtable(lua);
     lua_Integer count = 0;
@@ -23,7 +23,7 @@ void set_modes(lua_State* lua, const Play& play, const WornModes& modes) {
     lua_setfield(lua, -2, "modes");
 }
 
-/// What a wizard does at the orb; nil if the wizard does not scry.
+/// Verb: state of a wizard's work at the orb; nil if the wizard does not scry.
 int verb_scrying(lua_State* lua, void* context) {
     const auto& play = began(context);
     const auto player = arg::player(lua, 1);
@@ -43,7 +43,7 @@ int verb_scrying(lua_State* lua, void* context) {
     return 1;
 }
 
-/// Where the core lies in the device frame of a wizard who scries: the place of it that is nearest to the orb's middle,
+/// Verb: the hidden core in the device frame of a wizard who scries: its point nearest to the orb's middle,
 /// and its direction.
 int verb_core(lua_State* lua, void* context) {
     const auto& play = began(context);
@@ -54,7 +54,8 @@ int verb_core(lua_State* lua, void* context) {
     return 2;
 }
 
-/// Strength that a wizard has drawn, or that the rules gave, for a mode's key at a property (N).
+/// Verb: strength of a mode (given by its key) at a property (N), as drawn by the wizard or given by the
+/// rules.
 int verb_curve(lua_State* lua, void* context) {
     const auto& play = began(context);
     const auto player = arg::player(lua, 1);

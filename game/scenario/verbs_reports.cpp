@@ -54,7 +54,7 @@ void set_player(lua_State* lua, const char* key, std::uint32_t player) {
     lua_setfield(lua, -2, key);
 }
 
-/// Sets the names of the ingredients of a told recipe in their order, as a list.
+/// Sets the names of a revealed recipe's ingredients in their order, as a list.
 void set_ingredients(lua_State* lua, const Play& play, const Event& event) {
     const auto words = brew_words_of(*play.data);
     lua_newtable(lua);
@@ -243,7 +243,7 @@ int verb_trace(lua_State* lua, void* context) {
     return 0;
 }
 
-/// Message by which the runner recognises that only the picture function is missing.
+/// Message by which the runner recognises that only a picture function was missing.
 constexpr std::string_view no_pictures = "no picture function here: this scenario needs one that draws";
 
 int verb_on_screen(lua_State* lua, void* context) {

@@ -1,4 +1,4 @@
-// Verbs for what players hear and feel: the cells of a jacket, words, and the mixed sound.
+// Verbs for what players hear and feel: the cells of a jacket, captions, and the mixed sound.
 #include <algorithm>
 #include <cmath>
 
@@ -53,7 +53,7 @@ int verb_senses(lua_State* lua, void* context) {
     return 0;
 }
 
-/// Number of the layout that the second argument names; without one the figure of the view.
+/// Number of the layout named by the second argument; by default that of the figure in the view.
 std::size_t read_layout(lua_State* lua, const PlaySenses& senses) {
     if (lua_isnoneornil(lua, 2)) return 0;
     const auto name = arg::string(lua, 2, "a layout");
@@ -62,7 +62,8 @@ std::size_t read_layout(lua_State* lua, const PlaySenses& senses) {
     return *number;
 }
 
-/// body(n [, layout [, age]]): the cells of a layout. `age`: time since the link to the device died (s).
+/// body(n [, layout [, age]]): the cells of a layout. `age`: time since the connection to the device was lost
+/// (s).
 int verb_body(lua_State* lua, void* context) {
     const auto& senses = sensed(context);
     const auto player = arg::player(lua, 1);
@@ -149,7 +150,7 @@ int verb_sounds(lua_State* lua, void* context) {
     return 1;
 }
 
-/// loopback(name): the sound as the loudspeakers play it, with the name of the sound of the bank that it resembles
+/// loopback(name): the sound as loudspeakers play it, with the name of the known sound that it resembles
 /// most.
 int verb_loopback(lua_State* lua, void* context) {
     auto& senses = mixing(context);
@@ -165,7 +166,7 @@ int verb_loopback(lua_State* lua, void* context) {
 
 // ---- events by hand, and checks -----------------------------------------------------------------------------
 
-/// Sets the scene: records an event that has not happened, to be heard and felt.
+/// Verb that sets the scene: records an event that did not happen, so that it is heard and felt.
 int verb_happen(lua_State* lua, void* context) {
     auto& play = began(context);
     const Options options(lua, 1, "happen", {"kind", "subject", "by", "amount", "at"});

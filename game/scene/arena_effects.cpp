@@ -29,8 +29,8 @@ fmat4 flying(const MissilePicture& missile) {
            looking(std::atan2(-v.x, -v.z), std::atan2(v.y, flat));
 }
 
-/// Scale of a missile. A missile of the viewer starts small and grows, because at full size it would fill the
-/// view.
+/// Scale of a missile. The viewer's own missile starts small and grows, because at full size it would fill
+/// the view.
 float size_of(const Picture& picture, const MissilePicture& missile, std::uint32_t viewer) {
     if (missile.player != viewer || viewer >= players) return 1;
     const double distance = glm::length(missile.position - picture.wizards[viewer].vitals.eye);
@@ -48,12 +48,12 @@ void add_missile(const ArenaScene& arena_scene, const Picture& picture, const Mi
         {.mesh = team.missiles[missile.wand], .model = glm::scale(flying(missile), fvec3(size)), .glow = 1});
 }
 
-/// Adds a small core that fades and a shell that flies as far as the burst reaches. Neither ever fills a
-/// view. The core is limited to a share of the view, and the shell is hidden once it has passed the eye.
+/// Adds a small core that fades and a shell that grows as far as the burst reaches. Neither ever fills a
+/// view: the core is limited to a share of the view, and the shell is hidden once it has passed the eye.
 void add_burst(const ArenaScene& arena_scene, const Picture& picture, const BurstPicture& burst,
                std::uint32_t viewer, std::vector<Instance>& out) {
-    constexpr double most_of_view = 0.15;  // largest core radius as a share of the distance
-    constexpr double past_the_eye = 1.25;  // margin of the shell radius for its thick bars
+    constexpr double most_of_view = 0.15;  // largest core radius as a share of the distance from the eye
+    constexpr double past_the_eye = 1.25;  // factor on the shell's radius that allows for its thick bars
     const auto& team = arena_scene.teams[burst.player % players];
     const auto age = static_cast<float>(std::clamp(burst.age_s / burst_seconds, 0.0, 1.0));
     const auto radius = static_cast<float>(burst.radius);
@@ -81,7 +81,7 @@ void add_painted_brew(const ArenaScene& arena_scene, std::vector<Instance>& out)
                    .glow = glow_share});
 }
 
-/// Distance beyond which a brew at rest looks like the painted one (m).
+/// Distance beyond which a resting brew looks the same as the painted one (m).
 constexpr double brew_seen_from = 14;
 
 bool is_near_brew(const ArenaScene& arena_scene, vec3 eye) {
@@ -89,7 +89,7 @@ bool is_near_brew(const ArenaScene& arena_scene, vec3 eye) {
 }
 
 /// True if the viewer sees the simulated brew and not the painted one. The empty arena behind a menu is seen
-/// from afar.
+/// from far away.
 bool sees_brew(const ArenaScene& arena_scene, const Picture& picture, std::uint32_t viewer) {
     return viewer < players &&
            visible_brew(arena_scene, picture, picture.wizards[viewer].vitals.eye) != nullptr;
@@ -104,8 +104,8 @@ void add_brew_of(const ArenaScene& arena_scene, const Picture& picture, std::uin
     }
 }
 
-/// Adds lights round the rim in the colour of the brew's owner: a plain ring for one team, a zigzag for the other, so
-/// that colour is not needed. The ring empties as the brew spoils.
+/// Adds lights around the rim in the colour of the brew's owner: a plain ring for one team, a zigzag for the
+/// other, so that colour is not needed. The ring empties as the brew spoils.
 void add_owner(const ArenaScene& arena_scene, const Picture& picture, std::vector<Instance>& out) {
     constexpr int lights = 30;
     constexpr float size = 0.05F;
@@ -181,7 +181,7 @@ void add_cauldron(const ArenaScene& arena_scene, const Picture& picture, std::ui
     if (!sees_brew(arena_scene, picture, viewer)) add_bubbles(arena_scene, picture.played_s, out);
 }
 
-/// Wisps swell, drift apart and fade. A lighter brew is hotter and has more of them.
+/// Wisps swell, drift apart and fade. A lighter brew has more of them.
 void add_steam(const ArenaScene& arena_scene, const Picture& picture, std::vector<Instance>& out) {
     if (!arena_scene.bowl) return;
     const double heat = picture.cauldron.there ? picture.cauldron.heat : 0;

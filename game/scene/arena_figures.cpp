@@ -13,22 +13,22 @@ using render::Instance;
 
 namespace {
 
-constexpr double least_share = 0.02;    ///< share of the strongest force; smaller forces are not drawn
+constexpr double least_share = 0.02;    ///< smallest force that is drawn, as a share of the strongest force
 constexpr double ribbon_length = 0.25;  ///< length of the ribbon at the strongest force (m)
 /// Greatest shown displacement of a wand by its hand (m); beyond it hand and wand would leave the picture.
 constexpr double most_reach = 0.22;
 constexpr double most_lower = 0.06;  ///< greatest shown displacement downwards (m)
-/// Growth of the glow at a wand's tip to full charge, in the other player's view, and in the player's own, where it is
-/// near and must not hide the aim.
+/// Growth of the glow at a wand's tip up to full charge: in the other player's view, and in the player's own
+/// view, where the glow is near and must not hide the target.
 constexpr double foe_growth = 3.5, own_growth = 1.2;
-/// A carried ingredient: its place above a player's own wand hand, which is in the picture of every shape of view (eye
-/// frame), its place in the free hand that the other player sees (frame of the feet), and its scales.
+/// A carried ingredient: its position above the player's own wand hand, visible at every aspect ratio (eye
+/// frame), its position in the free hand as the other player sees it (frame of the feet), and its scales.
 constexpr fvec3 carried_at{0.27F, -0.14F, -0.6F}, foe_carried_at{-0.42F, 1.0F, -0.27F};
 constexpr float carried_scale = 0.15F, foe_carried_scale = 0.45F;
 
-/// Displacement at which a player's own wand is drawn, of a displacement by its hand (m, eye frame). The hand rests near
-/// the lower edge of the picture. So a lowered hand is drawn only a little lower, and what is drawn back comes nearer
-/// along the ray from the eye through the hand.
+/// Displacement with which a player's own wand is drawn, from the actual displacement by the hand (m, eye
+/// frame). The hand rests near the lower edge of the picture, so a lowered hand is drawn only a little lower.
+/// A hand that is drawn back comes nearer along the ray from the eye through the hand.
 vec3 drawn_reach(vec3 reach) {
     const double lower = std::max(0.0, -reach.y);
     if (lower > 0) reach.y = -most_lower * lower / (most_lower + lower);
@@ -44,8 +44,8 @@ vec3 own_tip(const PlayerPicture& p) { return wand_tip + drawn_reach(p.wand.reac
 
 namespace {
 
-/// Rotation of the wand and the hand about the wand's tip, as the stylus turns them (eye frame). The angle is
-/// limited, because the hand would leave the arm at larger angles.
+/// Rotation of the wand and the hand about the wand's tip, following the stylus (eye frame). The angle is
+/// limited, because at larger angles the hand would separate from the arm.
 fmat4 stylus_turned(const PlayerPicture& p) {
     constexpr double most = 0.7;  // rad
     const vec3 by = limited(p.wand.turn, most);
@@ -77,7 +77,7 @@ void add_figure(const ArenaScene& arena_scene, std::uint32_t number, const Playe
 
 namespace {
 
-/// The glow at a wand's tip. It grows by `growth` with the wand's charge.
+/// The glow at a wand's tip. Full charge enlarges it by `growth`.
 Instance spark_at(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
                   const fmat4& tip, double growth) {
     const auto size = static_cast<float>(1 + growth * p.wand.readiness);
@@ -149,7 +149,7 @@ fvec3 tint_of(const ForcePicture& force) {
     return shown * shown;  // converts screen colours to linear light
 }
 
-/// Adds a coil spring from a point along a way. Its turns lie closer the shorter it is.
+/// Adds a coil spring from a point along a vector. The shorter the spring, the closer its turns.
 void add_coil(const ArenaScene& arena_scene, vec3 from, vec3 way, fvec3 tint, std::vector<Instance>& out) {
     constexpr int turns = 5, steps = 8 * turns;
     constexpr double radius = 0.022;  // radius of the coil (m)

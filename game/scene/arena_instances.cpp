@@ -57,7 +57,7 @@ const ArenaScene::Meshes* find_kind(const ArenaScene& arena_scene, const ThingPi
     return nullptr;
 }
 
-/// Adds a thing that the arena does not have, such as one of a scenario, by its bare shape.
+/// Adds a thing that is not in the arena's file, such as one added by a scenario, as its plain shape.
 void add_unknown(const ArenaScene& arena_scene, const ThingPicture& thing, std::vector<Instance>& out) {
     const auto shape = static_cast<std::size_t>(thing.key.shape);
     if (shape >= arena_scene.unit_shapes.size()) return;
@@ -70,7 +70,7 @@ void add_unknown(const ArenaScene& arena_scene, const ThingPicture& thing, std::
                    .model = glm::scale(placed(thing.position, thing.orientation), scale)});
 }
 
-/// Returns the highest ground below a place, or null.
+/// Returns the highest ground below a position, or null.
 const ArenaScene::Ground* ground_below(const ArenaScene& arena_scene, vec3 at) {
     const ArenaScene::Ground* best = nullptr;
     for (const auto& g : arena_scene.grounds) {
@@ -82,7 +82,8 @@ const ArenaScene::Ground* ground_below(const ArenaScene& arena_scene, vec3 at) {
     return best;
 }
 
-/// True if the ground's plane lies under the whole rim, so that no shade hangs over an edge.
+/// Whether the ground's plane lies under the whole rim of a shade, so that the shade does not extend over an
+/// edge.
 bool lies_flat(const ArenaScene& arena_scene, const ArenaScene::Ground& ground, vec3 centre, double radius) {
     for (const vec3 way : {vec3(1, 0, 0), vec3(-1, 0, 0), vec3(0, 0, 1), vec3(0, 0, -1)}) {
         const vec3 rim = centre + radius * way;
@@ -124,11 +125,11 @@ void add_thing(const ArenaScene& arena_scene, const ThingPicture& thing, std::ve
         add(*kind, model, out);
     else
         add_unknown(arena_scene, thing, out);
-    // The test point lies 0.1 m up, since a flat thing lies inside the ground block.
+    // The tested point is 0.1 m above the position, because a flat thing lies inside the ground's block.
     set_sun(arena_scene, thing.position + vec3(0, 0.1, 0), std::span(out).subspan(first));
 }
 
-/// Makes a thing stand out that the viewer's wand would take up.
+/// Brightens a thing that the viewer's wand would take hold of.
 void light_up(std::span<Instance> of) {
     for (auto& instance : of) {
         instance.tint *= 1.3F;
@@ -142,7 +143,8 @@ bool is_target(const Target& target, const ThingPicture& thing) {
            target.thing.index == thing.entity;
 }
 
-/// Adds a cage of the viewer's mark round an anchor, at least as wide as a share of its distance.
+/// Adds a cage in the form of the viewer's team mark around an anchor, at least as wide as a share of its
+/// distance.
 void add_anchor_mark(const ArenaScene& arena_scene, const ThingPicture& thing, std::uint32_t viewer, vec3 eye,
                      std::vector<Instance>& out) {
     constexpr double round_anchor = 3.2, least_share = 0.04;
@@ -161,7 +163,7 @@ void add_contact_shades(const ArenaScene& arena_scene, const Picture& picture, s
         if (thing.fixed || thing.key.shape == physics::Shape::mesh) continue;
         const bool box = thing.key.shape == physics::Shape::box;
         const vec3 size = box ? thing.key.size : vec3(thing.key.size.x, thing.key.size.y, thing.key.size.x);
-        // A round shade does not fit a long plank.
+        // A round contact shade does not suit a long plank.
         if (std::max(size.x, size.z) > 2) continue;
         const double height = thing.key.shape == physics::Shape::sphere ? size.x : size.y;
         add_contact_shade(arena_scene, thing.position, 1.35 * std::hypot(size.x, size.z), height, out);
@@ -190,7 +192,7 @@ std::span<const render::Block> blocks_seen_from(const ArenaScene& arena_scene, v
     return within ? std::span<const render::Block>(arena_scene.blocks) : std::span<const render::Block>();
 }
 
-/// The stroke that a wizard draws, and the thing that a spell calls back.
+/// Adds the stroke that a wizard draws, and the thing that a spell recalls.
 void add_magic(const ArenaScene& arena_scene, std::uint32_t player, const PlayerPicture& wizard, bool own,
                std::vector<Instance>& out) {
     add_stroke_of(arena_scene, player, wizard, own, out);

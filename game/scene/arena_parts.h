@@ -1,26 +1,26 @@
-// game/scene/arena_parts.h: how the parts of an arena's picture become instances of its meshes. Only the sources of
-// ArenaScene include this file.
+// game/scene/arena_parts.h: converts the parts of an arena's picture to instances of its meshes. Only the
+// sources of ArenaScene include this file.
 #pragma once
 #include "game/scene/arena_scene.h"
 
 namespace thaum::game {
 
-/// Share of their own light that surfaces have which shine and are lit as well.
+/// Share of their own light that surfaces emit if they both shine and are lit.
 inline constexpr float glow_share = 0.85F;
 
-/// Model matrix of a thing at a place.
+/// Model matrix of a thing at a position.
 fmat4 placed(vec3 position, quat orientation);
-/// Rotation of somebody who looks in a direction (rad).
+/// Rotation of a figure that looks in a direction (rad).
 fmat4 looking(double yaw, double pitch);
 
 /// A ball of light with this radius (m). `tint` is its colour (linear light), `glow` its brightness.
 render::Instance bead_at(const ArenaScene& arena_scene, vec3 place, float radius, fvec3 tint, float glow);
 
-/// Sets whether the sun reaches each instance, for pictures without a shadow map. Fixed things have baked light
-/// instead.
+/// Sets whether the sun reaches each instance, for pictures without a shadow map. Fixed things have baked
+/// light instead.
 void set_sun(const ArenaScene& arena_scene, vec3 at, std::span<render::Instance> of);
 
-// Wizards (arena_figures.cpp). `number` is the player's.
+// Functions that add wizards (arena_figures.cpp). `number`: number of the player.
 
 /// Adds body, arm and wand, as the other player sees them and as they cast shadows.
 void add_figure(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
@@ -31,48 +31,48 @@ void add_glow(const ArenaScene& arena_scene, std::uint32_t number, const PlayerP
 /// Adds arm and wand as the player sees its own.
 void add_own_arm(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
                  std::vector<render::Instance>& out);
-/// Adds the way of the shot that the player is drawing, and the spring of the drawn wand.
+/// Adds the path of the shot that the player is drawing, and the spring of the drawn wand.
 void add_drawn_shot(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
                     std::vector<render::Instance>& out);
 /// Adds a straight beam of light of this thickness (m). `tint` is its colour (linear light).
 void add_beam(const ArenaScene& arena_scene, vec3 from, vec3 to, double thick, fvec3 tint,
               std::vector<render::Instance>& out);
-/// Adds the spring from the wand to a held object. In a player's own view it also adds the force on the hand, at the
-/// wand's tip.
+/// Adds the spring from the wand to a held object. In a player's own view it also adds the force on the hand,
+/// at the wand's tip.
 void add_forces(const ArenaScene& arena_scene, const PlayerPicture& p, bool own,
                 std::vector<render::Instance>& out);
 
-// Strokes and spells (arena_spells.cpp).
+// Functions that add strokes and spells (arena_spells.cpp).
 
-/// Adds the trail of a stroke: at the wand of another player, and of any player on the brew.
+/// Adds the trail of a stroke: for another player, at the wand; on the brew, for any player.
 void add_stroke_of(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p, bool own,
                    std::vector<render::Instance>& out);
 /// Adds a chain of lights from a recalled thing to its wizard.
 void add_recall(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
                 std::vector<render::Instance>& out);
-/// Adds the bars of a shield's shell. The less it can still take, the lower they are.
+/// Adds the bars of a shield's shell. They are lower the less harm the shield can still absorb.
 void add_shell(const ArenaScene& arena_scene, const PlayerPicture& p, double time,
                std::vector<render::Instance>& out);
-/// Adds the shimmer of that shell, for ViewScene::mists.
+/// Adds the shimmer of a shield's shell, for ViewScene::mists.
 void add_shell_mist(const ArenaScene& arena_scene, const PlayerPicture& p,
                     std::vector<render::Instance>& out);
 /// Adds the clouds of fog, and the dust of pushes, for ViewScene::mists.
 void add_fog(const ArenaScene& arena_scene, const Picture& picture, std::vector<render::Instance>& out);
 void add_dust(const ArenaScene& arena_scene, const Picture& picture, std::vector<render::Instance>& out);
 
-// Everything that flies, boils or glows (arena_effects.cpp).
+// Functions that add effects: missiles, bursts, steam and glow (arena_effects.cpp).
 
 void add_missile(const ArenaScene& arena_scene, const Picture& picture, const MissilePicture& missile,
                  std::uint32_t viewer, std::vector<render::Instance>& out);
 void add_burst(const ArenaScene& arena_scene, const Picture& picture, const BurstPicture& burst,
                std::uint32_t viewer, std::vector<render::Instance>& out);
-/// Adds an ingredient about its place (ingredient_shapes.h). `scale` is 1 in a niche, `paint` its colour (linear
-/// light).
+/// Adds an ingredient around its position (ingredient_shapes.h). `scale` is 1 in a niche, `paint` its colour
+/// (linear light).
 void add_ingredient(const ArenaScene& arena_scene, const fmat4& place, float scale, IngredientShape shape,
                     fvec3 paint, std::vector<render::Instance>& out);
 /// Height of an ingredient above the ground of its niche (m).
 inline constexpr float niche_height = 0.5F;
-/// Adds the ingredients that wait at their niches.
+/// Adds the ingredients that lie ready at their niches.
 void add_niches(const ArenaScene& arena_scene, const Picture& picture, std::vector<render::Instance>& out);
 /// Adds the shape of the next stroke on the brew, for a wizard who stirs (ghost_stroke.cpp).
 void add_ghost_stroke(const ArenaScene& arena_scene, const Picture& picture, std::uint32_t player,
@@ -81,7 +81,7 @@ void add_ghost_stroke(const ArenaScene& arena_scene, const Picture& picture, std
 /// (stations_scene.cpp).
 void add_stations(const ArenaScene& arena_scene, const Picture& picture, std::uint32_t viewer,
                   std::vector<render::Instance>& out);
-/// Adds the reach of tools in crystals, for ViewScene::mists.
+/// Adds the range in which tools act on crystals, for ViewScene::mists.
 void add_tool_mists(const ArenaScene& arena_scene, const Picture& picture,
                     std::vector<render::Instance>& out);
 /// Adds the brew with ladles, embers and bubbles.

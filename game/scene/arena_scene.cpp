@@ -33,7 +33,7 @@ bool is_masonry(const Thing& thing) {
     return !thing.prop && thing.body.shape == physics::Shape::box && thing.surface != Surface::crystal;
 }
 
-/// Makes the meshes of a fixed thing. Masonry goes into `stone` instead.
+/// Makes the meshes of a fixed thing. Masonry is added to `stone` instead.
 ArenaScene::Solid make_solid(render::Renderer& renderer, const Shade& shade, const Arena& arena,
                              const Thing& thing, render::Patchwork& stone) {
     ArenaScene::Solid solid{key_of(thing), thing.position, {}};
@@ -72,7 +72,7 @@ ArenaScene::Team make_team(render::Renderer& renderer, const Presentation& shown
             .plate = upload(renderer, start_plate(team))};
 }
 
-/// The top of a box, or the slope through the highest vertices of a ramp.
+/// The surface to stand on: the top of a box, or the slope through the highest vertices of a ramp.
 ArenaScene::Ground ground_of(const Thing& thing, const Arena& arena) {
     if (thing.body.shape != physics::Shape::mesh) {
         const auto high = thing.position + thing.body.size;
@@ -89,9 +89,10 @@ ArenaScene::Ground ground_of(const Thing& thing, const Arena& arena) {
             along_x ? std::copysign(rise, top.x) : 0, along_x ? 0 : std::copysign(rise, top.z)};
 }
 
-/// Adds the block with which a fixed box hides things. It is a little smaller than the masonry, whose blocks
-/// are bevelled and sunk. At the border of the arena it is endless, since a viewer inside sees only stone
-/// there. So one block covers a cell of the sky over a corner of two walls, or over the foot of a wall.
+/// Adds the block with which a fixed box occludes things. It is a little smaller than the masonry, whose
+/// stones are bevelled and sunk. At the border of the arena the block is endless, since a viewer inside sees
+/// only stone there. So one block hides a cell of the sky over a corner of two walls, or over the foot of a
+/// wall.
 void add_block(const Thing& thing, ArenaScene& arena_scene) {
     constexpr double less = 0.12, endless = 1000;  // m
     const vec3 half = thing.body.size - less;
@@ -110,7 +111,7 @@ void add_block(const Thing& thing, ArenaScene& arena_scene) {
     arena_scene.blocks.push_back(block);
 }
 
-/// Adds the light of a thing that gives light.
+/// Adds the light of a thing that emits light.
 void add_light_of(const Thing& thing, ArenaScene& arena_scene) {
     const fvec3 at(thing.position);
     if (thing.surface == Surface::bowl) {
@@ -124,8 +125,8 @@ void add_light_of(const Thing& thing, ArenaScene& arena_scene) {
         arena_scene.lights.push_back({at + fvec3(0, 0.6F, 0), 1.8F * colour(0x50D0F0), 7});
 }
 
-/// Takes the painted insides of the orb and the crystals out of the meshes that are always drawn, where there is a flow
-/// or a body instead.
+/// Removes the painted insides of the orb and the crystals from the meshes that are always drawn, if the
+/// match has a simulated flow or crystal instead.
 void add_station(render::Renderer& renderer, const MatchData& data, const Thing& thing,
                  ArenaScene& arena_scene) {
     auto& meshes = arena_scene.solids.back().meshes;
@@ -139,7 +140,8 @@ void add_station(render::Renderer& renderer, const MatchData& data, const Thing&
     }
 }
 
-/// Adds a thing with its meshes, its light, the block with which it hides others, and the ground on it.
+/// Adds a thing with its meshes, its light, the block with which it occludes others, and the ground on top of
+/// it.
 void add_thing(render::Renderer& renderer, const MatchData& data, const Thing& thing,
                render::Patchwork& stone, ArenaScene& arena_scene) {
     const auto& arena = data.arena;
@@ -157,7 +159,7 @@ void add_thing(render::Renderer& renderer, const MatchData& data, const Thing& t
         arena_scene.grounds.push_back(ground_of(thing, arena));
 }
 
-/// Adds the meshes of effects, the same in every arena.
+/// Adds the meshes of effects, which are the same in every arena.
 void add_effects(render::Renderer& renderer, ArenaScene& arena_scene) {
     arena_scene.runes = renderer.upload_with_copies(rune_circle(2.1F));
     arena_scene.bubble = renderer.upload_with_copies(render::sphere(1, 8, colour(0xFFB048)));

@@ -1,5 +1,5 @@
-// game/scene/arena_scene.h: the arena as meshes and lights, made once per arena. After that, any thread can
-// turn a Picture into instances of these meshes without OpenGL.
+// game/scene/arena_scene.h: the arena as meshes and lights, created once per arena. Afterwards any thread can
+// convert a Picture to instances of these meshes without OpenGL.
 #pragma once
 #include <memory>
 #include <optional>
@@ -26,8 +26,8 @@ struct ArenaScene {
         ShapeKey key;
         Meshes meshes;
     };
-    /// A thing that never moves. Its meshes contain the baked light of its place, so the place is part of the
-    /// key. The meshes of masonry are empty, because masonry is part of `stone`.
+    /// A thing that never moves. Its meshes contain the light baked at its position, so the position is part
+    /// of the key. Masonry has no meshes here, because it is part of `stone`.
     struct Solid {
         ShapeKey key;
         vec3 position{};
@@ -35,13 +35,13 @@ struct ArenaScene {
     };
     struct Team {
         render::MeshId figure{}, fallen{}, arm{}, own_arm{}, spark{}, burst{}, shield{};
-        std::vector<render::MeshId> missiles;  ///< by number of the wand
+        std::vector<render::MeshId> missiles;  ///< meshes of missiles, by number of the wand
         Meshes plate;
     };
 
-    /// A surface to stand on: the top of a box or the slope of a ramp.
+    /// Ground to stand on: the top of a box or the slope of a ramp.
     struct Ground {
-        vec3 low{}, high{};  ///< bounding box (m)
+        vec3 low{}, high{};  ///< bounding box of the ground (m, world)
         double height{};     ///< height in the middle (m)
         double slope_x{}, slope_z{};
         double height_at(vec3 p) const;
@@ -51,24 +51,26 @@ struct ArenaScene {
     std::vector<Kind> kinds;
     std::array<Team, players> teams{};
     Meshes neutral_plate;
-    Meshes anchor;                      ///< mesh of radius 1 m
+    Meshes anchor;                      ///< mesh of an anchor with a radius of 1 m
     render::MeshId stone{}, lamps{};    ///< masonry with decoration, and lamps (world frame)
-    std::vector<render::MeshId> wands;  ///< by number of the wand, as in Presentation::wands
+    std::vector<render::MeshId> wands;  ///< meshes of wands, by number of the wand as in Presentation::wands
     render::MeshId skyline{}, runes{}, ember{}, bubble{};
     render::MeshId beam{}, bead{};  ///< white meshes: 1 m along -z with radius 1 m; a ball of radius 1 m
-    std::array<render::MeshId, ingredient_shapes> ingredients{};  ///< by IngredientShape; white
-    render::MeshId contact{};                                     ///< contact shade below things and wizards
-    /// Meshes for things that the arena does not have, by physics::Shape.
+    /// White meshes of ingredients, by IngredientShape.
+    std::array<render::MeshId, ingredient_shapes> ingredients{};
+    render::MeshId contact{};  ///< contact shade below things and wizards
+    /// Meshes for things that are not in the arena's file, by physics::Shape.
     std::array<render::MeshId, 4> unit_shapes{};
     PowerUpMeshes power_ups;
     std::vector<Ground> grounds;
     std::vector<render::Block> blocks;       ///< masonry that hides things from viewers inside the arena
-    Shade shade;                             ///< shade, for testing whether the sun reaches a moving thing
+    Shade shade;                             ///< data for testing whether the sun reaches a moving thing
     std::vector<render::PointLight> lights;  ///< fixed lights; the cauldron's is the first
     std::optional<vec3> bowl;                ///< centre of the cauldron
     double rim_radius{}, rim_height{};  ///< rim of the cauldron's bowl: radius, and height above `bowl` (m)
-    std::optional<render::MeshId> painted_brew;  ///< self-lit mesh for a bowl without a simulated brew
-    /// Brew of the drawing thread, refreshed as the brew moves; null: no simulated brew.
+    /// Self-lit mesh of a painted brew, for a bowl without a simulated one.
+    std::optional<render::MeshId> painted_brew;
+    /// Look of the brew, used and refreshed by the drawing thread; null: no simulated brew.
     std::shared_ptr<BrewLook> brew;
     std::shared_ptr<OrbLook> orb;  ///< look of the orb, refreshed like `brew`; null: no orb with a flow
     /// Looks of the crystals that can be carved, refreshed like `brew`, in the order of Picture::crystals.
@@ -81,20 +83,20 @@ struct ArenaScene {
 /// Uploads all meshes that the arena needs. The renderer's context must be current.
 ArenaScene make_arena_scene(render::Renderer& renderer, const MatchData& data);
 
-/// Adds all instances that `viewer` sees: all but the viewer's own figure, plus the viewer's own arm with the
-/// wand. no_player: all figures.
+/// Adds all instances that `viewer` sees: everything except the viewer's own figure, plus the viewer's own
+/// arm with the wand. no_player: everything.
 void add_instances(const ArenaScene& arena_scene, const Picture& picture, std::uint32_t viewer,
                    std::vector<render::Instance>& out);
 
 /// Refreshes the look of the brew if it has moved and a player is near enough to see it.
 void show_brew_near(const ArenaScene& arena_scene, const Picture& picture, const BrewOverlay& overlay);
 
-/// Refreshes the looks of the orb and the crystals as far as a player is near enough to see a difference.
+/// Refreshes the looks of the orb and the crystals, as far as a player is near enough to see a difference.
 void show_stations(const ArenaScene& arena_scene, const Picture& picture);
-/// Adds the crystals that are near an eye, for ViewScene::scans.
+/// Adds the crystals that are near the eye, for ViewScene::scans.
 void add_crystals(const ArenaScene& arena_scene, const Picture& picture, vec3 eye,
                   std::vector<render::Scan>& out);
-/// Adds the meshes of both that may have changed, for Frame::changes.
+/// Adds the meshes of orb and crystals that may have changed, for Frame::changes.
 void add_mesh_changes(const ArenaScene& arena_scene, std::vector<render::MeshChange>& out);
 
 /// Returns the volume of the simulated brew. Returns null if there is none, or if it is too far away to look
@@ -106,14 +108,15 @@ std::span<const render::Block> blocks_seen_from(const ArenaScene& arena_scene, v
 
 /// Adds the steam over the brew, for ViewScene::mists.
 void add_steam(const ArenaScene& arena_scene, const Picture& picture, std::vector<render::Instance>& out);
-/// Adds what spells leave in the air, for ViewScene::mists. The viewer's own shield is left out.
+/// Adds the visible traces of spells in the air, for ViewScene::mists, except the viewer's own shield.
 void add_spell_mists(const ArenaScene& arena_scene, const Picture& picture, std::uint32_t viewer,
                      std::vector<render::Instance>& out);
-/// Adds soft shades on the ground, ramps included, below all that stands in the light of the sky.
+/// Adds soft shades on the ground, also on ramps, below everything that blocks the light of the sky.
 void add_contact_shades(const ArenaScene& arena_scene, const Picture& picture,
                         std::vector<render::Instance>& out);
 
-/// Adds all casters of sun shadows: `fixed` never moves; `moving` is the rest, the same for every viewer.
+/// Adds all objects that cast sun shadows: `fixed` ones never move; `moving` ones are the same for every
+/// viewer.
 void add_casters(const ArenaScene& arena_scene, const Picture& picture, std::vector<render::Instance>& fixed,
                  std::vector<render::Instance>& moving);
 

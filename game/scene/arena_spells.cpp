@@ -15,27 +15,29 @@ using render::Instance;
 
 namespace {
 
-// Strokes ----------------------------------------------------------------------------------------------------
+// Strokes
+// ----------------------------------------------------------------------------------------------------
 
-/// Size of a stroke in the world, as a multiple of the hand's way. A circle of 8 cm is 40 cm wide.
+/// Size of a stroke in the world relative to the hand's motion. A circle of 8 cm is 40 cm wide.
 constexpr double stroke_scale = 5;
-/// Most pieces of a stroke in the world.
+/// Maximum number of pieces of a stroke in the world.
 constexpr std::size_t most_pieces = 40;
 
-/// Light of a stroke (linear): the team's while it is drawn, then green if it was read, or grey.
+/// Light of a stroke (linear): the team's colour during the stroke, then green if it was recognised, else
+/// grey.
 fvec3 light_of(const StrokePicture& stroke, std::uint32_t team) {
     const auto left = static_cast<float>(1 - stroke.since_end_s / stroke_fade_seconds);
     if (stroke.drawing) return 1.4F * team_colours(team).light;
     return std::clamp(left, 0.0F, 1.0F) * (stroke.read ? colour(0x5CFF80) : colour(0x807C88));
 }
 
-/// Whether a piece is left out, because the stroke was not read and breaks up.
+/// Whether a piece is left out, because the stroke was not recognised and breaks up.
 bool is_gone(const StrokePicture& stroke, std::uint32_t piece) {
     if (stroke.drawing || stroke.read) return false;
     return piece % 5 < 1 + static_cast<std::uint32_t>(3 * stroke.since_end_s / stroke_fade_seconds);
 }
 
-/// Adds the pieces of a stroke. `place` gives the place of a point by its number (m, world).
+/// Adds the pieces of a stroke. `place` gives the position of a point by its number (m, world).
 template <class Place>
 void add_pieces(const ArenaScene& arena_scene, const StrokePicture& stroke, std::uint32_t team, double thick,
                 Place place, std::vector<Instance>& out) {
@@ -84,13 +86,14 @@ void add_recall(const ArenaScene& arena_scene, std::uint32_t number, const Playe
     }
 }
 
-// The shield -------------------------------------------------------------------------------------------------
+// The shield
+// -------------------------------------------------------------------------------------------------
 
 namespace {
 
-constexpr fvec3 shell_size{0.72F, 1.12F, 0.72F};  ///< half axes of the shell (m)
+constexpr fvec3 shell_size{0.72F, 1.12F, 0.72F};  ///< half axes of a shield's shell (m)
 
-/// Brightness of a shell that flashes because it took harm, 0 to 1.
+/// Brightness of a shell that flashes because it absorbed harm, 0 to 1.
 float flash_of(const CastingPicture& casting) {
     return static_cast<float>(std::clamp(1 - casting.since_flash_s / flash_apart_seconds, 0.0, 1.0));
 }
@@ -125,13 +128,14 @@ void add_shell_mist(const ArenaScene& arena_scene, const PlayerPicture& p, std::
                    .glow = 0.12F + 0.2F * share});
 }
 
-// Fog and dust -----------------------------------------------------------------------------------------------
+// Fog and dust
+// -----------------------------------------------------------------------------------------------
 
 void add_fog(const ArenaScene& arena_scene, const Picture& picture, std::vector<Instance>& out) {
     constexpr int balls = 20;
     for (const auto& fog : picture.fogs) {
         for (int i = 0; i < balls; ++i) {
-            // Places on a spiral over a half ball, so that the cloud has no holes from any side.
+            // Positions on a spiral over a hemisphere, so that the cloud has no holes from any side.
             const double up = (i + 0.5) / balls, angle = 2.399963 * i + 0.05 * picture.played_s;
             const double out_by = (i % 4 == 0 ? 0.2 : 0.62) * std::sqrt(1 - up * up);
             const vec3 way(out_by * std::cos(angle), 0.6 * up - 0.25, out_by * std::sin(angle));

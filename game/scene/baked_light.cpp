@@ -6,8 +6,9 @@
 namespace thaum::game {
 namespace {
 
-constexpr double corner_reach = 2;       // stone farther away takes no light from a point (m)
-constexpr double corner_strength = 0.9;  // a dark corner still gets light reflected by other stone
+constexpr double corner_reach = 2;  // distance beyond which stone does not darken a point (m)
+// Less than 1, because a dark corner still gets light reflected by other stone.
+constexpr double corner_strength = 0.9;
 constexpr float lamp_from_wall = 0.35F;  // distance of a lamp from its wall (m)
 const fvec3 lamp_glow = fvec3(5.2F, 2.5F, 0.85F);
 
@@ -19,7 +20,7 @@ render::Block near_part(const render::Block& block, vec3 point) {
 /// Share of the sky that nearby blocks leave open. The shares of two blocks are multiplied, which is exact
 /// for blocks at right angles.
 double open_sky(const Shade& shade, vec3 point, vec3 normal) {
-    // The point is moved off the surface, so that a block that touches it counts.
+    // The point is moved off the surface, so that a block that touches the surface counts.
     const vec3 start = point + 0.03 * normal;
     double open = 1;
     for (const auto& block : shade.blocks) {
@@ -30,7 +31,7 @@ double open_sky(const Shade& shade, vec3 point, vec3 normal) {
     return open;
 }
 
-/// Light of the wall lamps. It falls with the square of the distance.
+/// Light of the wall lamps, which falls with the square of the distance.
 fvec3 lamp_light(const Shade& shade, vec3 point, fvec3 normal) {
     fvec3 light(0);
     for (const fvec3 lamp : shade.lamps) {

@@ -1,5 +1,6 @@
-// game/scene/baked_light.h: constant light of an arena, computed once: the open share of the sky, the lamps, the
-// darker depth, and whether the low sun arrives. The last is for pictures without a shadow map.
+// game/scene/baked_light.h: constant light of an arena, computed once for each vertex: visible share of the
+// sky, light of lamps, darkening with depth, and whether the low sun is visible. The last is used for
+// pictures without a shadow map.
 #pragma once
 #include <vector>
 
@@ -10,7 +11,7 @@
 
 namespace thaum::game {
 
-/// Blockers of light: the fixed boxes of the arena.
+/// Everything that blocks light: the fixed boxes of the arena.
 struct Shade {
     std::vector<render::Block> blocks;
     std::vector<fvec3> lamps;  ///< positions of the lamps (m, world)
@@ -21,7 +22,7 @@ struct Shade {
 };
 Shade make_shade(const Arena& arena, const ArenaLook& look);
 
-/// True if a point lies within the inner bounds, at any height. `margin` widens the bounds (m).
+/// Whether a point lies within the inner bounds, at any height. `margin` widens the bounds (m).
 bool is_inside(const Shade& shade, vec3 point, double margin = 0);
 
 /// Constant light at a vertex, in the form of render::Vertex.
@@ -33,7 +34,7 @@ struct BakedLight {
 /// Constant light at a point with a unit normal (world frame).
 BakedLight baked_light(const Shade& shade, vec3 point, fvec3 normal);
 
-/// True if nothing stands between the point and the sun.
+/// Whether nothing stands between the point and the sun.
 bool sees_sun(const Shade& shade, vec3 point);
 
 /// Bakes the light into all vertices of a mesh at `position`.

@@ -11,11 +11,11 @@
 namespace thaum::game {
 namespace {
 
-constexpr double still = 1e-3;                         // slower flow is not drawn (m/s)
+constexpr double still = 1e-3;                         // speed below which flow is not drawn (m/s)
 constexpr double full_speed = 1.5;                     // speed of the longest and brightest arrow (m/s)
 constexpr double arrow_spacing = 0.26;                 // distance between arrows (m)
-constexpr double line_length = 1.6, line_step = 0.08;  // length of a line and of one step (m)
-constexpr float thread_width = 0.011F;                 // width at the head of a line (m)
+constexpr double line_length = 1.6, line_step = 0.08;  // length of a streamline, and of one step along it (m)
+constexpr float thread_width = 0.011F;                 // width at the head of a streamline (m)
 constexpr float tail = 0.4F;                           // width at the tail, as a share of the head's
 
 field::StaggeredGrid flow_of(const BrewPicture& picture) {
@@ -26,12 +26,12 @@ field::StaggeredGrid flow_of(const BrewPicture& picture) {
     return grid;
 }
 
-/// True if the place lies in the brew and away from the wall (brew's frame).
+/// Whether a position lies in the brew and away from the wall (m, brew frame).
 bool in_brew(const BrewPlace& place, vec3 at) {
     return at.y < 0 && off_axis(at) < 0.95 * width_at(place.basin, at.y);
 }
 
-/// Places a mesh at `at`, turns -z to `way` and stretches it to `length`.
+/// Moves a mesh to `at`, turns its -z axis to `way` and stretches it to `length`.
 fmat4 along(vec3 at, vec3 way, double length, double width) {
     const double flat = std::hypot(way.x, way.z);
     const auto turn = look_rotation(std::atan2(-way.x, -way.z), std::atan2(way.y, flat));
@@ -48,7 +48,8 @@ fvec3 speed_colour(double speed) {
 
 void follow(const BrewPicture& picture, vec3 from, double length, double step, std::vector<vec3>& out) {
     const auto flow = flow_of(picture);
-    // The integration runs over arc length, not time. Slow and fast flow are then drawn with equal detail.
+    // The integration uses equal steps of arc length, not of time, so that slow and fast flow are drawn with
+    // equal detail.
     bool moves = true;
     const auto towards = [&](vec3 at) {
         const vec3 v = flow(at).value;
@@ -97,7 +98,8 @@ void add_streamlines(const BrewPicture& picture, const BrewPlace& place, const B
     const auto flow = flow_of(picture);
     const vec3 corner = corner_of(picture, place);
     std::vector<vec3> line;
-    // Sunflower seeds on three layers: they cover the disc evenly, and no seed lies above another.
+    // The seeds of streamlines are arranged like sunflower seeds, in three layers: they cover the disc
+    // evenly, and none lies above another.
     constexpr int seeds = 30;
     for (int s = 0; s < seeds; ++s) {
         const double out_by = 0.9 * std::sqrt((s + 0.5) / seeds), angle = s * pi * (3 - std::sqrt(5.0));

@@ -15,14 +15,15 @@ using render::MeshData;
 using render::translated;
 
 constexpr float right_angle = 1.5707963F;
-constexpr float thickness = 9;                            // optical thickness (1/m)
-constexpr float thickness_with_flow = 3.5F;               // optical thickness with arrows shown (1/m)
+constexpr float thickness = 9;  // opacity of the volume: optical thickness per length (1/m)
+// Optical thickness per length while arrows or streamlines are shown, which must stay visible (1/m).
+constexpr float thickness_with_flow = 3.5F;
 constexpr double rod_radius = 0.022, cup_radius = 0.085;  // radii of the ladle's rod and cup (m)
-/// Margin of the volume's radius. Rays end at the opaque bowl, so the volume must cover all of the bowl's
-/// inside.
+/// Factor by which the volume is wider than the brew. Rays end at the opaque bowl, so the volume must cover
+/// the bowl's whole inside.
 constexpr float beyond_wall = 1.4F;
 
-/// Turns a mesh that stands along +y so that it lies along -z from the origin.
+/// Rotates a mesh that stands along +y so that it lies along -z, starting at the origin.
 MeshData laid(const MeshData& mesh) {
     return render::transformed(mesh, render::rotated({1, 0, 0}, -right_angle) * translated({0, 0.5F, 0}));
 }
@@ -49,7 +50,7 @@ MeshData cup() {
     return render::revolve(profile, 14, fvec3(1));
 }
 
-/// Stretches a mesh along -z so that it reaches from one place to another.
+/// Stretches a mesh along -z so that it reaches from one position to another.
 fmat4 between(vec3 from, vec3 to, double width) {
     const vec3 way = to - from;
     const auto turn = look_rotation(std::atan2(-way.x, -way.z), std::atan2(way.y, std::hypot(way.x, way.z)));
@@ -130,7 +131,7 @@ void add_brew(const BrewLook& look, std::vector<render::Instance>& out) {
 }
 
 fvec3 ladle_colour(double force_share) {
-    constexpr double edge = 0.03;  // half width of a soft border, against flicker
+    constexpr double edge = 0.03;  // half width of a soft border between colours, against flicker
     const float yellow = smooth_step(1.0 / 3 - edge, 1.0 / 3 + edge, force_share),
                 red = smooth_step(2.0 / 3 - edge, 2.0 / 3 + edge, force_share);
     return force_colour(0.5 * static_cast<double>(yellow + red));
@@ -145,7 +146,7 @@ void add_ladle(const BrewMeshes& meshes, const LadlePicture& ladle, std::vector<
                    .model = between(ladle.bowl, ladle.top, rod_radius),
                    .tint = tint,
                    .glow = 0.3F});
-    // The rod holds the cup at its rim.
+    // The rod is fixed to the cup's rim.
     const vec3 middle = ladle.bowl - cup_radius * glm::normalize(vec3(way.x, 0, way.z) + vec3(1e-9, 0, 0));
     out.push_back({.mesh = meshes.cup,
                    .model = glm::scale(translated(fvec3(middle)), fvec3(static_cast<float>(cup_radius))),

@@ -1,5 +1,6 @@
-// game/scene/brew_look.h: the look of the cauldron's brew: a glowing volume under a rippling skin, and the
-// ladles, coloured by the force on the hand. An overlay adds arrows and streamlines of the flow.
+// game/scene/brew_look.h: the look of the cauldron's brew: a glowing volume under a moving surface mesh (the
+// skin), and the ladles, coloured by the force on the hand. An overlay adds arrows and streamlines of the
+// flow.
 //
 //     simulation                               any thread                          render thread
 //     take_brew(brew, rules, state, picture)   show_brew(picture, overlay, look)   view.volume = &look.volume
@@ -35,7 +36,7 @@ struct BrewPlace {
 };
 BrewPlace brew_place(const BowlPlace& bowl, const CauldronRules& rules);
 
-/// Parts of the flow to show. The brew is clearer while one is on.
+/// Parts of the flow to show. While any of them is shown, the brew is drawn more transparent.
 struct BrewOverlay {
     bool arrows = false;
     bool streamlines = false;
@@ -43,7 +44,7 @@ struct BrewOverlay {
 };
 
 struct BrewMeshes {
-    render::MeshId arrow{}, thread{};  ///< meshes of length 1 m along -z
+    render::MeshId arrow{}, thread{};  ///< meshes of an arrow and of a streamline's piece, 1 m long along -z
     render::MeshId rod{}, cup{};       ///< rod of length 1 m along -z, and cup of radius 1 m
 };
 
@@ -51,8 +52,8 @@ struct BrewMeshes {
 struct BrewLook {
     BrewMeshes meshes;
     BrewPlace place;
-    render::Volume volume;               ///< volume for the views; its version is 0 until a brew was shown
-    std::vector<render::Instance> flow;  ///< arrows and streamlines
+    render::Volume volume;  ///< volume for the views; its version is 0 until a brew has been shown
+    std::vector<render::Instance> flow;  ///< instances of arrows and streamlines
     std::uint64_t shown{};               ///< BrewPicture::state of the shown picture
     BrewOverlay overlay;
 
@@ -68,13 +69,14 @@ struct BrewLook {
 
 BrewLook make_brew_look(render::Renderer& renderer, const BrewPlace& place);
 
-/// Refreshes texels, skin and overlay if the picture's state or the overlay has changed. Returns true if so.
+/// Refreshes texels, skin and overlay if the picture's state or the overlay has changed. Returns whether
+/// anything was refreshed.
 bool show_brew(const BrewPicture& picture, const BrewOverlay& overlay, BrewLook& look);
 
 void add_brew(const BrewLook& look, std::vector<render::Instance>& out);
 void add_ladle(const BrewMeshes& meshes, const LadlePicture& ladle, std::vector<render::Instance>& out);
 
-/// Green up to a third of the device's peak force, yellow up to two thirds, red above.
+/// Colour of a ladle: green up to a third of the device's peak force, yellow up to two thirds, red above.
 fvec3 ladle_colour(double force_share);
 
 }  // namespace thaum::game

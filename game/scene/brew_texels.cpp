@@ -6,14 +6,15 @@
 namespace thaum::game {
 namespace {
 
-// Light of the brew: strongest in the middle, and on the sides of clouds that face the light.
+// Light of the brew, strongest in the middle and on sides of clouds that face the light: of the base fluid,
+// and of the substances.
 constexpr float base_light = 1.7F, substance_light = 1.5F;
 constexpr float middle_light = 1.6F, rim_light = 0.6F;
 constexpr float relief = 0.55F;
 const fvec3 towards_light = glm::normalize(fvec3(0.35F, 0.85F, 0.25F));
-constexpr float steepest = 3;  // gradient at which the relief is at its full strength (1/m)
+constexpr float steepest = 3;  // gradient at which light and dark sides of clouds differ most (1/m)
 
-constexpr float base_cover = 0.45F;  // cover of a place without substances
+constexpr float base_cover = 0.45F;  // opacity of a place without substances
 
 constexpr float rim_foam = 0.62F;
 
@@ -24,7 +25,7 @@ float smooth(float from, float to, float x) {
     return t * t * (3 - 2 * t);
 }
 
-/// A box of numbers, one for each texel. Indices run fastest along x.
+/// A 3D array with one number for each texel. The index along x changes fastest.
 struct Box {
     std::size_t x, y, z;
     std::size_t row(std::size_t j, std::size_t k) const { return x * (j + y * k); }
@@ -38,8 +39,8 @@ Box box_of(const fluid::Lattice& lattice) {
 
 /// One column of cells.
 struct Column {
-    float lift{};   ///< displacement of the surface above the column (cells)
-    float light{};  ///< brightness, greatest in the middle
+    float lift{};   ///< displacement of the surface above the column, in cells
+    float light{};  ///< brightness, largest in the middle of the brew
 };
 
 void find_columns(const BrewPicture& picture, const BrewPlace& place, std::size_t k,
@@ -56,8 +57,8 @@ void find_columns(const BrewPicture& picture, const BrewPlace& place, std::size_
     }
 }
 
-/// One drawn row of a substance, lifted with the surface. A drawn layer shows the samples of another height
-/// in its column.
+/// One row of a substance as drawn, displaced with the surface: a drawn layer shows samples from another
+/// height in the same column.
 void lift_row(const fluid::Samples& samples, const fluid::Lattice& lattice, std::size_t j, std::size_t k,
               std::span<const Column> columns, float transmitted, float* out) {
     const float top = static_cast<float>(lattice.cells[1] - 1);
@@ -72,7 +73,7 @@ void lift_row(const fluid::Samples& samples, const fluid::Lattice& lattice, std:
     }
 }
 
-/// Brightens colours to `lit` and makes them more saturated, since the tone curve makes bright colours pale.
+/// Brightens colours to `lit` and makes them more saturated, because tone mapping makes bright colours pale.
 void shine(std::span<const float> lit, Rows& colours) {
     auto& [r, g, b] = colours;
     for (std::size_t i = 0; i < lit.size(); ++i) {
@@ -84,18 +85,18 @@ void shine(std::span<const float> lit, Rows& colours) {
     }
 }
 
-/// Converts 0 to 1 into 0 to 255, with a square root if `root` is set. NaN becomes 0.
+/// Converts 0 to 1 into 0 to 255, after taking the square root if `root` is set. NaN becomes 0.
 template <bool root>
 void to_bytes(std::span<const float> shares, float times, std::span<int> out) {
     for (std::size_t i = 0; i < shares.size(); ++i) {
         const float share = times * shares[i] > 0 ? times * shares[i] : 0.0F;
         const float shown = root ? std::sqrt(share) : share;
-        // lround is a function call, and the numbers are small enough for floor.
+        // floor is used because lround is a function call, and the numbers are small enough for it
         out[i] = static_cast<int>(std::floor((shown < 1 ? shown : 1.0F) * 255 + 0.5F));
     }
 }
 
-/// Drawn densities of all substances, one box after another. The last box is their sum, limited to 1.
+/// Densities of all substances as drawn, one box after another. The last box is their sum, limited to 1.
 struct Seen {
     Box box;
     std::span<float> all;
@@ -120,12 +121,12 @@ void find_layer(const BrewPicture& picture, const BrewPlace& place, std::size_t 
     }
 }
 
-/// Light of one row. The sides of a cloud that face the light get more, the other sides less.
+/// Light of one row. Sides of a cloud that face the light are brighter, other sides darker.
 void light_row(const Seen& seen, std::size_t j, std::size_t k, float per_two_h, const float* column_light,
                std::span<float> out) {
     const auto& box = seen.box;
     const auto row = [&](std::size_t y, std::size_t z) { return seen.sum() + box.row(y, z); };
-    // The gradient at the border is one-sided.
+    // At the border the difference is one-sided.
     const auto before = [](std::size_t n) { return n == 0 ? 0 : n - 1; };
     const float *here = row(j, k), *below = row(before(j), k), *above = row(std::min(j + 1, box.y - 1), k),
                 *behind = row(j, before(k)), *ahead = row(j, std::min(k + 1, box.z - 1));
@@ -159,7 +160,7 @@ SkinPoint node(const fluid::SpringSurface& surface, std::size_t x, std::size_t z
             static_cast<float>(std::abs(surface.velocity[fluid::surface_node_index(s, x, z)]))};
 }
 
-/// All nodes, row by row along x. Empty for a surface at rest.
+/// All nodes of the surface, row by row along x. Empty for a surface at rest.
 std::vector<SkinPoint> nodes_of(const fluid::SpringSurface& surface) {
     std::vector<SkinPoint> out;
     if (surface.asleep != 0 || surface.height.empty()) return out;
@@ -173,7 +174,8 @@ std::vector<SkinPoint> nodes_of(const fluid::SpringSurface& surface) {
     return out;
 }
 
-/// Interpolates the nodes at `from`, measured from the middle (m). Points outside are clamped to the border.
+/// Interpolates the nodes at the point `from`, relative to the middle (m). Points outside are clamped to the
+/// border.
 SkinPoint point(const fluid::SpringSurfaceSettings& s, std::span<const SkinPoint> nodes, vec2 from) {
     if (nodes.empty()) return {};
     const vec2 at =
@@ -202,11 +204,11 @@ float foam_of(const SkinPoint& p) {
                     1.0F);
 }
 
-/// Radius of the level surface (m).
+/// Radius of the brew's surface at rest (m).
 double surface_radius(const BrewPlace& place) { return width_at(place.basin, 0); }
 
 render::SkinVertex skin_vertex(const SkinPoint& p, const BrewPlace& place, vec2 from) {
-    // A ring of foam lies along the wall.
+    // Foam along the wall.
     const float rim =
         rim_foam * smooth(0.93F, 0.99F, static_cast<float>(glm::length(from) / surface_radius(place)));
     return {.position = fvec3(place.middle + vec3(from.x, p.height, from.y)),
@@ -310,7 +312,7 @@ void make_skin_indices(std::vector<std::uint32_t>& out) {
 
 void make_skin(const fluid::SpringSurface& surface, const BrewPlace& place,
                std::vector<render::SkinVertex>& out) {
-    // The skin reaches a little into the wall, so that no gap shows.
+    // The skin extends a little into the wall, so that no gap shows.
     const double drawn = 1.02 * surface_radius(place);
     const auto nodes = nodes_of(surface);
     const auto add = [&](vec2 from) {

@@ -7,7 +7,7 @@ namespace thaum::game {
 struct ChangingMesh {
     render::MeshId mesh{};
     render::MeshData triangles{};
-    std::uint64_t version = 0;  ///< number of changes so far
+    std::uint64_t version = 0;  ///< number of changes of the mesh so far
 
     render::MeshChange change() const { return {mesh, version, &triangles}; }
 };

@@ -1,6 +1,6 @@
-// game/scene/crystal_look.h: the look of a crystal. Its voxels are a surface that hides and is hidden like any thing. The
-// key is a faint shell around what is still to be built. What lies outside the key, and must go, is amber. From afar a
-// coarse mesh stands for both.
+// game/scene/crystal_look.h: the look of a crystal. Its voxels are drawn as an opaque surface. The key's
+// shape is a faint shell around what is still to be built. Matter outside of the key's shape, which must be
+// removed, is amber. From far away a coarse mesh replaces both.
 //
 //     simulation                      any thread                    renderer
 //     take_crystals(match, crystals)  show_crystal(...)             view.scans, with look.body and look.key,
@@ -22,30 +22,30 @@ struct CrystalLook {
     render::Scan body{}, key{};
     ChangingMesh mesh{};
 
-    bool made{};                                   ///< the scans show a crystal
-    std::uint64_t seed{};                          ///< seed of that crystal
+    bool made{};                                   ///< true: the scans show a crystal
+    std::uint64_t seed{};                          ///< seed of the shown crystal
     std::shared_ptr<const CrystalVoxels> shown{};  ///< the voxels that are shown
-    std::shared_ptr<const CrystalVoxels> rough{};  ///< the crystal as nobody has touched it
-    std::vector<float> wanted{};                   ///< densities of the key
+    std::shared_ptr<const CrystalVoxels> rough{};  ///< voxels of the crystal before anyone touched it
+    std::vector<float> wanted{};                   ///< densities of the key's shape
     std::vector<field::Rgb8> paint{};              ///< colour of each voxel
     std::vector<std::uint32_t> bricks{};           ///< version of each brick
-    render::ScanTable table{};                     ///< colour and opacity of the key
+    render::ScanTable table{};                     ///< colour and opacity of the key's shape
 
     CrystalLook() = default;
     CrystalLook(CrystalLook&&) = default;
     CrystalLook& operator=(CrystalLook&&) = default;
 };
 
-/// Reserves the scans of a crystal.
+/// Reserves scans for a crystal.
 CrystalLook make_crystal_look(render::Renderer& renderer);
 
 /// Whether an eye is near enough to see the voxels and the key rather than the mesh.
 bool sees_voxels(const CrystalPicture& crystal, vec3 eye);
 
-/// Refreshes the scans and the mesh if the crystal has changed. Returns the number of bricks that have.
+/// Refreshes the scans and the mesh if the crystal has changed. Returns the number of changed bricks.
 std::size_t show_crystal(const CrystalPicture& crystal, CrystalLook& look);
 
-/// Adds the mesh.
+/// Adds the coarse mesh of a crystal.
 void add_crystal(const CrystalPicture& crystal, const CrystalLook& look, std::vector<render::Instance>& out);
 
 }  // namespace thaum::game

@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-// Surface nets (Gibson 1998, "Constrained elastic surface nets"): each cell of samples through which the surface passes
-// has one vertex, in the middle of the places where the surface cuts the cell's edges. Each edge between samples that is
-// cut has a quad between the four cells around it.
+// Surface nets (Gibson 1998, "Constrained elastic surface nets"): each cell of samples through which the
+// surface passes has one vertex, in the middle of the places where the surface cuts the cell's edges. Each
+// edge between samples that is cut has a quad between the four cells around it.
 namespace thaum::game {
 namespace {
 
@@ -14,7 +14,7 @@ using ivec3 = glm::ivec3;
 
 constexpr float level = 0.5F;
 
-/// Place in an array of a cube with `side` elements along each axis, x contiguous.
+/// Index of a position in the array of a cube with `side` elements along each axis, x contiguous.
 std::size_t place_in(int side, ivec3 at) {
     const auto n = static_cast<std::size_t>(side), x = static_cast<std::size_t>(at.x),
                y = static_cast<std::size_t>(at.y), z = static_cast<std::size_t>(at.z);
@@ -26,7 +26,7 @@ struct Sample {
     fvec3 colour{};
 };
 
-/// Samples of half the resolution, with empty ones around them.
+/// Samples at half the resolution, surrounded by empty ones.
 class Samples {
 public:
     Samples(std::span<const float> density, std::span<const field::Rgb8> colours, int side)
@@ -55,7 +55,7 @@ private:
 /// Corner of a cell: bit 0 is x, bit 1 is y, bit 2 is z.
 ivec3 corner_of_cell(int i) { return {i & 1, (i >> 1) & 1, (i >> 2) & 1}; }
 
-/// The vertex of a cell in which the surface is. Its normal points to where the density is less.
+/// The vertex of a cell through which the surface passes. Its normal points towards lower density.
 render::Vertex vertex_of(const Samples& samples, ivec3 cell) {
     std::array<float, 8> density{};
     fvec3 sum(0), slope(0), colour(0);
@@ -88,7 +88,7 @@ render::Vertex vertex_of(const Samples& samples, ivec3 cell) {
             .colour = colour / inside};
 }
 
-/// Calls visit(x, y, z) for all places below `count` along each axis.
+/// Calls visit(x, y, z) for all positions below `count` along each axis.
 template <class Visit>
 void each_place(int count, Visit visit) {
     for (int z = 0; z < count; ++z)
@@ -120,7 +120,8 @@ private:
     bool is_inside(ivec3 p) const { return samples_(p.x, p.y, p.z).density >= level; }
     std::size_t at(ivec3 p) const { return samples_.index(p.x, p.y, p.z); }
 
-    /// Adds the quad of the edge from a sample along an axis, if the surface cuts it.
+    /// Adds the quad for the edge that starts at a sample and runs along an axis, if the surface cuts this
+    /// edge.
     void add_quad(ivec3 from, int axis) {
         ivec3 along(0), u(0), v(0);
         along[axis] = u[(axis + 1) % 3] = v[(axis + 2) % 3] = 1;

@@ -1,4 +1,5 @@
-// game/scene/crystal_mesh.h: a coarse mesh of a crystal, for eyes that are too far away to tell it from the voxels.
+// game/scene/crystal_mesh.h: a coarse mesh of a crystal, for viewers too far away to see the difference to
+// voxels.
 #pragma once
 #include <span>
 
@@ -7,9 +8,9 @@
 
 namespace thaum::game {
 
-/// Mesh of the surface at density 0.5 of a cube of voxels, with half as many samples along each axis. Its origin is the
-/// middle of the cube. `colours`: the square root of each voxel's light, as render::Scan has it. `spacing`: distance
-/// between voxels (m).
+/// Mesh of the surface at density 0.5 of a cube of voxels, with half as many samples along each axis. Its
+/// origin is the middle of the cube. `colours`: the square root of each voxel's light, as render::Scan has
+/// it. `spacing`: distance between voxels (m).
 render::MeshData crystal_mesh(std::span<const float> density, std::span<const field::Rgb8> colours, int side,
                               float spacing);
 

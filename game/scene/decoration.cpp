@@ -13,8 +13,8 @@ namespace {
 using render::colour;
 using render::MeshData;
 
-/// One of the four walls: the middle of its foot, the direction along it, the direction into the arena, and half its
-/// length (m).
+/// One of the four walls: the middle of its base, the direction along it, the direction into the arena, and
+/// half its length (m).
 struct Wall {
     fvec3 middle, along, inwards;
     float half;
@@ -81,7 +81,8 @@ void add_banner(const Shade& shade, const Wall& wall, const BannerLook& look, re
     add_lit_patch(shade, vec3(place), {.full = render::transformed(std::move(banner), facing(wall))}, out);
 }
 
-/// Adds a tower in pieces, one above the other, because the arena's walls hide most of each tower.
+/// Adds a tower in separate pieces, one above the other, so that pieces hidden by the arena's walls need not
+/// be drawn.
 void add_tower(const TowerLook& look, render::Patchwork& out) {
     const fvec3 foot(look.foot);
     const auto radius = static_cast<float>(look.radius), height = static_cast<float>(look.height);

@@ -52,7 +52,7 @@ void add_banded_robe(MeshData& mesh, const TeamColours& team) {
     }
 }
 
-/// The robe of team tide: upright stripes in alternating colours.
+/// The robe of team tide: vertical stripes in alternating colours.
 void add_gored_robe(MeshData& mesh, const TeamColours& team) {
     const std::array<fvec2, 6> outline{fvec2(0.46F, 0.0F), {0.42F, 0.16F}, {0.34F, 0.55F},
                                        {0.26F, 0.98F},     {0.30F, 1.28F}, {0.12F, 1.47F}};
@@ -76,7 +76,7 @@ MeshData hat(std::uint32_t number) {
         team.dark);
     append(mesh, render::revolve(std::array{fvec2(0.2F, 0.06F), fvec2(0.185F, 0.17F)}, 12, team.light));
     append(mesh, render::revolve(std::array{fvec2(0.185F, 0.17F), fvec2(0.12F, 0.4F)}, 12, team.cloth));
-    // The tip is bent back like that of an old hat.
+    // The tip of the hat is bent back like that of an old hat.
     const fmat4 bent = translated({0, 0.4F, 0}) * rotated(to_the_right, 0.5F);
     append(mesh,
            render::revolve(std::array{fvec2(0.12F, -0.02F), fvec2(0.055F, 0.2F), fvec2(0, 0.24F)}, 10,
@@ -107,7 +107,7 @@ void add_hand(MeshData& mesh, const TeamColours& team, fvec3 start, fvec3 hand) 
     const fvec3 way = glm::normalize(tip - hand);
     append(mesh, limb(hand + 0.06F * back, hand, 0.03F, 0.034F, 8, skin));
     append(mesh, render::sphere(0.04F, 10, skin), translated(hand + fvec3(0.008F, -0.008F, 0)));
-    // The knuckles of a fist around the handle, and the thumb along it.
+    // Knuckles of a fist around the handle, and the thumb along it.
     for (const float along : {-0.03F, -0.008F, 0.014F, 0.036F})
         append(mesh, render::sphere(0.0175F, 6, 0.93F * skin),
                translated(hand + along * way + fvec3(-0.022F, 0.012F, 0)));
@@ -115,10 +115,10 @@ void add_hand(MeshData& mesh, const TeamColours& team, fvec3 start, fvec3 hand) 
            translated({0.006F, 0.026F, 0}));
 }
 
-/// The hand as the other player sees it (eye frame). It is drawn back, so that more of the wand is visible.
+/// The hand as the other player sees it (eye frame): farther back, so that more of the wand is visible.
 const fvec3 foe_hand = fvec3(wand_tip) + fvec3(0.04F, -0.10F, 0.44F);
 
-/// Turns and stretches a mesh along -z so that it reaches from the hand to wand_tip.
+/// Rotates and stretches a mesh along -z so that it reaches from the hand to wand_tip.
 fmat4 held(fvec3 hand) {
     const fvec3 along = fvec3(wand_tip) - hand;
     const fvec3 z = -glm::normalize(along);
@@ -127,7 +127,7 @@ fmat4 held(fvec3 hand) {
     return turned * render::scaled(fvec3(glm::length(along) / wand_length));
 }
 
-/// Position in the mesh of a point of a look, whose z is ahead.
+/// Position in the mesh of a point of a WandLook, whose z axis points ahead.
 fvec3 mesh_place(vec3 p) {
     return {static_cast<float>(p.x), static_cast<float>(p.y), -static_cast<float>(p.z)};
 }
@@ -190,7 +190,7 @@ void add_crook(MeshData& mesh, const LookPart& part, fvec3 paint) {
     }
 }
 
-/// Adds the team's mark across each axis: rings, or triangles of the same width.
+/// Adds the team's mark perpendicular to each axis: rings, or triangles of the same width.
 void add_cage(MeshData& mesh, std::uint32_t number, float radius, float thick, fvec3 paint) {
     constexpr float quarter = 1.5707963F;
     const int sides = number == 0 ? 16 : 3;

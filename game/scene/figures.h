@@ -8,36 +8,38 @@
 
 namespace thaum::game {
 
-/// Robe, head and hat. The feet are at the origin, the face looks along -z, and the brim is 1.8 m up.
+/// Robe, head and hat. The feet are at the origin, the face looks along -z, and the hat's brim is at 1.8 m.
 render::MeshData wizard_figure(std::uint32_t team);
 /// A dead wizard: robe on the ground, hat on top.
 render::MeshData fallen_wizard(std::uint32_t team);
-/// Sleeve and hand, centred at the shoulder for turning with the wizard's gaze.
+/// Sleeve and hand, with the shoulder at the origin, so that they can be rotated with the wizard's view.
 render::MeshData wizard_arm(std::uint32_t team);
 /// Position of the shoulder (m, eye frame).
 inline constexpr fvec3 shoulder{0.24F, -0.27F, 0.0F};
-/// The hand in the wizard's own view (eye frame). It is close to the middle, so that a wide, flat view shows it as well.
+/// The hand in the wizard's own view (eye frame). It is close to the middle, so that a wide, flat view shows
+/// it as well.
 inline constexpr fvec3 own_hand{0.37F, -0.25F, -0.57F};
 /// Sleeve and hand in the wizard's own view (eye frame).
 render::MeshData own_arm(std::uint32_t team);
 
-/// A wand with its handle at the origin and its tip `wand_length` along -z.
+/// A wand with its handle at the origin and its tip at `wand_length` along -z.
 render::MeshData wand_mesh(const WandLook& look);
-/// A missile of that wand, flying along -z. A look without missiles gives a small ball of light.
+/// A wand's missile, flying along -z. If the look has no missile, a small ball of light.
 render::MeshData missile_mesh(const WandLook& look, std::uint32_t team);
 inline constexpr float wand_length = 0.5F;
-/// Places a wand from the hand to wand_tip (eye frame), in the other player's view and in the player's own.
+/// Transforms a wand to reach from the hand to wand_tip (eye frame): in the other player's view, and in the
+/// player's own.
 fmat4 wand_in_hand();
 fmat4 wand_in_own_hand();
 
 /// The glowing tip of a wand, centred at the origin.
 render::MeshData wand_spark(std::uint32_t team);
-/// The shell of a burst: the team's mark three times about one middle, radius 1 m.
+/// The shell of a burst: the team's mark three times around one middle, radius 1 m.
 render::MeshData burst_shell(std::uint32_t team);
-/// A white beam for tinting, from the origin 1 m along -z, radius 1 m.
+/// A white beam to be tinted, from the origin 1 m along -z, radius 1 m.
 render::MeshData beam_of_light();
 
-/// The shield of a wizard who cannot be hurt: rings or triangles around the body's middle.
+/// The shield of a protected wizard: rings or triangles around the body's middle.
 render::MeshData shield_rings(std::uint32_t team);
 
 }  // namespace thaum::game

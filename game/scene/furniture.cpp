@@ -40,7 +40,7 @@ MeshData crate(fvec3 half) {
     const float thick = 0.06F * std::min({half.x, half.y, half.z}) + 0.01F;
     for (int axis = 0; axis < 3; ++axis) {
         const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-        // The four edges along this axis.
+        // The four edges parallel to this axis.
         for (const float a : {-1.0F, 1.0F}) {
             for (const float b : {-1.0F, 1.0F}) {
                 fvec3 size(0), at(0);
@@ -51,7 +51,7 @@ MeshData crate(fvec3 half) {
                 append(mesh, render::box(size, plank, 0.25F * size[u]), translated(at));
             }
         }
-        // Two boards on both faces across this axis.
+        // Two boards on both faces perpendicular to this axis.
         for (const float side : {-1.0F, 1.0F}) {
             for (const float row : {-0.38F, 0.38F}) {
                 fvec3 size(0), at(0);
@@ -86,14 +86,14 @@ MeshData barrel(float radius, float half_height) {
     const float thick = 0.07F * half_height;
     for (const float at : {-0.72F, -0.3F, 0.3F, 0.72F}) {
         const float r = radius * (1.03F - 0.2F * at * at);
-        // The rings have no lids, since wood fills them.
+        // The rings have no top or bottom, since wood fills them.
         append(mesh, render::revolve(std::array{fvec2(r, -thick), fvec2(r, thick)}, 14, iron),
                translated({0, at * half_height, 0}));
     }
     return mesh;
 }
 
-/// Planks along the longer side, held by battens.
+/// Planks along the longer side, held together by battens.
 MeshData table(fvec3 half) {
     const bool along_x = half.x > half.z;
     const float wide = along_x ? half.z : half.x, length = along_x ? half.x : half.z;
@@ -165,14 +165,14 @@ FurnitureMesh orb(float radius) {
     FurnitureMesh out;
     out.glowing = render::sphere(0.9F * radius, 18, colour(0x8A6AE0));
     for (auto& v : out.glowing.vertices) {
-        // A frozen pattern of swirling clouds.
+        // A fixed pattern of swirling clouds.
         const fvec3 p = v.position / radius;
         const float swirl = 0.5F + 0.5F * std::sin(7 * p.y + 3 * std::atan2(p.z, p.x) + 2 * p.x);
         v.colour = glm::mix(colour(0x4A2EA8), colour(0xB8A0FF), swirl);
     }
     out.lit = render::transformed(render::frame(32, 1.05F * radius, 0.97F * radius, 0.06F, colour(0xC89A4A)),
                                   rotated({0, 1, 0}, quarter));
-    // A collar on the plinth, so that nothing crosses the ball for those who stand before it.
+    // A collar on the plinth, low enough that nothing covers the ball for a wizard in front of it.
     append(out.lit, render::frame(24, 0.72F * radius, 0.5F * radius, 0.2F * radius, colour(0xC89A4A)),
            translated({0, -0.82F * radius, 0}) * rotated({1, 0, 0}, quarter));
     return out;
@@ -187,9 +187,9 @@ std::vector<fvec2> profile_of(const physics::TriangleMesh& solid) {
     return profile;
 }
 
-/// Extent of the cauldron (m, body frame).
+/// Size of the cauldron (m, body frame).
 struct CauldronExtent {
-    float rim = 0, top = -1e9F, bottom = 1e9F;  ///< radius of the rim, heights of the ends
+    float rim = 0, top = -1e9F, bottom = 1e9F;  ///< radius of the rim, and heights of top and bottom
     float height_at(float share) const { return bottom + share * (top - bottom); }
 };
 
@@ -223,7 +223,7 @@ void add_rivets(const CauldronExtent& extent, MeshData& mesh) {
     }
 }
 
-/// The brew for a bowl without a simulated one. It is brightest in the middle and has the arms of a swirl.
+/// The painted brew for a bowl without a simulated one: brightest in the middle, with the arms of a swirl.
 MeshData painted_brew(const CauldronExtent& extent) {
     const float level = extent.height_at(0.97F);
     const float radius = 0.885F * extent.rim;
@@ -337,7 +337,7 @@ MeshData contact_shade(float darkest) {
     mesh.vertices.push_back({fvec3(0), {0, 1, 0}, fvec3(darkest)});
     for (std::uint32_t ring = 1; ring <= rings; ++ring) {
         const float radius = static_cast<float>(ring) / rings;
-        // Smooth at both ends, so that no edge shows.
+        // Smooth at both ends, so that no edge is visible.
         const float light = radius * radius * (3 - 2 * radius);
         for (std::uint32_t i = 0; i < sides; ++i) {
             const float angle = whole * static_cast<float>(i) / static_cast<float>(sides);

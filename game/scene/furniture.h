@@ -1,5 +1,5 @@
-// game/scene/furniture.h: the meshes of loose things and of the arena's furniture. Each is centred like its
-// body.
+// game/scene/furniture.h: the meshes of loose things and of the arena's furniture. Each mesh has the same
+// origin as its body.
 #pragma once
 #include "game/picture/picture.h"
 #include "render/mesh.h"
@@ -26,7 +26,8 @@ FurnitureMesh start_plate(std::uint32_t team);
 /// A ring of signs around the cauldron, level with the ground.
 render::MeshData rune_circle(float radius);
 
-/// A soft shade of radius 1 m on the ground at y = 0: factor `darkest` in the middle, 1 at the rim.
+/// A soft shade of radius 1 m on the ground at y = 0: light is multiplied by `darkest` in the middle and by 1
+/// at the rim.
 render::MeshData contact_shade(float darkest);
 
 }  // namespace thaum::game

@@ -1,5 +1,5 @@
-// The shape of the next stroke of a recipe, on the surface of the brew, at the size of the gesture's template. Its start
-// is a ball of light, and another one runs along it.
+// The shape of the next stroke of a recipe, on the surface of the brew, at the size of the gesture's
+// template. A ball of light marks its start, and another one runs along the shape.
 #include <cmath>
 
 #include "game/data/teams.h"

@@ -17,7 +17,7 @@ namespace {
 
 constexpr fvec3 pale(1), dull(0.45F), upright{0, 1, 0}, along_z{0, 0, 1};
 
-/// Lumps with edges: a ring of four and one on top.
+/// Angular lumps: a ring of four and one on top.
 MeshData heap() {
     const auto lump = render::flat_shaded(render::sphere(0.13F, 5, pale));
     MeshData mesh;
@@ -27,7 +27,7 @@ MeshData heap() {
     return mesh;
 }
 
-/// A prism with a point, from its foot upwards.
+/// A prism with a point, standing on the origin.
 MeshData crystal(float radius, float height) {
     const float point = 2.2F * radius, prism = height - point;
     auto mesh = render::cone(radius, 1.15F * radius, prism, 6, pale);
@@ -36,7 +36,7 @@ MeshData crystal(float radius, float height) {
     return render::flat_shaded(mesh);
 }
 
-/// A tall prism amid short ones that lean outwards.
+/// A tall prism among short ones that lean outwards.
 MeshData crystals() {
     struct Place {
         float turn, lean, radius, height;
@@ -75,7 +75,7 @@ MeshData drops() {
     return mesh;
 }
 
-/// A blade with a bare quill, from the quill's end upwards.
+/// A feather's blade with a bare quill, from the quill's end upwards.
 MeshData feather() {
     auto mesh =
         transformed(render::sphere(1, 8, pale), translated({0, 0.4F, 0}) * scaled({0.085F, 0.25F, 0.015F}));
@@ -93,7 +93,7 @@ MeshData feathers() {
     return mesh;
 }
 
-/// Flat puffs that float as one.
+/// A cloud of flat puffs that float together.
 MeshData cloud() {
     struct Puff {
         fvec3 place;
@@ -107,7 +107,7 @@ MeshData cloud() {
     return mesh;
 }
 
-/// A low cushion with stalks that end in buds.
+/// A low cushion of moss with stalks that end in buds.
 MeshData cushion() {
     auto mesh = render::transformed(render::sphere(0.3F, 10, dull),
                                     translated({0, -0.26F, 0}) * scaled({1, 0.28F, 1}));

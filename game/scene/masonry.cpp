@@ -13,12 +13,13 @@ namespace {
 using render::colour;
 using render::MeshData;
 
-constexpr double outside = 0.02;  // margin beyond the arena, where no player can be (m)
+constexpr double outside = 0.02;  // distance outside the arena's bounds from which on no player can be (m)
 
-/// A face to cover with blocks: its corner, its two edges (u along the courses) and its normal.
+/// A face to be covered with blocks: its corner, its two edges (u along the courses, v across them) and its
+/// normal.
 struct Face {
     fvec3 corner;   // position of the corner (m)
-    fvec3 u, v, n;  // unit vectors
+    fvec3 u, v, n;  // unit vectors along the two edges, and the normal
     float length_u{}, length_v{};
 };
 
@@ -36,21 +37,21 @@ struct Cell {
 
 /// Height above which blocks have painted joints (m). No wizard stands higher.
 constexpr float out_of_reach = 3.1F;
-/// Height from which joints look faded at any distance, by Vertex::far_away (m).
+/// Height from which on joints look faded at any distance, by Vertex::far_away (m).
 constexpr float out_of_sight = 6;
-/// Depth of the core in bevel widths, just below the joints.
+/// Depth of the core (the surface behind the blocks), in bevel widths: just below the joints.
 constexpr float core_depth = 1.25F;
 /// Brightness of a joint seen from far away, as a share of the stone's.
 constexpr float core_shade = 0.9F;
-constexpr float core_piece = 3, core_overlap = 0.3F;  // length and overlap of pieces (m)
+constexpr float core_piece = 3, core_overlap = 0.3F;  // length and overlap of the pieces of a core (m)
 
 std::uint32_t add_vertex(MeshData& mesh, const Face& face, glm::vec3 at, fvec3 normal, fvec3 shade) {
     mesh.vertices.push_back({face.corner + at.x * face.u + at.y * face.v + at.z * face.n, normal, shade});
     return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
 }
 
-/// Adds a vertex of a joint. Nearby it has `joint` of the shade. Far away it has the full shade, since a
-/// joint finer than a pixel would flicker.
+/// Adds a vertex of a joint. Near the viewer its brightness is `joint` times the shade. Far away it is the
+/// full shade, since a joint finer than a pixel would flicker.
 std::uint32_t add_joint(MeshData& mesh, const Face& face, glm::vec3 at, fvec3 normal, fvec3 shade,
                         float joint) {
     const auto index = add_vertex(mesh, face, at, normal, joint * shade);
@@ -62,7 +63,7 @@ void add_quad(MeshData& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c,
     mesh.indices.insert(mesh.indices.end(), {a, b, c, a, c, d});
 }
 
-/// Adds a block without a joint. Only its shade differs from its neighbours'.
+/// Adds a block without a joint, which differs from its neighbours only in shade.
 void add_bare_block(MeshData& mesh, const Face& face, const Cell& cell, fvec3 shade) {
     const auto a = add_vertex(mesh, face, {cell.u0, cell.v0, 0}, face.n, shade);
     add_vertex(mesh, face, {cell.u1, cell.v0, 0}, face.n, shade);
@@ -141,8 +142,8 @@ bool hidden(const Shade& shade, vec3 point, vec3 normal) {
     });
 }
 
-/// A block with edges that are seen from the side. From far away only its top is drawn, and the core between
-/// the blocks looks like a joint.
+/// A block with edges that are seen from the side. From far away only its top is drawn, and the core that
+/// shows between the blocks looks like joints.
 render::Patch bevelled_block(const Face& face, const Stonework& work, const Cell& cell, fvec3 tone,
                              float sunk, bool topmost) {
     render::Patch patch{.full = {}, .detail = work.bevel};
@@ -159,7 +160,7 @@ bool is_bevelled(double height, const Face& face, const Stonework& work) {
     return !is_slab(face, work) && height <= out_of_reach;
 }
 
-/// One block of a course of stones. `height` is that of its lower edge (m, world).
+/// One block of a course of stones. `height`: height of its lower edge (m, world).
 render::Patch block(double height, const Face& face, const Stonework& work, const Cell& cell,
                     Random& random) {
     const fvec3 tone = any_shade(work, random);
@@ -181,7 +182,7 @@ render::Patch block(double height, const Face& face, const Stonework& work, cons
 
 vec3 at(const Face& face, fvec2 place) { return vec3(face.corner + place.x * face.u + place.y * face.v); }
 
-/// True if not even a corner of the cell can be seen.
+/// Whether not even a corner of the cell can be seen.
 bool hidden(const Shade& shade, vec3 position, const Face& face, const Cell& cell) {
     for (const float u : {0.02F, 0.5F, 0.98F}) {
         for (const float v : {0.02F, 0.5F, 0.98F}) {
@@ -192,8 +193,8 @@ bool hidden(const Shade& shade, vec3 position, const Face& face, const Cell& cel
     return true;
 }
 
-/// Gives each vertex the baked light of the nearest vertex with a similar normal. The shade then stays the
-/// same when one mesh replaces the other.
+/// Gives each vertex the baked light of the nearest vertex with a similar normal, so that the shade does not
+/// change when one mesh replaces the other.
 void take_light(const MeshData& from, MeshData& to) {
     for (auto& v : to.vertices) {
         float least = std::numeric_limits<float>::max();
@@ -223,8 +224,8 @@ void add_lit_patch(const Shade& shade, vec3 position, render::Patch patch, rende
 namespace {
 
 /// Adds the core behind the bevelled blocks of a face. It shows as joints between blocks that are drawn
-/// without bevels. It is made in pieces, dark nearby and lighter far away. It also reaches a little behind
-/// the blocks without a bevel above.
+/// without bevels. The core is made in pieces, and is dark nearby and lighter far away. It also extends a
+/// little behind the blocks above that have no bevel.
 void add_core(const Shade& shade, vec3 position, Face face, const Stonework& work, Cell behind,
               render::Patchwork& out) {
     if (behind.u0 >= behind.u1) return;
@@ -249,7 +250,7 @@ Cell around(const Cell& a, const Cell& b) {
     return {std::min(a.u0, b.u0), std::max(a.u1, b.u1), std::min(a.v0, b.v0), std::max(a.v1, b.v1)};
 }
 
-/// True if the sun reaches no vertex of the cell, no point between them, and no point slightly beyond the
+/// Whether the sun reaches no vertex of the cell, no point between them, and no point slightly beyond the
 /// edges.
 bool is_sunless(const Shade& shade, vec3 position, const Face& face, const Cell& cell,
                 const render::Patch& patch) {
@@ -285,7 +286,7 @@ void lay(render::Patchwork& out, const Shade& shade, vec3 position, const Face& 
     add_core(shade, position, face, work, bevelled, out);
 }
 
-/// The face of a box across `axis`, seen from outside. Courses of upright faces are level.
+/// The face of a box perpendicular to `axis`, seen from outside. Courses of vertical faces are horizontal.
 Face face_of(fvec3 half, int axis, float side) {
     Face face;
     face.n = fvec3(0);
@@ -351,7 +352,8 @@ void add_masonry_box(const Shade& shade, const Thing& thing, render::Patchwork& 
 
 namespace {
 
-/// A ramp: half its box (m), the level unit vector in which it rises, and the one across it.
+/// A ramp: half the size of its box (m), the horizontal unit vector along which it rises, and the one across
+/// it.
 struct RampFrame {
     fvec3 half{0}, rise{0}, across{0};
     float half_length{}, half_width{};
@@ -360,7 +362,7 @@ struct RampFrame {
 RampFrame ramp_frame(const physics::TriangleMesh& solid) {
     RampFrame frame;
     for (const auto& v : solid.vertices) frame.half = glm::max(frame.half, glm::abs(fvec3(v)));
-    fvec3 top(0);  // sum of the vertices of the high edge
+    fvec3 top(0);  // sum of the high edge's vertices
     for (const auto& v : solid.vertices) {
         if (static_cast<float>(v.y) > 0.9F * frame.half.y) top += fvec3(v);
     }
@@ -383,8 +385,8 @@ Face slope_of(const RampFrame& ramp) {
     return slope;
 }
 
-/// The upright face of a ramp's box with the outward normal `n`. `half_u` is half its width (m), `off` its distance
-/// from the middle (m).
+/// The vertical face of a ramp's box with the outward normal `n`. `half_u` is half its width (m), `off` its
+/// distance from the middle (m).
 Face upright_face(fvec3 n, float half_u, float half_v, float off) {
     Face face;
     face.n = n;
@@ -396,13 +398,13 @@ Face upright_face(fvec3 n, float half_u, float half_v, float off) {
     return face;
 }
 
-/// Line from (0, `left`) to (length_u, `right`) on a face. Stone lies below it.
+/// Line on a face from (0, `left`) to (length_u, `right`). Below it is stone.
 struct EdgeLine {
     float left{}, right{}, length{};
     float height_at(float u) const { return glm::mix(left, right, u / length); }
 };
 
-/// The part of a cell below the line, as a polygon.
+/// The part of a cell below a line, as a polygon.
 std::vector<fvec2> clipped(const Cell& cell, const EdgeLine& line) {
     const std::array<fvec2, 4> corners{
         fvec2(cell.u0, cell.v0), {cell.u1, cell.v0}, {cell.u1, cell.v1}, {cell.u0, cell.v1}};
@@ -417,7 +419,7 @@ std::vector<fvec2> clipped(const Cell& cell, const EdgeLine& line) {
     return polygon;
 }
 
-/// Adds a flat polygon `behind` metres behind the face.
+/// Adds a flat polygon, `behind` metres behind the face.
 void add_polygon(const Shade& shade, vec3 position, const Face& face, const std::vector<fvec2>& polygon,
                  float behind, fvec3 tone, render::Patchwork& out) {
     if (polygon.size() < 3) return;
@@ -428,7 +430,8 @@ void add_polygon(const Shade& shade, vec3 position, const Face& face, const std:
     add_lit_patch(shade, position, {.full = std::move(mesh)}, out);
 }
 
-/// Covers the part of an upright face below the line with blocks. The joints show a darker face behind them.
+/// Covers the part of a vertical face below the line with blocks. A darker face behind them is visible
+/// through the joints.
 void lay_below(render::Patchwork& out, const Shade& shade, vec3 position, const Face& face,
                const Stonework& work, const EdgeLine& line) {
     constexpr float joint_depth = 0.01F;
@@ -461,8 +464,7 @@ void add_masonry_ramp(const Shade& shade, const Thing& thing, const physics::Tri
     work.seed = seed_of(thing.position, 6);
     lay(out, shade, thing.position, slope_of(ramp), work);
     work = ashlar();
-    work.colours =
-        slabs().colours;  // lighter than the slope, since the foot of a ramp stands in dark corners
+    work.colours = slabs().colours;  // lighter than the slope, since the sides of a ramp are in dark corners
     work.seed = seed_of(thing.position, 7);
     lay(out, shade, thing.position, upright_face(ramp.rise, ramp.half_width, ramp.half.y, ramp.half_length),
         work);

@@ -19,14 +19,15 @@ using render::Instance;
 using render::MeshData;
 using render::translated;
 
-constexpr double shown_m = 12;  ///< distance from which on the painted ball is shown (m)
+constexpr double shown_m = 12;  ///< distance beyond which the painted ball is shown instead of the flow (m)
 constexpr int lines = 16;
 // Shares of the orb's radius.
-constexpr double glass = 0.96, filled = 0.9;  ///< the ball, and the part of it in which the flow is drawn
+/// Radius of the ball, and of the part of it in which the flow is drawn.
+constexpr double glass = 0.96, filled = 0.9;
 constexpr double seeds_within = 0.72, flow_length = 2.4, flow_step = 0.06, moved = 0.004;
 constexpr float flow_glow = 0.75F, glass_glow = 0.7F;
-constexpr double fast = 1.1;                ///< speed of the brightest colour (m/s)
-constexpr double least_force_share = 0.02;  ///< share of the limit below which no force is drawn
+constexpr double fast = 1.1;                ///< flow speed that is drawn in the brightest colour (m/s)
+constexpr double least_force_share = 0.02;  ///< share of the force limit below which no force is drawn
 constexpr float line_width = 0.036F, probe_line_width = 0.05F, core_thick = 0.018F;
 
 /// Colours by speed: deep violet, violet, light blue, white.
@@ -45,7 +46,7 @@ const render::SpeedColours& flow_colours() {
     return table;
 }
 
-/// Places that fill a ball evenly: a spiral over spheres whose radii grow by the cube root.
+/// Points that fill a ball evenly: a spiral over spheres whose radii grow with the cube root of `i`.
 vec3 seed_at(int i, double radius) {
     const double share = (i + 0.5) / lines, up = 1 - 2 * share, angle = i * pi * (3 - std::sqrt(5.0));
     const double flat = std::sqrt(1 - up * up);
@@ -53,7 +54,7 @@ vec3 seed_at(int i, double radius) {
     return away * vec3(flat * std::cos(angle), up, flat * std::sin(angle));
 }
 
-/// Traces the flow from a place up to the glass, and adds it to a mesh as a ribbon.
+/// Traces the flow from a point as far as the glass, and adds the line to a mesh as a ribbon.
 void add_line(OrbLook& look, vec3 from, double radius, const render::RibbonLook& ribbon, MeshData& out) {
     const vec3 box(filled * radius);
     const field::StreamlineSettings settings{.length = flow_length * radius,
@@ -84,7 +85,7 @@ void trace_flow(const OrbPicture& orb, OrbLook& look) {
                  look.flow.triangles);
 }
 
-/// Traces the line from a probe at a place of the orb's frame.
+/// Traces the flow line that starts at a probe (position in the orb's frame).
 void trace_probe(std::size_t player, vec3 at, double radius, OrbLook& look) {
     auto& mesh = look.probe_flow.at(player);
     look.probe_seed.at(player) = at;
@@ -93,7 +94,7 @@ void trace_probe(std::size_t player, vec3 at, double radius, OrbLook& look) {
     add_line(look, at, radius, {.width = probe_line_width * static_cast<float>(radius)}, mesh.triangles);
 }
 
-/// Stretches a mesh that lies along -z from the origin so that it reaches along a way.
+/// Stretches a mesh that lies along -z from the origin so that it covers the vector `way`.
 fmat4 stretched(vec3 from, vec3 way, double thick) {
     const auto turn = look_rotation(std::atan2(-way.x, -way.z), std::atan2(way.y, std::hypot(way.x, way.z)));
     return glm::scale(translated(fvec3(from)) * glm::mat4_cast(fquat(turn)),
@@ -113,8 +114,8 @@ void add_core(const OrbLook& look, const OrbPicture& orb, std::vector<Instance>&
                        .glow = 1});
 }
 
-/// The inside of a ball, dark in the middle. Seen from outside, its near half is left out and its far half is the
-/// background of the flow.
+/// The inside of a ball, dark in the middle. Seen from outside, the near half is culled and the far half is
+/// the background of the flow.
 MeshData far_half(float radius) {
     auto mesh = render::sphere(static_cast<float>(glass) * radius, 24, fvec3(1));
     for (auto& v : mesh.vertices) {
@@ -198,13 +199,14 @@ void add_orb(const OrbLook& look, const OrbPicture& orb, std::uint32_t viewer, v
 }
 
 void add_tip(const OrbLook& look, const TipPicture& tip, std::uint32_t player, std::vector<Instance>& out) {
-    constexpr double bead = 0.022;  // radius (m)
+    constexpr double bead = 0.022;  // radius of the bead (m)
     out.push_back(ball_at(look.bead, tip.place, bead, team_colours(player).light, 0.95F));
     add_force(look, tip, out);
 }
 
 void add_force(const OrbLook& look, const TipPicture& tip, std::vector<Instance>& out) {
-    constexpr double longest = 0.3, thick = 0.02;  // length at full force, radius of the base (m)
+    // Length of the arrow at full force, and radius of its base (m)
+    constexpr double longest = 0.3, thick = 0.02;
     const double force = glm::length(tip.force), share = std::min(tip.force_share, 1.0);
     if (!(force > 0) || share < least_force_share) return;
     const fvec3 shown = ladle_colour(share);

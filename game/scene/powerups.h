@@ -1,6 +1,6 @@
 // game/scene/powerups.h: the power-ups in the arena. Each kind has its own outline, always turned to the
-// viewer: a bottle, a heart, a star with four points. They do not move. The ring on the ground below stays
-// after a pick-up and fills until the power-up returns.
+// viewer: a bottle, a heart, a star with four points. The shapes do not move. The ring on the ground below
+// remains after a pick-up and fills until the power-up returns.
 #pragma once
 #include <array>
 #include <vector>

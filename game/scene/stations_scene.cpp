@@ -1,4 +1,4 @@
-// The orb and the crystals in the arena's picture.
+// Adds the orb and the crystals to the picture of the arena.
 #include <algorithm>
 #include <array>
 
@@ -9,11 +9,11 @@
 namespace thaum::game {
 namespace {
 
-/// An eye that is near nothing: of a camera that no player has.
+/// Position of an eye that is near nothing, for a camera that belongs to no player.
 constexpr vec3 far_away(1e6);
 
-/// The rod from a wizard's hand to the tip: place of the hand (m, eye frame), radius, and distance from the tip at which it
-/// ends.
+/// The rod from a wizard's hand to the tip: position of the hand (m, eye frame), radius, and distance from
+/// the tip at which the rod ends.
 constexpr vec3 hand{0.25, -0.35, -0.3};
 constexpr double rod_radius = 0.006, rod_ends = 0.02;
 
@@ -21,7 +21,7 @@ vec3 eye_of_viewer(const Picture& picture, std::uint32_t viewer) {
     return viewer < players ? picture.wizards.at(viewer).vitals.eye : far_away;
 }
 
-/// The tip that a wizard's hand moves; null: none.
+/// The tip that a wizard's hand moves; null if there is none.
 const TipPicture* tip_of(const Picture& picture, std::uint32_t player) {
     const auto& probe = picture.orb.probes.at(player);
     if (picture.orb.there && probe) return &*probe;
@@ -29,11 +29,11 @@ const TipPicture* tip_of(const Picture& picture, std::uint32_t player) {
     return p.stations.carving.carves ? &p.stations.carving.tip : nullptr;
 }
 
-/// Light and shape of a tool by what it would do where it is: green with a cross like a plus, red with one like a times
-/// sign, white and bare. So its colour is not the only sign.
+/// Colour and shape of a tool, by the effect that it would have at its position: green with a plus sign, red
+/// with a times sign, or white without a sign. So the effect is not shown by colour alone.
 struct WorthLook {
     fvec3 light{};
-    double turn{};  ///< turn of the cross in the view (rad)
+    double turn{};  ///< rotation of the sign in the view (rad)
     bool cross{};
 };
 
@@ -46,7 +46,8 @@ WorthLook look_of(DabWorth worth) {
     return {fvec3(1), 0, false};
 }
 
-/// Adds the sign of a tool's worth, and a line from the tool down to the plinth, which shows its depth.
+/// Adds the sign for a tool's effect, and a line from the tool down to the plinth, which shows the tool's
+/// depth.
 void add_tool(const ArenaScene& arena_scene, const Picture& picture, const PlayerPicture& p,
               std::vector<render::Instance>& out) {
     constexpr double sign = 0.05, thick = 0.005, line = 0.003, foot = 0.02;  // (m)
@@ -67,7 +68,8 @@ void add_tool(const ArenaScene& arena_scene, const Picture& picture, const Playe
     out.push_back(bead_at(arena_scene, below, static_cast<float>(foot), look.light, 0.8F));
 }
 
-/// Adds a thin light over a station, which shows the way to it over the walls. Those who are near do not need it.
+/// Adds a thin beam of light above a station, so that players find it from behind walls. Players near the
+/// station do not see it.
 void add_light_over(const ArenaScene& arena_scene, vec3 middle, vec3 eye, fvec3 light,
                     std::vector<render::Instance>& out) {
     constexpr double near = 7, from = 1.5, to = 13, thick = 0.035;  // (m)
@@ -75,7 +77,7 @@ void add_light_over(const ArenaScene& arena_scene, vec3 middle, vec3 eye, fvec3 
     add_beam(arena_scene, middle + vec3(0, from, 0), middle + vec3(0, to, 0), thick, light, out);
 }
 
-/// Adds the lights over orb and crystals: violet and blue.
+/// Adds the beams above orb (violet) and crystals (blue).
 void add_lights_over(const ArenaScene& arena_scene, const Picture& picture, vec3 eye,
                      std::vector<render::Instance>& out) {
     for (const auto& crystal : picture.crystals)

@@ -7,12 +7,13 @@
 namespace thaum::game {
 namespace {
 
-/// Forces from which, and down to which, a source is told (N).
+/// Force above which a source is put into words, and the lower force down to which the words stay (N).
 constexpr double told_from_n = 0.15, told_to_n = 0.08;
-/// Least time for which a force is told with one side, so that words do not dance while it turns (ticks).
+/// Minimum time for which a force is described with the same side, so that words do not flicker while the
+/// force turns (ticks).
 constexpr Tick least_time_of_side = 1000;
 
-/// Name of the wand's steady force: that of its look, or "wand" if the look names none.
+/// Name of the wand's steady force: the one in its look, or "wand" if the look has none.
 std::string_view steady_words(const Simulation& match, ecs::Entity wizard) {
     static const WandLook plain;
     const auto* wand = wand_in_hand(match.data(), match.world().get<WandBelt>(wizard));
@@ -20,7 +21,8 @@ std::string_view steady_words(const Simulation& match, ecs::Entity wizard) {
     return wand->look.steady_force;
 }
 
-/// Side of the body on which an effect is felt. An effect with places of its own is felt there, and has none.
+/// Side of the body on which an effect is felt. No side for an effect that defines its own places on the
+/// body.
 HeardFrom side_of(const BodyCue& cue, const tactile::Effect& effect) {
     if (cue.where.kind != tactile::Where::Kind::from || !effect.places.empty()) return HeardFrom::here;
     const vec3 from = cue.where.direction;

@@ -1,6 +1,6 @@
-// game/senses/felt_words.h: what the hand and the body feel in words, beside the words of the sounds
-// (game/senses/sound/heard.h): "weight pulls down", "brew pushes left", "bolt strikes from behind". What a sound tells by
-// itself is not told twice.
+// game/senses/felt_words.h: describes in words what hand and body feel, in addition to the captions of sounds
+// (game/senses/sound/heard.h): "weight pulls down", "brew pushes left", "bolt strikes from behind". An event
+// with a sound caption is not described a second time.
 #pragma once
 #include <array>
 #include <string_view>
@@ -16,10 +16,10 @@ namespace thaum::game {
 /// Words for a force on the hand.
 struct ForceWords {
     std::string_view
-        words;  ///< name of the force; empty: the steady force of the wand in hand, which names it
-    std::string_view verb;  ///< what it does to the hand
+        words;  ///< name of the force; empty: the steady force of the wand in hand, whose look has the name
+    std::string_view verb;  ///< verb for what the force does to the hand
 };
-/// By ForceSource.
+/// Name and verb for each ForceSource.
 inline constexpr std::array<ForceWords, force_sources> force_words{{{"wand", "kicks"},
                                                                     {"spring", "pulls"},
                                                                     {"", "pulls"},
@@ -30,17 +30,17 @@ inline constexpr std::array<ForceWords, force_sources> force_words{{{"wand", "ki
                                                                     {"flow", "pushes"},
                                                                     {"crystal", "pushes"}}};
 
-/// Side to which a force pushes (device frame: +x right, +y up, -z ahead).
+/// Side towards which a force pushes (device frame: +x right, +y up, -z ahead).
 HeardFrom side_of_force(vec3 newtons);
 
-/// Tells the forces on the hand of one player.
+/// Describes the forces on the hand of one player in words.
 class HandWords {
 public:
-    /// Adds the forces of this frame.
+    /// Adds lines about the forces in this frame.
     void take(const Simulation& match, std::uint32_t player, HeardLines& lines);
 
 private:
-    /// A force that is told.
+    /// A force that is being described.
     struct Told {
         bool on{};
         HeardFrom side{};
@@ -49,9 +49,10 @@ private:
     std::array<Told, force_sources> told_{};
 };
 
-/// What the sounds of a match tell by themselves. A sound without words tells nothing.
+/// Events and effects that the captions of sounds already describe. A sound without a caption describes
+/// nothing.
 struct ToldBySounds {
-    std::vector<bool> events{};  ///< by EventKind
+    std::vector<bool> events{};  ///< whether sounds describe an event, indexed by EventKind
     bool heart{}, stir{}, steps{};
 
     bool tells(EventKind kind) const {
@@ -61,8 +62,8 @@ struct ToldBySounds {
 };
 ToldBySounds told_by_sounds(const MatchSounds& sounds, const audio::SoundBank& bank);
 
-/// Adds what the body feels in this frame, but for what sounds tell, and for the kick of the wand, which HandWords
-/// tells.
+/// Adds lines about what the body feels in this frame, except what captions of sounds describe, and except
+/// the kick of the wand, which HandWords describes.
 void add_body_words(const TactileScene& scene, const MatchEffects& effects, const tactile::EffectBank& bank,
                     const ToldBySounds& sounds, HeardLines& lines);
 

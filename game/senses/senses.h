@@ -1,5 +1,5 @@
-// game/senses/senses.h: what both players hear and feel of a match, without loudspeakers and motors: for pictures of
-// replays, scenarios and benches. It never changes the match.
+// game/senses/senses.h: what both players hear and feel of a match, computed without loudspeakers and motors,
+// for pictures of replays, scenarios and benchmarks. The match is never changed.
 #pragma once
 #include <filesystem>
 #include <memory>
@@ -11,13 +11,14 @@
 
 namespace thaum::game {
 
-/// Sounds, effects, and the layout of the figure in the view.
+/// Sounds, effects, and the layout of the body figure in the view.
 struct SenseData {
     audio::SoundBank bank;
     tactile::EffectBank effects;
     tactile::Layout figure;
 
-    /// The error names a folder that cannot be read, or a faulty figure. A faulty sound or effect is only left out.
+    /// Loads the data. The error names a folder that cannot be read, or a fault in the figure's layout. A
+    /// sound or effect with a fault is only left out.
     static Expected<std::shared_ptr<const SenseData>> load(const std::filesystem::path& assets,
                                                            audio::WithSamples samples);
 };
@@ -29,9 +30,10 @@ public:
     Senses(const Senses&) = delete;
     Senses& operator=(const Senses&) = delete;
 
-    /// Adds a layout for both players, and returns its number. Number 0 is the figure. Keeps the reference.
+    /// Adds a layout for both players, and returns its number; number 0 is the figure. Keeps a reference to
+    /// the layout.
     std::size_t add(const tactile::Layout& layout);
-    /// Follows the match after each tick; it looks at every eighth one.
+    /// Updates sounds and effects. Call this after each tick; only every eighth tick is used.
     void follow(const Simulation& match);
 
     const SenseData& data() const { return *data_; }
@@ -46,7 +48,7 @@ public:
     const tactile::MixerCounts& counts(std::uint32_t player, std::size_t layout) const {
         return scenes_.at(player)->counts(layout);
     }
-    /// Time since a cell of the player's figure was last on (s).
+    /// Time since any cell of the player's figure was last active (s).
     double since_felt_s(std::uint32_t player) const;
 
 private:
@@ -59,7 +61,8 @@ private:
     std::array<std::unique_ptr<TactileScene>, players> scenes_{};
     std::array<HandWords, players> hands_{};
     std::array<HeardLines, players> lines_{};
-    std::array<Tick, players> felt_at_{};  ///< Simulation::now when a cell was last on; 0: never
+    /// Value of Simulation::now when any cell was last active; 0: never.
+    std::array<Tick, players> felt_at_{};
     Tick now_{};
 };
 

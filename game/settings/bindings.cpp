@@ -40,10 +40,10 @@ bool is(Slot slot, SessionKey key) {
     return slot.sheet == session_sheet && slot.action == static_cast<std::size_t>(key);
 }
 
-/// Number of wand keys that have a meaning at orb and crystals, whether or not there is such a wand.
+/// Number of wand keys that choose something at orb and crystals, even if no wand has that key.
 constexpr std::size_t station_keys = game::most_orb_modes;
 
-/// Slot of the wand that the action takes in hand; std::nullopt for other actions.
+/// Slot of the wand that the action selects; std::nullopt for other actions.
 std::optional<std::size_t> wand_slot_of(Slot slot) {
     for (std::size_t wand = 0; wand < input::most_wands; ++wand) {
         if (is(slot, input::wand_action(wand + 1))) return wand;
@@ -51,15 +51,15 @@ std::optional<std::size_t> wand_slot_of(Slot slot) {
     return std::nullopt;
 }
 
-/// Actions that act only after the round, when no other action of a hand acts.
+/// Actions that only work after a round, when a hand has no other actions.
 bool acts_after_round(Slot slot) {
     return is(slot, Action::confirm) || is(slot, SessionKey::again) || is(slot, SessionKey::leave);
 }
 bool acts_in_round(Slot slot) { return !acts_after_round(slot); }
 bool acts_always(Slot slot) { return slot.sheet == session_sheet && acts_in_round(slot); }
 
-/// Tests whether one control may do both: the same action for two players, or actions that never act at the
-/// same time.
+/// Tests whether one control may be bound to both: to the same action of two players, or to actions that
+/// never work at the same time.
 bool may_share(Slot a, Slot b) {
     const bool hands = a.sheet != session_sheet && b.sheet != session_sheet;
     if (hands && a.action == b.action)
@@ -71,8 +71,8 @@ bool may_share(Slot a, Slot b) {
     return acts_after_round(a) != acts_after_round(b) && !acts_always(a) && !acts_always(b);
 }
 
-/// Tests whether two slots may not share a control. Two pads belong to two people, so a control of the pad
-/// sheet never conflicts with one of another sheet.
+/// Tests whether two slots must not have the same control. Two pads belong to two people, so a control on the
+/// sheet of pads never conflicts with one on another sheet.
 bool conflict(Slot a, Slot b) { return is_pad_sheet(a.sheet) == is_pad_sheet(b.sheet) && !may_share(a, b); }
 
 constexpr std::array<std::string_view, 5> mouse_button_labels{
@@ -94,7 +94,7 @@ constexpr std::array<std::string_view, 15> pad_button_labels{"A",
                                                              "Pad down",
                                                              "Pad left"};
 
-/// Two labels for each axis of a pad: its low and its high end.
+/// Two labels for each axis of a pad: for its low end and its high end.
 constexpr std::array<std::string_view, 12> pad_axis_labels{"Left stick left",
                                                            "Left stick right",
                                                            "Left stick down",
@@ -108,12 +108,13 @@ constexpr std::array<std::string_view, 12> pad_axis_labels{"Left stick left",
                                                            "RT",
                                                            "RT"};
 
-/// Keys of the keypad that people know by their sign.
+/// Keys of the keypad that people know by the character printed on them.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> keypad_signs{
     {{"add", "+"}, {"subtract", "-"}, {"multiply", "*"}, {"divide", "/"}, {"decimal", "."}, {"equal", "="}}};
 
 std::string label_of_key(int code) {
-    // Letters as the user's keyboard has them; other keys by the names that the settings file has, such as "Left shift".
+    // Letters as printed on the user's keyboard; other keys by the names in the settings file, such as "Left
+    // shift".
     if (auto label = render::key_label(code); label != render::key_name(code)) return label;
     auto words = capitalised_words(key_name_of(code));
     if (words == "Escape") return "Esc";
@@ -147,7 +148,7 @@ bool is_bound(const std::vector<Control>& controls, int key) {
 bool pauses(Slot slot) { return is(slot, Action::pause) || is(slot, SessionKey::pause); }
 
 bool fits(Slot slot, const Control& control) {
-    // The mouse's wheel needs no binding for its own steps.
+    // The steps of the mouse wheel always move a held thing farther or nearer, without a binding.
     const bool wheel = control.source == Control::Source::wheel;
     if (wheel && (is(slot, Action::farther) || is(slot, Action::nearer))) return false;
     if (is_pad_sheet(slot.sheet)) return is_pad_control(control);
@@ -238,7 +239,7 @@ std::string_view help_of(Action action) {
     }
 }
 
-/// A wand's key also takes a mode of the orb or a tool for a crystal.
+/// The key of a wand also chooses a mode at the orb or a tool at a crystal.
 std::string help_of_wand(std::size_t wand, std::string_view name) {
     if (wand >= station_keys) return text("Takes the wand ", name, ".");
     const auto other = text("mode or tool ", wand + 1, " at orb and crystal.");

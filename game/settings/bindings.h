@@ -1,5 +1,6 @@
-// game/settings/bindings.h: the settings' bindings as sheets of actions. Functions here name sheets, actions and
-// controls, test which controls a hand can reach, and move a control from one action to another.
+// game/settings/bindings.h: bindings of controls to actions in the settings, as sheets with one row for each
+// action. Functions here give the names of sheets, actions and controls, test which controls a hand can use,
+// and move a control from one action to another.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,7 +9,8 @@
 
 namespace thaum::app {
 
-/// One action of one sheet of bindings. Sheets 0 to 2 are settings_hands; sheet 3 holds the session's keys.
+/// One action on one sheet of bindings. Sheets 0 to 2 are those of settings_hands; sheet 3 has the keys of
+/// the session.
 struct Slot {
     std::size_t sheet{}, action{};
     bool operator==(const Slot&) const = default;
@@ -19,28 +21,28 @@ inline constexpr std::size_t session_sheet = settings_hands.size();
 std::size_t size_of_sheet(std::size_t sheet);
 bool is_pad_sheet(std::size_t sheet);
 
-/// Names of the wands by slot, for people: "Bolt". Empty: no wand has the slot.
+/// Display names of the wands by slot: "Bolt". Empty: no wand has the slot.
 using WandNames = std::array<std::string, input::most_wands>;
 
-/// Tests whether the controls page lists the action. The other actions have no control by default, and
-/// nothing listens to them.
+/// Tests whether the page of controls lists the action. Other actions have no control by default and no
+/// effect.
 bool is_listed(Slot slot, const WandNames& wands);
 /// Tests whether a key is one of the controls.
 bool is_bound(const std::vector<input::Control>& controls, int key);
 /// Tests whether the action opens the pause.
 bool pauses(Slot slot);
-/// Tests whether the control can do the action: a hand of the sheet can reach it.
+/// Tests whether a control can be bound to the action, which requires that a hand of the sheet can use it.
 bool fits(Slot slot, const input::Control& control);
 
 const std::vector<input::Control>& controls_of(const Settings& settings, Slot slot);
 
-/// Makes `control` the only control of the slot. Removes it from every action that could happen at the same
-/// time, and returns those actions.
+/// Makes `control` the only control of the slot. Removes it from every action that works at the same time,
+/// and returns those actions.
 std::vector<Slot> assign(Settings& settings, Slot slot, const input::Control& control);
 
 /// Label of a sheet: "Keypad and arrows", "Keys for everybody".
 std::string label_of_sheet(std::size_t sheet);
-/// Label of an action: "Use wand". An action that takes a wand is called as the wand is.
+/// Label of an action: "Use wand". An action that selects a wand has the wand's name.
 std::string label_of(Slot slot, const WandNames& wands);
 /// Returns a sentence that says what an action does.
 std::string help_of(Slot slot, const WandNames& wands);

@@ -1,4 +1,5 @@
-// game/settings/body_faders.h: strengths of what jacket and motors play, one fader for each purpose of an effect.
+// game/settings/body_faders.h: strengths of the effects that jackets and motors play, with one fader for each
+// purpose of an effect.
 #pragma once
 #include <string_view>
 
@@ -11,7 +12,8 @@ namespace thaum::app {
 std::string_view label_of(tactile::Purpose purpose);
 std::string_view effect_of(tactile::Purpose purpose);
 
-/// Reads a player's table of the settings file: a number for each purpose. Purposes without a line keep their value.
+/// Reads a player's table in the settings file, which has a number for each purpose. Purposes without an
+/// entry keep their value.
 tactile::Faders read_body_faders(const ConfigTable& table, tactile::Faders faders);
 
 }  // namespace thaum::app

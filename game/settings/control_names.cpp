@@ -8,7 +8,7 @@ namespace {
 
 using input::Action;
 
-/// A label without words that a prompt does not need: "Left mouse" for "Left mouse button".
+/// A label without words that a prompt can omit: "Left mouse" for "Left mouse button".
 std::string short_label_of(const input::Control& control) {
     auto label = label_of(control);
     constexpr std::string_view button = " button";
@@ -21,7 +21,7 @@ std::string first_label(const input::Bindings& bindings, Action action) {
     return controls.empty() ? std::string() : short_label_of(controls.front());
 }
 
-/// The controls of four directions: a stick by its own name, "W A S D", or "Keypad 8 4 5 6".
+/// Names of the controls for four directions: a stick by its own name, "W A S D", or "Keypad 8 4 5 6".
 std::string directions(const input::Bindings& bindings, std::initializer_list<Action> actions) {
     constexpr std::string_view keypad = "Keypad ";
     std::string all;

@@ -1,5 +1,5 @@
-// game/settings/faders.h: share of the cauldron's forces that a player's hand feels, one fader for each source.
-// The hand acts on the brew with full strength whatever the faders say.
+// game/settings/faders.h: faders for the cauldron's forces on a player's hand, one for each source of force.
+// They do not change how strongly the hand acts on the brew.
 #pragma once
 #include <array>
 #include <string>
@@ -13,33 +13,33 @@ namespace thaum::app {
 
 struct Fader {
     double share = 1;  ///< share of the force that the data files give (0 to 1)
-    bool on = true;    ///< false: nothing of this source is felt, and `share` keeps its value
+    bool on = true;    ///< false: nothing of this source is felt; `share` keeps its value for later
     bool operator==(const Fader&) const = default;
 };
-/// One fader for each mode, in the order of haptics::fluid_modes.
+/// One fader for each source, in the order of haptics::fluid_modes.
 using Faders = std::array<Fader, haptics::fluid_modes.size()>;
 
-/// Name of the fader's source ("Viscosity"), and its effect in one sentence.
+/// Name of the fader's source ("Viscosity"), and its effect in one sentence (the function below).
 std::string_view label_of_fader(std::size_t source);
 std::string_view effect_of_fader(std::size_t source);
 
 /// Text of a share: "75 %", "7.5 %".
 std::string percent_words(double share);
-/// A share that is moved by `steps` of which `in_all` make the whole; at most 1, at least 0.
+/// A share that is changed by `steps` steps of 1 / `in_all`, limited to 0 to 1.
 double moved_share(double share, int steps, int in_all);
 
 /// Text of a fader's value: "75 %", "off (75 %)".
 std::string shown(const Fader& fader);
-/// Moves the fader up or down by `steps` of 5 %, or switches it on or off.
+/// Changes the fader by `steps` of 5 %, or switches it on or off.
 void change(Fader& fader, int steps);
 
-/// Reads one player's table of the settings file: a number for each source, and `off`, a list of names.
-/// Sources without a line keep their value from `faders`.
+/// Reads one player's table in the settings file: a number for each source, and `off`, a list of source
+/// names. Sources without an entry keep their value from `faders`.
 Faders read_faders(const ConfigTable& table, Faders faders);
 /// Value of the key `off` in the settings file: the names of the sources that are off.
 std::string off_words(const Faders& faders);
 
-/// Writes the faders into the DeviceSpec that the log's header keeps.
+/// Writes the faders into the DeviceSpec that is stored in the log's header.
 void ask_for(const Faders& faders, input::DeviceSpec& device);
 
 }  // namespace thaum::app

@@ -1,6 +1,6 @@
-// game/settings/feel_profile.h: everything that a player feels, as one set of values: the faders for forces, motors and
-// jacket. The game has three presets. Players keep sets of their own under a name, each in a file of the folder
-// `feel` beside the settings file.
+// game/settings/feel_profile.h: all strengths that a player feels as one profile: the faders for forces,
+// motors and jacket. The game has three preset profiles. Players save their own under a name, each in a file
+// in the folder `feel` beside the settings file.
 #pragma once
 #include "game/settings/settings.h"
 
@@ -8,7 +8,7 @@ namespace thaum::app {
 
 struct FeelProfile {
     std::string name{};
-    /// Only the settings of SettingPage::mixer and the faders of the body count; the rest has defaults.
+    /// settings of the player; only those of SettingPage::mixer and the faders of the body are used
     PlayerSettings felt{};
     Faders cauldron{};
 };
@@ -16,14 +16,14 @@ struct FeelProfile {
 /// Presets: "gentle" (the defaults), "full" (all that devices can do), "silent" (nothing is felt).
 const std::vector<FeelProfile>& feel_presets();
 
-/// Gives a player the values of a profile.
+/// Copies the values of a profile to a player's settings.
 void use(const FeelProfile& profile, Settings& settings, std::size_t player);
 /// The values of a player, as a profile without a name.
 FeelProfile feel_of(const Settings& settings, std::size_t player);
-/// Whether both have the same values. Names do not count.
+/// Whether both have the same values. Names are not compared.
 bool feels_alike(const FeelProfile& a, const FeelProfile& b);
 
-/// Text of a profile's file, and back. Keys that are missing have their defaults. Messages call the file `file`.
+/// Writes and reads the text of a profile's file. Missing keys get their defaults. `file`: name in messages.
 std::string written(const FeelProfile& profile);
 Expected<FeelProfile> parse_feel_profile(std::string_view toml, const std::string& file);
 

@@ -5,9 +5,10 @@
 
 namespace thaum::app {
 
-/// Reads a player's jacket and its layout. A fault is reported, and the player keeps the former one.
+/// Reads a player's jacket and its layout. After a fault, which is reported, the player keeps the earlier
+/// jacket.
 void read_jacket(const ConfigTable& table, PlayerSettings& player);
-/// Takes a jacket that both players have from the second one, and reports it.
+/// If both players have the same jacket, removes it from the second player and reports this.
 void divide_jackets(const ConfigTable& root, Settings& s);
 
 }  // namespace thaum::app

@@ -14,13 +14,14 @@
 namespace thaum::app {
 namespace {
 
-constexpr std::size_t largest_own_gesture = std::size_t{1} << 20U;  // bytes of a file
+constexpr std::size_t largest_own_gesture = std::size_t{1} << 20U;  // maximum size of a gesture file (bytes)
 
 std::filesystem::path file_of(const std::filesystem::path& folder, const std::string& name) {
     return folder / (file_name_of(name) + ".toml");
 }
 
-/// Why an own gesture does not fit the match's data, or not beside the player's other ones; std::nullopt if it does.
+/// Why a recorded gesture does not suit the match's data or the player's other gestures; std::nullopt if it
+/// does.
 std::optional<std::string> fault_of(const game::MatchData& data, std::vector<input::ProfileData> others,
                                     const input::ProfileData& item) {
     game::MatchSetup scratch;
@@ -32,11 +33,12 @@ std::optional<std::string> fault_of(const game::MatchData& data, std::vector<inp
                 "): record it anew with shorter strokes");
 }
 
-/// Words for the more frequent of two mistakes: "Star: 12 % of such strokes are taken for it".
+/// Text about the more frequent of two mistakes: "Star: 12 % of such strokes are taken for it".
 std::string words_of(const gesture::Pair& pair, bool own_is_first, std::string_view other) {
     const auto &own = own_is_first ? pair.a_as_b : pair.b_as_a,
                &others = own_is_first ? pair.b_as_a : pair.a_as_b;
-    // Strokes of a copy are seldom taken for the other gesture, because the recogniser is sure of neither.
+    // For two equal gestures there are few confident mistakes, because the recogniser is sure of neither. So
+    // the nearest gesture counts, too.
     const bool taken = 2 * std::max(own.taken, others.taken) >= std::max(own.nearer, others.nearer);
     const double of_own = taken ? own.taken : own.nearer, of_others = taken ? others.taken : others.nearer;
     const auto percent = text(other, ": ", std::lround(100 * std::max(of_own, of_others)), " % of ");

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view bot = "bot ";
 
-/// Level of a bot in the words that a log has about a player; empty for a person, and for any other words.
+/// Level of a bot from the description of a player in a log; empty for a person, and for any other text.
 std::string_view level_of(std::string_view player) {
     if (!player.starts_with(bot)) return {};
     player.remove_prefix(bot.size());

@@ -1,15 +1,16 @@
-// game/settings/recorded_names.h: names of a recorded match's players, as its players saw them on the screen.
+// game/settings/recorded_names.h: the names of a recorded match's players, as they were shown during the
+// match.
 #pragma once
 #include "game/data/teams.h"
 #include "input/log.h"
 
 namespace thaum::app {
 
-/// Adds the names on the screen to a log's header, which lists none if all are empty.
+/// Adds the shown names to a log's header. If all are empty, nothing is added.
 void record_names(const game::PlayerNames& names, input::LogHeader& header);
 
-/// Names for the replay of a log. A name that no player could have is left out. Logs of earlier versions have no names:
-/// then a bot against a person is "Bot 3".
+/// Names for the replay of a log. Invalid names are left out. Logs of earlier versions have no names: there,
+/// in a match of a bot against a person, the bot is "Bot 3" (its level).
 game::PlayerNames recorded_names(const input::LogHeader& header);
 
 }  // namespace thaum::app

@@ -1,4 +1,4 @@
-// Tables of all settings: their keys, labels, ranges and pages, and what can be done with any of them.
+// Tables of all settings: keys, labels, ranges and pages, with functions that work on any setting.
 #include <algorithm>
 #include <cmath>
 
@@ -240,8 +240,8 @@ std::string shown(const SettingOf<Of>& setting, const Of& values) {
 template <class Of>
 void change(const SettingOf<Of>& setting, Of& values, int steps) {
     if (const auto* n = std::get_if<NumberOf<Of>>(&setting.kind)) {
-        // Rounds to a whole number of steps. Dividing instead of multiplying gives 0.3 and not
-        // 0.30000000000000004.
+        // Rounds to a whole number of steps. Dividing by the inverse step, instead of multiplying by the
+        // step, gives 0.3 and not 0.30000000000000004.
         const double per_unit = std::round(1 / n->step);
         const double whole = std::round(values.*n->value / n->step) + steps;
         const double value = n->step < 1 ? whole / per_unit : whole * n->step;

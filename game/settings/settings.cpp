@@ -86,15 +86,15 @@ void read_name(const ConfigTable& table, PlayerSettings& player) {
         table.report("name", text("'name': ", name.error().message));
 }
 
-/// Reads the largest force of each player from its place in files of earlier versions.
+/// Reads the largest force of each player from its place in the files of earlier versions.
 void read_former_forces(const ConfigTable& root, Settings& s) {
     const auto& names = force_names();
     for (const auto& [key, player] : {std::pair("force_1", &s.players[0]), {"force_2", &s.players[1]}})
         player->force = root.choice(key, names, player->force);
 }
 
-/// Reads the dead zone of both players' sticks from its place in files of earlier versions, which had one with each
-/// device's controls. Only a pad has sticks.
+/// Reads the dead zone of both players' sticks from its place in the files of earlier versions, which had one
+/// for each device's controls. Only a pad has sticks.
 void read_former_dead_zone(const ConfigTable& root, Settings& s) {
     for (const auto kind : settings_hands) {
         const auto name = input::name_of(kind);
@@ -105,7 +105,8 @@ void read_former_dead_zone(const ConfigTable& root, Settings& s) {
     }
 }
 
-/// Reads the players' own settings. In files of earlier versions they are at the top and count for both players.
+/// Reads the players' own settings. In files of earlier versions they are at the top level and apply to both
+/// players.
 void read_players(const ConfigTable& root, Settings& s) {
     read_former_forces(root, s);
     read_former_dead_zone(root, s);
@@ -143,7 +144,7 @@ bool is_number(std::string_view word) {
            std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// Length of the pattern if `name` begins with it, else 0. In the pattern, d stands for a digit.
+/// Length of the pattern if `name` begins with it, else 0. A d in the pattern matches any digit.
 std::size_t fitted(std::string_view name, std::string_view pattern) {
     const bool fits = name.size() >= pattern.size() &&
                       std::equal(pattern.begin(), pattern.end(), name.begin(),
@@ -151,10 +152,12 @@ std::size_t fitted(std::string_view name, std::string_view pattern) {
     return fits ? pattern.size() : 0;
 }
 
-/// A recorded match with a name of this program. Names contain a counter, because clocks may run backwards.
+/// A recorded match whose file name was made by this program. Names contain a counter, because clocks may run
+/// backwards.
 struct MatchLog {
-    std::uint64_t number{};  ///< 0: the name is from an earlier version and has only the date
-    std::string name;        ///< file name without ".thaumlog"
+    /// Counter in the name; 0: a name of an earlier version, which has only the date.
+    std::uint64_t number{};
+    std::string name;  ///< file name without ".thaumlog"
     std::filesystem::path path;
 
     /// Sort key, oldest first. Of two names with the same beginning the shorter comes first: "-2" before
@@ -167,7 +170,7 @@ private:
     static constexpr std::size_t dated = std::string_view("dddd-dd-dd_dd-dd-dd_dd").size();
 };
 
-/// Counter in the name of a log; std::nullopt if this program did not give the name. Names look like
+/// Counter in the name of a log; std::nullopt if the name was not made by this program. Names look like
 /// "000012_2026-03-01_18-05-59.thaumlog", in earlier versions like "2026-03-01_18-05-59_01.thaumlog". A
 /// suffix "-2" follows if the name was taken. Only files with such names are ever deleted.
 std::optional<std::uint64_t> number_of_own(std::string_view name) {
@@ -181,7 +184,7 @@ std::optional<std::uint64_t> number_of_own(std::string_view name) {
     return numbered ? std::stoull(std::string(name.substr(0, digits))) : 0;
 }
 
-/// Logs in the folder with names of this program, oldest first.
+/// Logs in the folder whose names were made by this program, oldest first.
 std::vector<MatchLog> match_logs(const std::filesystem::path& folder) {
     std::vector<MatchLog> logs;
     std::error_code error;
@@ -196,7 +199,8 @@ std::vector<MatchLog> match_logs(const std::filesystem::path& folder) {
     return logs;
 }
 
-/// Deletes the oldest logs until there is room for one more. Keeps logs that a program is recording.
+/// Deletes the oldest logs until there is room for one more. Logs that a program is recording are not
+/// deleted.
 void delete_oldest(const std::vector<MatchLog>& logs, int kept) {
     const auto room = static_cast<std::size_t>(std::max(kept - 1, 0));
     std::error_code error;
@@ -230,7 +234,7 @@ std::string player_words(const Settings& settings, std::size_t player) {
 std::optional<int> key_code_of(std::string_view name) {
     if (name == "escape") return render::key_code("esc");
     if (const auto code = render::key_code(name)) return code;
-    // The window layer's names differ: "LeftAlt" for "left_alt", and "LeftCtrl" for "left_control".
+    // The window library uses other names: "LeftAlt" for "left_alt", and "LeftCtrl" for "left_control".
     std::string plain(name);
     std::erase(plain, '_');
     if (plain.ends_with("control")) plain.replace(plain.size() - 7, 7, "ctrl");
@@ -281,12 +285,12 @@ Expected<ReadSettings> read_settings_file(const std::filesystem::path& file,
                                           const std::filesystem::path& assets) {
     if (file.empty()) return ReadSettings{};
     std::error_code error;
-    // symlink_status: a dangling link counts as an existing file.
+    // symlink_status is used so that a dangling link counts as an existing file.
     if (!std::filesystem::exists(std::filesystem::symlink_status(file, error))) {
         const auto defaults = read_text_file(assets / "settings.toml", max_settings_file);
         if (!defaults) return defaults.error();
         std::filesystem::create_directories(file.parent_path(), error);
-        // Players can play even if the home folder is not writable.
+        // A home folder that is not writable must not keep players from playing.
         if (!write_text_file(file, *defaults)) return ReadSettings{};
     }
     const auto source = read_own_text_file(file, max_settings_file);
@@ -294,7 +298,8 @@ Expected<ReadSettings> read_settings_file(const std::filesystem::path& file,
     return read_settings(*source, file.string());
 }
 
-/// Words for the start screen, which has no room for the path: "settings.toml, line 5: 'fov_deg' is 5, ...".
+/// Message for the start screen, which has no room for the path: "settings.toml, line 5: 'fov_deg' is 5,
+/// ...".
 std::string short_fault(const Error& fault, const std::filesystem::path& file) {
     const auto folder = file.parent_path().string() + '/';
     auto words = fault.message.starts_with(folder) ? fault.message.substr(folder.size()) : fault.message;

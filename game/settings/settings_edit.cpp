@@ -1,6 +1,6 @@
-// Changes of values in the text of a settings file, line by line, so that comments and layout stay. A line
-// editor does not cover all of TOML. So the edited text is parsed again, and it is used only if it has
-// exactly the requested changes.
+// Changes values in the text of a settings file line by line, so that comments and layout are kept. A line
+// editor cannot handle all of TOML, so the edited text is parsed again and used only if it has exactly the
+// requested changes.
 #include <algorithm>
 
 #include "core/file.h"
@@ -44,7 +44,7 @@ void add_body(std::string_view table, const tactile::Faders& body, std::vector<S
             {std::string(table), std::string(tactile::purpose_names()[i]), text(body.values[i])});
 }
 
-/// All values of a settings file, as text.
+/// All values in a settings file, as text.
 std::vector<SettingEdit> all_values(const Settings& settings) {
     std::vector<SettingEdit> values;
     for (const auto& setting : all_settings())
@@ -117,7 +117,7 @@ std::size_t end_of_value(std::string_view line, std::size_t at) {
     return last == std::string_view::npos || last < at ? at : last + 1;
 }
 
-/// Replaces a value. A comment behind the value stays in its column if there is room.
+/// Replaces a value. A comment after the value keeps its column if there is room.
 void replace_value(std::string& line, std::size_t at, const std::string& value) {
     const auto end = end_of_value(line, at);
     const auto next = line.find_first_not_of(" \t", end);
@@ -130,7 +130,7 @@ void replace_value(std::string& line, std::size_t at, const std::string& value) 
 
 void apply(const SettingEdit& edit, std::vector<std::string>& lines) {
     std::string table;
-    std::optional<std::size_t> last;  // one past the table's last line with a key or header
+    std::optional<std::size_t> last;  // number of the line after the table's last line with a key or header
     if (edit.table.empty()) last = 0;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         if (const auto header = header_of(lines[i])) table = *header;
@@ -152,7 +152,7 @@ bool names(const std::vector<SettingEdit>& edits, const SettingEdit& one) {
                        [&](const SettingEdit& e) { return e.table == one.table && e.key == one.key; });
 }
 
-/// Tests whether `now` has the edits' values, and otherwise the values of `old`.
+/// Tests whether `now` has the values of the edits, and otherwise those of `old`.
 bool says(const Settings& old, const Settings& now, const std::vector<SettingEdit>& edits) {
     const auto differences = changes(old, now);
     const auto values = all_values(now);
@@ -191,7 +191,7 @@ Expected<void> save_changes(const std::filesystem::path& file, const Settings& b
     if (edits.empty()) return {};
     if (file.empty()) return fail("there is no home folder for the settings: set HOME or XDG_CONFIG_HOME");
     std::error_code error;
-    // Writes through a symbolic link, so that the link stays a link.
+    // If the file is a symbolic link, writes to its target, so that the link is kept.
     const auto real = std::filesystem::weakly_canonical(file, error);
     const auto& target = error ? file : real;
     const auto source = read_own_text_file(target, max_edited_file);

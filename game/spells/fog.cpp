@@ -1,5 +1,5 @@
-// Fog: a cloud round a place ahead of its wizard. Nobody sees through it. What it hides from bots and from the help with
-// aiming: game/context/fog.h.
+// Fog: a cloud around a point ahead of its wizard, through which no one can see. game/context/fog.h has what
+// it hides from bots and aim assist.
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +20,7 @@ public:
           sight_(root.number("sight_m", {0.1, 100})),
           lasts_(root.number("lasts_s", {0, 3600})) {}
 
-    /// The cloud covers more ground, and stays longer, in proportion to the strength.
+    /// The cloud is larger and lasts longer in proportion to the strength.
     void cast(const SpellCast& cast) const override {
         auto& world = cast.context.world;
         const auto& now = std::as_const(world);
@@ -56,9 +56,9 @@ public:
 
 private:
     double radius_{};  ///< radius of the cloud of a gentle stroke (m)
-    double ahead_{};   ///< distance of its middle from the wizard (m)
+    double ahead_{};   ///< distance of the cloud's middle from the wizard (m)
     double sight_{};   ///< see Fog
-    double lasts_{};   ///< time for which the cloud of a gentle stroke stays (s)
+    double lasts_{};   ///< duration of the cloud of a gentle stroke (s)
 };
 
 const SpellRegistration registration({

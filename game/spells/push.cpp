@@ -1,5 +1,6 @@
-// Push: throws back the wizard and the loose things in a cone ahead. A wizard gets a speed, a thing an impulse, so that
-// a crate flies and a table slides. Who falls soon afterwards has been felled by the caster.
+// Push: throws back the wizard and the loose things in a cone ahead. A wizard gets a speed, a thing an
+// impulse, so that a crate flies and a table slides. A wizard who dies by a fall soon afterwards counts as
+// killed by the caster.
 #include <algorithm>
 #include <cmath>
 
@@ -13,21 +14,21 @@ namespace {
 
 struct PushData {
     double reach{};          ///< length of the cone (m)
-    double narrowest_cos{};  ///< cosine of half its angle
-    double speed{};          ///< speed of a wizard (m/s)
-    double impulse{};        ///< impulse of a thing (N s)
+    double narrowest_cos{};  ///< cosine of half the cone's opening angle
+    double speed{};          ///< speed given to a wizard (m/s)
+    double impulse{};        ///< impulse given to a thing (N s)
     double fastest{};        ///< largest speed that a thing gains (m/s)
-    double lift{};           ///< least upward part of a thing's direction
+    double lift{};           ///< minimum upward component of the direction in which a thing is pushed
 };
 
-/// A body in the cone.
+/// A body that the cone reaches.
 struct Reached {
     vec3 way{};    ///< direction from the eye to the body's middle (unit)
-    vec3 point{};  ///< nearest point of its surface on that way (m, world)
+    vec3 point{};  ///< nearest point of the body's surface in the direction `way` (m, world)
 };
 
-/// Finds out whether the cone reaches a body: its middle is within the angle, its surface within reach, and nothing
-/// stands before it.
+/// Tests whether the cone reaches a body: its middle is within the angle, its surface within reach, and
+/// nothing is in between.
 std::optional<Reached> reach(const MatchContext& context, const PushData& data, ecs::Entity caster,
                              physics::Key key, vec3 middle) {
     const auto& physics = context.physics.read();
@@ -42,7 +43,7 @@ std::optional<Reached> reach(const MatchContext& context, const PushData& data, 
     return Reached{way, hit->point};
 }
 
-/// The direction along the ground; straight ahead for a body right above or below.
+/// The horizontal direction of a vector; straight ahead if the vector is vertical.
 vec3 level(vec3 way, double yaw) {
     const vec3 flat(way.x, 0, way.z);
     const double length = glm::length(flat);
@@ -75,15 +76,15 @@ void push_thing(const SpellCast& cast, const PushData& data, ecs::Entity thing, 
     shove(cast.context, thing, way * impulse, reached.point, now.get<Wizard>(cast.wizard).player, cast.tick);
 }
 
-/// The thing that the wizard holds by the wand in hand; no entity if there is none.
+/// The thing that the wizard holds with the wand in hand; an invalid entity if there is none.
 ecs::Entity thing_in_hand(const MatchContext& context, ecs::Entity wizard) {
     const auto* wand = wand_in_hand(context.data, std::as_const(context.world).get<WandBelt>(wizard));
     return wand != nullptr ? wand->rules->held_thing(context.world, wizard) : ecs::Entity{};
 }
 
-/// Share of the reach within which a bot pushes, since the foe moves while the stroke is drawn.
+/// Share of the reach within which a bot casts, since the foe moves while the stroke is drawn.
 constexpr double well_within = 0.9;
-constexpr double close = 2.5;  ///< distance at which a bot wants its foe farther away (m)
+constexpr double close = 2.5;  ///< distance below which a bot wants its foe farther away (m)
 
 class PushSpell final : public SpellRules {
 public:

@@ -1,6 +1,6 @@
-// Recall: the loose thing that its wizard took up or threw last flies back. It brakes before the wizard. A wand that can
-// hold it catches it; else it lands at the wizard's feet. If the ground is in its way, it rises first. A harsh recall is
-// faster and shoves aside what the thing meets.
+// Recall: the loose thing that its wizard took up or threw last flies back and brakes in front of the wizard.
+// A wand that can hold the thing catches it; otherwise the thing lands at the wizard's feet. If the ground is
+// in the way, the thing rises first. A harsh recall is faster and shoves aside whatever the thing meets.
 #include <algorithm>
 #include <cmath>
 
@@ -15,24 +15,25 @@ namespace {
 
 struct RecallData {
     double reach{};         ///< largest distance of the thing from the eye (m)
-    double speed{};         ///< largest speed of its flight (m/s)
-    double acceleration{};  ///< largest change of its velocity (m/s^2)
+    double speed{};         ///< largest speed of the thing's flight (m/s)
+    double acceleration{};  ///< largest acceleration of the thing (m/s^2)
     double before{};        ///< distance from the eye to the nearest point of a thing that has arrived (m)
-    double aside{};         ///< speed that a harsh recall gives to what is in the way (m/s)
-    Tick gives_up{};        ///< ticks after which a thing that has not arrived falls
+    double aside{};         ///< speed that a harsh recall gives to obstacles (m/s)
+    Tick gives_up{};        ///< number of ticks after which a thing that has not arrived falls
 };
 
-/// The thing that flies back to a wizard. The component is there during the flight.
+/// The thing that flies back to a wizard. A wizard has this component only during the flight.
 struct Recalled {
     ecs::Entity thing{};
-    Tick until{};       ///< tick at which the thing falls
-    double strength{};  ///< see SpellCast
+    Tick until{};       ///< tick at which the thing falls if it has not arrived
+    double strength{};  ///< strength of the spell (SpellCast::strength)
     THAUM_COMPONENT(Recalled, thing, until, strength);
 };
 
-constexpr double arrived = 0.35;    ///< distance from its place at which a thing has arrived (m)
-constexpr double way_upwards = 3;   ///< upward part of the way over an obstacle, relative to the part ahead
-constexpr double noticed_push = 1;  ///< gain of speed from which a wizard counts as pushed (m/s)
+constexpr double arrived = 0.35;  ///< distance from its destination at which a thing counts as arrived (m)
+/// Upward part of the direction over an obstacle, relative to the forward part.
+constexpr double way_upwards = 3;
+constexpr double noticed_push = 1;  ///< gain of speed above which a wizard counts as pushed (m/s)
 constexpr double below_eye = 0.35;  ///< height of the hand below the eye (m)
 
 bool holds(const MatchContext& context, ecs::Entity wizard, ecs::Entity thing) {
@@ -47,7 +48,7 @@ bool is_there(const ecs::World& world, ecs::Entity thing) {
     return thing && world.alive(thing) && world.has<Body>(thing) && world.has<Prop>(thing);
 }
 
-/// Whether no wizard holds the thing, and it is still there.
+/// Whether the thing still exists and no wizard holds it.
 bool is_loose(const MatchContext& context, ecs::Entity thing) {
     const auto& world = context.world;
     return is_there(world, thing) && !holds(context, wizard_of(world, 0), thing) &&
@@ -63,7 +64,7 @@ double half_extent(const physics::BodyDesc& body) {
     }
 }
 
-/// Place of the thing's middle when it has arrived (m, world).
+/// Destination of the thing's middle (m, world).
 vec3 place_before(const MatchContext& context, const RecallData& data, ecs::Entity wizard,
                   physics::Key thing) {
     const vec3 eye = sight_of(context, wizard).eye;
@@ -72,7 +73,8 @@ vec3 place_before(const MatchContext& context, const RecallData& data, ecs::Enti
     return eye + rotation({0, 1, 0}, yaw) * vec3(0, 0, -far) - vec3(0, below_eye, 0);
 }
 
-/// Wanted velocity of the thing: towards its place, slower the nearer it is, and upwards over what is in the way.
+/// Target velocity of the thing: towards its destination, slower as it comes near, and upwards over
+/// obstacles.
 vec3 wanted_velocity(const physics::Physics& physics, const RecallData& data, const Recalled& recalled,
                      vec3 from, vec3 to) {
     const vec3 way = to - from;
@@ -104,7 +106,7 @@ void shove_aside(MatchContext& context, const RecallData& data, ecs::Entity body
                      .place = state.position - way});
 }
 
-/// Shoves aside all that the thing touches, except its wizard and what is fixed.
+/// Shoves aside everything that the thing touches, except its wizard and fixed bodies.
 void clear_way(MatchContext& context, const RecallData& data, ecs::Entity wizard, physics::Key thing,
                vec3 way, Tick tick) {
     const auto player = std::as_const(context.world).get<Wizard>(wizard).player;
@@ -115,7 +117,7 @@ void clear_way(MatchContext& context, const RecallData& data, ecs::Entity wizard
     }
 }
 
-/// Why the wand in hand has not caught a thing that has come, in words for the wizard.
+/// Why the wand in hand has not caught a thing that has arrived, in words for the wizard.
 std::string_view words_of_miss(const MatchContext& context, ecs::Entity wizard, const LoadedWand* wand,
                                double mass) {
     const auto grasp = wand == nullptr ? std::nullopt : wand->rules->grasp();
@@ -125,14 +127,14 @@ std::string_view words_of_miss(const MatchContext& context, ecs::Entity wizard, 
     return "it lies before you: the wand has no energy to catch it";
 }
 
-/// Tells the wizard in words how a recall has ended, for display.
+/// Stores, for display to the wizard, how a recall has ended.
 void tell(MatchContext& context, ecs::Entity wizard, std::string_view words, Tick tick) {
     auto& shown = context.output.strokes.write()[std::as_const(context.world).get<Wizard>(wizard).player];
     shown.outcome = words;
     shown.outcome_at = std::max<Tick>(tick, 1);
 }
 
-/// Lets the wand in hand catch the thing, or else the thing fall to the ground.
+/// Lets the wand in hand catch the thing, or lets the thing fall to the ground.
 void arrive(MatchContext& context, ecs::Entity wizard, ecs::Entity thing, Tick tick) {
     const auto* wand = wand_in_hand(context.data, std::as_const(context.world).get<WandBelt>(wizard));
     context.physics.write().set_velocity(thing.index, vec3(0));
@@ -142,7 +144,7 @@ void arrive(MatchContext& context, ecs::Entity wizard, ecs::Entity thing, Tick t
         tell(context, wizard, miss, tick);
 }
 
-/// Whether the flight has ended before the thing has arrived. Tells the wizard why.
+/// Whether the flight must end before the thing has arrived. Stores the reason for the wizard.
 bool is_over(MatchContext& context, ecs::Entity wizard, const Recalled& recalled, Tick tick) {
     if (context.world.has<Dead>(wizard)) return true;
     if (!is_loose(context, recalled.thing)) {
@@ -176,7 +178,7 @@ bool fly(MatchContext& context, const RecallData& data, ecs::Entity wizard, cons
     return true;
 }
 
-/// What the flight writes, and what a wand that catches the thing writes.
+/// Components that the flight writes, and those that a wand writes in catching the thing.
 ecs::Mask writes_of_flight(const MatchContext& context) {
     const auto& world = context.world;
     auto all = world.mask<Recalled, Prop, Stance, Health, WandBelt, EventLog, resource::Journal,
@@ -185,9 +187,9 @@ ecs::Mask writes_of_flight(const MatchContext& context) {
     return all;
 }
 
-constexpr double worth_the_call = 6;  ///< distance of a thing from which a bot recalls it (m)
-constexpr double close = 4;           ///< distance of the foe below which a bot does not (m)
-constexpr double plenty = 0.6;        ///< share of the focus above which a bot spends some on a recall
+constexpr double worth_the_call = 6;  ///< distance of a thing beyond which a bot recalls it (m)
+constexpr double close = 4;           ///< distance of the foe below which a bot does not recall (m)
+constexpr double plenty = 0.6;        ///< share of the focus above which a bot spends focus on a recall
 
 class RecallSpell final : public SpellRules {
 public:

@@ -1,12 +1,12 @@
-// The shield: for a while it takes harm in its wizard's place, up to an amount. Where that harm is taken: hurt() in
-// game/context/match_context.h.
+// The shield absorbs harm to its wizard for a while, up to an amount. hurt() in game/context/match_context.h
+// subtracts that harm.
 #include "game/context/match_context.h"
 #include "game/data/spell.h"
 
 namespace thaum::game {
 namespace {
 
-/// Share of health below which a bot under fire wants a shield.
+/// Share of health below which a bot that is being shot at casts a shield.
 constexpr double hurt = 0.6;
 
 class ShieldSpell final : public SpellRules {
@@ -27,7 +27,7 @@ public:
     ecs::Mask writes(const ecs::World& world) const override { return world.mask<Health>(); }
 
 private:
-    double absorbs_{};  ///< harm that the shield of a gentle stroke takes (HP)
+    double absorbs_{};  ///< harm that the shield of a gentle stroke absorbs (HP)
     Tick lasts_{};
 };
 

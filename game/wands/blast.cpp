@@ -3,10 +3,10 @@
 //
 // If fire is released before the charge begins, nothing is shot and no energy is lost. The charge grows
 // evenly and stops when the energy is used up, so neither charge nor force jumps. At the shot, the steady
-// force fades while the recoil rises. So no slew limit has to reduce the steady force later, at the cost of
-// the recoil. The sum never exceeds the greater of the two. The ball flies straight, as a bolt does. In each
-// physics step, after the bodies have moved, a sphere is swept along its path. The ball bursts at the first
-// contact.
+// force fades while the recoil rises. Otherwise the slew limit would have to reduce the steady force later,
+// at the cost of the recoil. The sum never exceeds the greater of the two. The ball flies straight, as a bolt
+// does. In each physics step, after the bodies have moved, a sphere is swept along its path. The ball bursts
+// at the first contact.
 #include <algorithm>
 #include <optional>
 
@@ -18,7 +18,7 @@ namespace thaum::game {
 namespace {
 
 struct BlastData {
-    Tick from{};            ///< ticks for which fire is held before the charge begins
+    Tick from{};            ///< number of ticks for which fire must be held before charging begins
     double charge_step{};   ///< growth of the charge per tick
     double steady_force{};  ///< steady force at full charge (N)
     GrowingValue energy, damage, speed;
@@ -30,7 +30,7 @@ struct BlastData {
     double fastest{};
     double recoil{};  ///< peak of the recoil at full charge (N)
     Tick recoil_length{};
-    EventKind hit{};  ///< kind of event of its hits
+    EventKind hit{};  ///< kind of event of the wand's hits
 };
 
 /// A ball of fire in flight.
@@ -40,19 +40,19 @@ struct Blast {
     double charge{};
     Tick dies_at{};
     std::uint32_t player{};
-    std::uint32_t shooter{};  ///< key of the shooter's body
-    std::uint32_t lens{};     ///< 1: the shooter held the Lens
+    std::uint32_t shooter{};  ///< physics key of the shooter's body
+    std::uint32_t lens{};     ///< 1: the shooter held the Lens at the shot
     std::uint32_t spare{};
     THAUM_COMPONENT(Blast, position, velocity, charge, dies_at, player, shooter, lens, spare);
 };
 
 /// State of the blast wand in a wizard's hand.
 struct BlastHand {
-    double charge{};      ///< charge, 0 to 1
-    double affordable{};  ///< charge that the energy pays for
+    double charge{};      ///< charge of the wand, 0 to 1
+    double affordable{};  ///< charge that the remaining energy can pay for
     double leaning{};     ///< charge whose steady force is still fading after the shot; 0: none
     Tick began{};
-    Tick went_off{};           ///< tick of the shot, at which the recoil began
+    Tick went_off{};           ///< tick of the last shot, at which the recoil began
     std::uint32_t charging{};  ///< 1 while fire is held
     std::uint32_t spare{};
     THAUM_COMPONENT(BlastHand, charge, affordable, leaning, began, went_off, charging, spare);
@@ -84,7 +84,7 @@ BlastData read(const ConfigTable& root) {
     return data;
 }
 
-/// The charge that this energy pays for; negative if the energy is too low for any shot.
+/// The charge that an amount of energy can pay for; negative if the energy is too low for any shot.
 double affordable(const GrowingValue& energy, double left) {
     if (left < energy.least) return -1;
     const double more = energy.most - energy.least;
@@ -122,7 +122,7 @@ void stop_charging(const WandUse& use) {
     let_go(use.context, use.wizard);
 }
 
-/// Reduces the steady force by the same share as the recoil has risen, until the recoil's peak.
+/// Reduces the steady force in proportion to how far the recoil has risen, until the recoil's peak.
 void give_way(MatchContext& context, const BlastData& data, ecs::Entity wizard, Tick tick, BlastHand& hand) {
     if (hand.leaning == 0) return;
     const auto at = static_cast<std::uint32_t>(tick - hand.went_off);
@@ -157,7 +157,7 @@ void fire(const WandUse& use, const BlastData& data) {
     give_way(use.context, data, use.wizard, use.tick, hand);
 }
 
-/// Increases charge and steady force. It runs every tick, so that the force grows without steps.
+/// Increases charge and steady force. This runs every tick, so that the force grows without steps.
 void charge(MatchContext& context, const BlastData& data, ecs::Entity wizard, Tick tick, BlastHand& hand) {
     if (hand.charging == 0 || tick <= hand.began + data.from) return;
     hand.charge = std::max(hand.charge, std::min(hand.charge + data.charge_step, hand.affordable));

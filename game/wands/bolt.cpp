@@ -2,7 +2,7 @@
 // direction.
 //
 // A bolt in flight is a point on a straight line. In each physics step, after the bodies have moved, a ray is
-// cast along its path. So a bolt cannot pass through anything, however thin, and hits are exact.
+// cast along its path. So a bolt cannot pass through anything, however thin, and points of impact are exact.
 #include <algorithm>
 #include <cmath>
 
@@ -19,12 +19,12 @@ struct BoltData {
     Tick interval{};  ///< ticks between shots
     double damage{};  ///< harm of a hit (HP)
     double speed{};   ///< speed of a bolt (m/s)
-    double spread{};  ///< half angle of the random spread (rad)
+    double spread{};  ///< half the opening angle of the random spread (rad)
     Tick life{};
     double impulse{};  ///< impulse of a hit (N s)
     double recoil{};   ///< peak of the recoil (N)
     Tick recoil_length{};
-    EventKind hit{};  ///< kind of event of its hits
+    EventKind hit{};  ///< kind of event of the wand's hits
 };
 
 /// A bolt in flight.
@@ -33,7 +33,7 @@ struct Bolt {
     vec3 velocity{};  ///< velocity (m/s, world)
     Tick dies_at{};
     std::uint32_t player{};
-    std::uint32_t ignores{};  ///< key of the shooter's body
+    std::uint32_t ignores{};  ///< physics key of the shooter's body, which the bolt passes through
     THAUM_COMPONENT(Bolt, position, velocity, dies_at, player, ignores);
 };
 
@@ -59,7 +59,7 @@ BoltData read(const ConfigTable& root) {
     return data;
 }
 
-/// Random direction, uniform over the cap of half angle `spread` about `direction`.
+/// Random direction, uniform over a spherical cap with the half angle `spread` around `direction`.
 vec3 scattered(vec3 direction, double spread, Random& random) {
     const double radius = det::tan(spread) * std::sqrt(random.uniform());
     const double angle = random.uniform(0, 2 * pi);
@@ -91,7 +91,7 @@ void fire(const WandUse& use, const BoltData& data) {
         if ((controls.pressed & input::bit(input::Button::fire)) != 0) note_dry(use);
         return;
     }
-    // The shot rate stays exact on average, although this function runs only every gameplay tick.
+    // The rate of shots is exact on average, although this function only runs in gameplay ticks.
     hand.next_shot = std::max(hand.next_shot + data.interval, use.tick + data.interval - gameplay_period + 1);
     shoot(use, data);
 }

@@ -1,12 +1,12 @@
 // The lift wand: while fire is held, a spring and damper join the hand and the loose thing that was under the
-// crosshair (paper 002, 3.1.1). The hand's point (haptic interface point, HIP) moves with the wizard, with
-// the view and, enlarged, with the device. The thing is moved by force alone, and the hand feels the opposite
-// force.
+// crosshair (paper 002, 3.1.1). The hand's point in the world (haptic interface point, HIP) moves with the
+// wizard, with the view and, magnified, with the device. The thing is moved by force alone, and the hand
+// feels the opposite force.
 //
 // Three forces on the thing are not felt by the hand. The first holds the weight up (a fader lets the hand
 // feel a share). The second is drag against the wizard's frame, without which a thing of 120 kg would
-// oscillate for ten seconds. The third, up to a limit, carries the thing along with the wizard's frame. So
-// neither a step nor a turn of the view kicks the hand. The frame follows the view smoothly.
+// oscillate for ten seconds. The third, up to a limit, carries the thing along with the wizard's frame, so
+// that neither a step nor a turn of the view kicks the hand. The frame follows the view smoothly.
 #include <algorithm>
 #include <cmath>
 
@@ -25,23 +25,24 @@ struct LiftData {
     double energy_per_use{},
         energy_per_impulse{};    ///< energy per gameplay tick of holding, energy per impulse (1/(N s))
     double range{}, mass_max{};  ///< reach from the eye (m), largest mass (kg)
-    double stiffness{}, damping{}, drag_ratio{};  ///< N/m, N s/m, share of critical damping
-    /// Distance between hand and thing at which the wand loses the thing (m).
+    /// Stiffness (N/m), damping (N s/m), drag as a share of critical damping.
+    double stiffness{}, damping{}, drag_ratio{};
+    /// Distance between hand and thing beyond which the wand loses the thing (m).
     double lost{};
     /// Largest torque that keeps the thing's orientation (N m).
     double turn_torque{};
     /// Largest force that carries the thing along with the frame (N).
     double carry{};
-    double follow{};                              ///< rate at which the frame follows the view (1/s)
+    double follow{};  ///< rate at which the frame's rotation follows the view (1/s)
     double follow_rate{}, follow_acceleration{};  ///< limits of the frame's rotation (rad/s, rad/s^2)
-    /// Largest speed of a held thing by a turn of the view (m/s).
+    /// Largest speed that a turn of the view gives to a held thing (m/s).
     double follow_speed{};
     double wheel{};  ///< distance per wheel step (m, world)
     Tick caught{};   ///< time for which a thing that flew to the hand is held without fire (ticks)
     double metres_per_metre{}, finest{};
     double felt_stiffness{};  ///< stiffness felt at the device (N/m)
-    double weight{};          ///< felt force per mass, the felt share of the weight (N/kg)
-    /// Kick per impulse of a blow (N/(N s)), least impulse that is felt (N s).
+    double weight{};          ///< force felt per mass, which is the felt share of the weight (N/kg)
+    /// Kick of the hand per impulse of a blow (N/(N s)), and smallest impulse that is felt (N s).
     double blow{}, blow_least{};
     double throw_speed{}, recoil{};  ///< largest speed of a throw (m/s), peak of its recoil (N)
     Tick recoil_length{};
@@ -57,22 +58,23 @@ struct LiftHand {
     /// P_device0: position of the device when the thing was taken up (m, device frame)
     vec3 taken_device{};
     vec3 hip{};            ///< P_HIP: the hand's point after the last tick (m, world)
-    vec3 base{};           ///< the hand's point without the motion of the device (m, world)
+    vec3 base{};           ///< the hand's point without the device's own displacement (m, world)
     vec3 base_velocity{};  ///< velocity of `base` (m/s, world)
     WandCoupling coupling{};
     double metres_per_metre{};
-    double impulse{};  ///< impulse of the spring that is not yet paid for by energy (N s)
+    double impulse{};  ///< impulse of the spring that has not been paid for with energy yet (N s)
     Tick next_blow{};
-    /// Tick before which a thing that came to the hand is held without fire; 0: fire holds it.
+    /// Tick until which a caught thing is held without fire; 0: it is held by fire.
     Tick caught_until{};
     THAUM_COMPONENT(LiftHand, held, turn, yaw, pitch, yaw_rate, pitch_rate, taken_object, taken_device, hip,
                     base, base_velocity, coupling, metres_per_metre, impulse, next_blow, caught_until);
 };
 
-constexpr Tick between_blows = 40;  ///< least time between two felt blows (ticks)
-constexpr Tick blow_length = 20;    ///< length of the kick (ticks)
-constexpr double blow_force = 2.5;  ///< largest kick (N)
-constexpr double throw_reach = 20;  ///< distance from the eye at which a throw crosses the line of sight (m)
+constexpr Tick between_blows = 40;  ///< minimum time between two felt blows (ticks)
+constexpr Tick blow_length = 20;    ///< duration of the kick (ticks)
+constexpr double blow_force = 2.5;  ///< largest force of the kick (N)
+/// Distance from the eye at which a throw's path crosses the line of sight (m)
+constexpr double throw_reach = 20;
 
 LiftData read(const ConfigTable& root) {
     LiftData data;
@@ -117,7 +119,7 @@ double extent(const physics::BodyDesc& body) {
     }
 }
 
-/// Largest moment of inertia of a body over its axes (kg m^2).
+/// Largest of a body's three moments of inertia (kg m^2).
 double greatest_inertia(const physics::BodyDesc& body) {
     const vec3 s2 = body.size * body.size;
     switch (body.shape) {
@@ -148,12 +150,12 @@ haptics::CouplingFrame frame_of(const MatchContext& context, const LiftData& dat
 
 /// A loose thing under the crosshair.
 struct Sighted {
-    ecs::Entity thing{};  ///< no entity: there is none
+    ecs::Entity thing{};  ///< the thing; not a valid entity if there is none
     double mass{};        ///< mass of the thing (kg)
-    double distance{};    ///< distance from the eye to its surface (m)
+    double distance{};    ///< distance from the eye to the thing's surface (m)
 };
 
-/// Finds the loose thing under the crosshair, up to `far` m from the eye.
+/// Finds the loose thing under the crosshair, at most `far` m from the eye.
 Sighted loose_thing_ahead(const MatchContext& context, ecs::Entity wizard, double far) {
     const auto [eye, ahead] = sight_of(context, wizard);
     const auto& physics = context.physics.read();
@@ -170,9 +172,10 @@ ecs::Entity aimed_at(const MatchContext& context, const LiftData& data, ecs::Ent
     return sighted.mass <= data.mass_max ? sighted.thing : ecs::Entity{};
 }
 
-/// Tells the picture whether the loose thing under the crosshair can be taken up, or why it cannot.
+/// For the picture: whether the loose thing under the crosshair can be taken up, or why not.
 Target target_of(const MatchContext& context, const LiftData& data, ecs::Entity wizard) {
-    constexpr double shown_reach = 3;  // multiple of the wand's range up to which a thing is told
+    // Multiple of the wand's range up to which a thing is reported to the picture.
+    constexpr double shown_reach = 3;
     if (std::as_const(context.world).get<LiftHand>(wizard).held) return {};
     const auto [thing, mass, distance] = loose_thing_ahead(context, wizard, shown_reach * data.range);
     if (!thing) return {};
@@ -249,8 +252,8 @@ void begin(const WandUse& use, const LiftData& data, LiftHand& hand) {
     if (auto* last = world.find<LastProp>(use.wizard)) last->thing = thing;
 }
 
-/// Takes a thing that has come near, and holds it without fire for some seconds. A press of fire holds it until fire is
-/// let go.
+/// Catches a thing that has come near, and holds it for some seconds without fire. If fire is pressed, the
+/// thing is held until fire is released.
 bool catch_loose(const WandUse& use, const LiftData& data, ecs::Entity thing) {
     auto& world = use.context.world;
     auto& hand = world.get<LiftHand>(use.wizard);
@@ -301,8 +304,8 @@ void fire(const WandUse& use, const LiftData& data) {
 
 // ---- every tick -------------------------------------------------------------------------------------------
 
-/// New rate after an implicit step of a critically damped spring, about one axis or three. `frequency` is in
-/// rad/s.
+/// New angular velocity after an implicit step of a critically damped spring, about one axis or three.
+/// `frequency` is in rad/s.
 template <class T>
 T eased_rate(T rate, T off, double frequency) {
     const double x = frequency * physics_dt;
@@ -325,15 +328,15 @@ void follow(const LiftData& data, const Gaze& gaze, LiftHand& hand) {
     hand.yaw = wrapped(hand.yaw);
 }
 
-/// Keeps one side of the thing towards the wizard. It takes an implicit step of a critically damped
-/// rotational spring with the frequency of the coupling and a bounded torque.
+/// Keeps the same side of the thing towards the wizard, by an implicit step of a critically damped rotational
+/// spring with the coupling's frequency and a bounded torque.
 void hold_turned(physics::Physics& physics, const LiftData& data, const LiftHand& hand) {
     const auto key = hand.held.index;
     const auto& body = physics.desc(key);
     const auto& state = physics.state(key);
     quat off = rotation({0, 1, 0}, hand.yaw) * hand.turn * glm::conjugate(state.orientation);
     if (off.w < 0) off = -off;
-    // Rotation angle (rad) if small; less than the angle if large.
+    // Approximate rotation vector (rad): exact for small angles, too short for large ones.
     const vec3 angle = 2.0 * vec3(off.x, off.y, off.z);
     const double frequency = std::sqrt(data.stiffness / body.mass);
     const vec3 reference(0, hand.yaw_rate, 0);
@@ -348,7 +351,7 @@ bool touches_holder(const physics::Physics& physics, ecs::Entity wizard, ecs::En
     return std::any_of(contacts.begin(), contacts.end(), [=](const auto& c) { return c.a == a && c.b == b; });
 }
 
-/// Kicks the hand by the impulse (N s) of what struck the thing since the last tick.
+/// Kicks the hand by the impulse (N s) of whatever has hit the thing since the last tick.
 void feel_blow(MatchContext& context, const LiftData& data, const haptics::CouplingFrame& frame,
                ecs::Entity wizard, Tick tick, vec3 blow, LiftHand& hand) {
     const double size = glm::length(blow);
@@ -360,7 +363,7 @@ void feel_blow(MatchContext& context, const LiftData& data, const haptics::Coupl
     if (share > 0) kick(context, wizard, way * (share * std::min(blow_force, data.blow * size)), blow_length);
 }
 
-/// The spring as the hand feels it until the next tick.
+/// The spring that the hand feels until the next tick.
 haptics::Tether tether_to(const LiftData& data, const haptics::CouplingFrame& frame, const LiftHand& hand,
                           vec3 device, vec3 object, vec3 object_velocity, vec3 base_velocity) {
     return {.anchor = device - haptics::to_device(frame, hand.hip - object) / frame.metres_per_metre,
@@ -370,16 +373,16 @@ haptics::Tether tether_to(const LiftData& data, const haptics::CouplingFrame& fr
             .damping = haptics::felt_stiffness(frame, data.damping)};
 }
 
-/// Number of wizards who hold the thing. Its weight is held up only once.
+/// Number of wizards who hold the thing. Its weight must be compensated only once.
 int holders(const ecs::World& world, ecs::Entity thing) {
     int count = 0;
     world.view<const LiftHand>().each([&](const LiftHand& hand) { count += hand.held == thing; });
     return count;
 }
 
-/// Velocity by which an obstacle will slow the thing in the next step (m/s). An obstacle that has just
-/// changed the thing's velocity by `blow` does so again, at most by as much. Without this the hand would feel
-/// a thing at a wall as if it moved on.
+/// Velocity after the expected effect of an obstacle in the next step (m/s). An obstacle that has just
+/// changed the thing's velocity by `blow` is expected to do so again, at most by as much. Otherwise the hand
+/// would feel a thing at a wall as if it were still moving.
 vec3 held_back(vec3 velocity, vec3 blow) {
     const double size = glm::length(blow);
     if (!(size > 0)) return vec3(0);
@@ -387,10 +390,11 @@ vec3 held_back(vec3 velocity, vec3 blow) {
     return way * std::clamp(-glm::dot(velocity, way), 0.0, size);
 }
 
-/// Motion of the hand's point and of its base, which is the point without the motion of the device (world).
+/// Motion of the hand's point, and of its base, which is the point without the device's own displacement
+/// (world).
 struct HandMotion {
     vec3 hip{}, base{};                    ///< positions (m)
-    vec3 hip_velocity{}, base_velocity{};  ///< velocities (m/s)
+    vec3 hip_velocity{}, base_velocity{};  ///< velocities of the hand's point and of its base (m/s)
 };
 
 HandMotion motion_of(const haptics::CouplingFrame& frame, vec3 device, const LiftHand& hand) {
@@ -402,11 +406,11 @@ HandMotion motion_of(const haptics::CouplingFrame& frame, vec3 device, const Lif
             .base_velocity = (base - hand.base) / physics_dt};
 }
 
-/// The thing in the hand.
+/// The thing that the hand holds.
 struct HeldThing {
     const physics::BodyState& body;
-    double mass{};  ///< mass (kg)
-    int holders{};  ///< number of wizards who hold it
+    double mass{};  ///< mass of the thing (kg)
+    int holders{};  ///< number of wizards who hold the thing
 };
 
 /// Solves the spring between hand and thing for the coming step.
@@ -425,8 +429,8 @@ haptics::CouplingResult couple_thing(const physics::Physics& physics, const Lift
                .object_acceleration = carry / mass + physics.settings().gravity * (1 - 1.0 / thing.holders)});
 }
 
-/// Gives the thing the impulse of the spring and keeps its orientation. A thing that touches its holder gets
-/// neither, because a wizard could otherwise ride on it.
+/// Gives the thing the impulse of the spring and keeps its orientation. If the thing touches its holder it
+/// gets neither, because otherwise a wizard could ride on it.
 void move_thing(physics::Physics& physics, const LiftData& data, ecs::Entity wizard,
                 const haptics::CouplingResult& result, LiftHand& hand) {
     const auto key = hand.held.index;
@@ -446,7 +450,8 @@ void feel_weight(MatchContext& context, const LiftData& data, ecs::Entity wizard
     set_steady_force(context, wizard, vec3(0, -data.weight * share * mass, 0));
 }
 
-/// One tick of holding: spring and thing act on each other, and the hand feels the spring until the next tick.
+/// One tick of holding: spring and thing act on each other, and the hand feels the spring until the next
+/// tick.
 void pull(MatchContext& context, const LiftData& data, ecs::Entity wizard, Tick tick, LiftHand& hand) {
     const auto key = hand.held.index;
     auto& physics = context.physics.write();

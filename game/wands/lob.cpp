@@ -6,10 +6,10 @@
 // next draw begins only when it has arrived. A player with a real arm pulls the arm back while holding fire.
 // If the draw is too short, no stone is thrown and no energy is lost.
 //
-// A stone in flight is a sphere on a parabola that is exact in each physics step. After the bodies have
-// moved, the sphere is swept along the chord of the step. So a stone cannot pass through anything, and its
-// landing point has a closed form. It bursts on the foe, passes through the shooter, bounces off everything
-// else, and bursts at the end of its fuse. Bodies do not feel its weight.
+// A stone in flight is a sphere, whose parabola is computed exactly in each physics step. After the bodies
+// have moved, the sphere is swept along the chord of the step. So a stone cannot pass through anything, and
+// its landing point has a closed form. It bursts on the foe, passes through the shooter, bounces off
+// everything else, and bursts at the end of its fuse. The stone's weight does not act on other bodies.
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -23,12 +23,12 @@
 namespace thaum::game {
 namespace {
 
-constexpr double clear_of = 1e-5;     ///< distance from the surface after a bounce (m)
-constexpr double least_bounce = 0.3;  ///< approach speed below which the stone does not bounce back (m/s)
+constexpr double clear_of = 1e-5;  ///< distance at which the stone is put from the surface after a bounce (m)
+constexpr double least_bounce = 0.3;  ///< speed of impact below which the stone does not bounce (m/s)
 
 struct LobData {
     vec3 axis{};  ///< direction of the draw (unit, device frame)
-    /// Full draw, least draw for a throw, travel of the simulated hand (m).
+    /// Full draw, smallest draw that throws, and range of the simulated hand (m).
     double full{}, least{}, travel{};
     /// Displacement of the hand per tick while drawing and while returning (m).
     double step{}, return_step{};
@@ -39,7 +39,7 @@ struct LobData {
     Tick fuse{};
     double bounce{}, drag{};
     double damage{}, reach{}, impulse{}, fastest{};
-    EventKind hit{};  ///< kind of event of its hits
+    EventKind hit{};  ///< kind of event of the wand's hits
 };
 
 /// A stone in flight, or at rest until the end of its fuse.
@@ -48,17 +48,17 @@ struct Lob {
     vec3 velocity{};  ///< velocity (m/s, world)
     Tick bursts_at{};
     std::uint32_t player{};
-    std::uint32_t shooter{};  ///< key of the shooter's body
-    double venom{};           ///< harm that a potion adds to those whom the stone hits (HP/s)
-    Tick venom_lasts{};       ///< time for which that harm goes on
+    std::uint32_t shooter{};  ///< physics key of the shooter's body
+    double venom{};           ///< harm rate that a potion adds for those whom the stone hits (HP/s)
+    Tick venom_lasts{};       ///< duration of the potion's harm (ticks)
     THAUM_COMPONENT(Lob, position, velocity, bursts_at, player, shooter, venom, venom_lasts);
 };
 
 /// State of the lob wand in a wizard's hand.
 struct LobHand {
-    vec3 anchor{};            ///< position at which the draw began (m, device frame)
+    vec3 anchor{};            ///< hand position at which the draw began (m, device frame)
     double target{};          ///< displacement of the simulated hand along the axis (m)
-    double drawn{};           ///< measured share of a full draw
+    double drawn{};           ///< measured draw as a share of a full draw
     std::uint32_t drawing{};  ///< 1 while fire is held
     std::uint32_t spare{};
     THAUM_COMPONENT(LobHand, anchor, target, drawn, drawing, spare);
@@ -157,16 +157,16 @@ void fire(const WandUse& use, const LobData& data) {
     if (drawn * data.full >= data.least && spend(belt, use.stats, data.energy)) shoot(use, data, drawn);
 }
 
-/// Displacement at which the hand should be (m): given by the trigger while fire is held, zero after the
-/// draw. Between the release and the next gameplay tick the hand stays.
+/// Target displacement of the hand (m): given by the trigger while fire is held, zero after the draw. Between
+/// the release and the next gameplay tick the target does not change.
 double wanted_target(const LobData& data, const Controls& controls, const LobHand& hand) {
     if (hand.drawing == 0) return 0;
     const bool held = (controls.held & input::bit(input::Button::fire)) != 0;
     return held ? data.travel * (controls.trigger / 255.0) : hand.target;
 }
 
-/// Moves the simulated hand and measures the draw. It runs every tick, so that the hand moves evenly. The
-/// trigger does not move a real arm.
+/// Moves the simulated hand and measures the draw. This runs every tick, so that the hand moves evenly. A
+/// real arm is not moved by the trigger.
 void draw(MatchContext& context, const LobData& data) {
     context.world.view<const Wizard, const Controls, LobHand, HandState>().each(
         [&](const Wizard& wizard, const Controls& controls, LobHand& hand, HandState& hand_state) {
@@ -217,8 +217,8 @@ vec3 bounced(const LobData& data, vec3 velocity, vec3 normal) {
     return (velocity - into * normal) * (1 - data.drag) + back * normal;
 }
 
-/// Moves the stone by one physics step. Returns true if the stone has burst. The rest of a step in which the
-/// stone bounces, at most one tick, is not flown.
+/// Moves the stone by one physics step. Returns true if the stone has burst. After a bounce the remaining
+/// time of the step, at most one tick, is skipped.
 bool fly(MatchContext& context, const LobData& data, Lob& lob, Tick tick) {
     const vec3 gravity = context.physics.read().settings().gravity;
     const vec3 way = (lob.velocity + 0.5 * physics_dt * gravity) * physics_dt;

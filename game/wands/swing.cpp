@@ -1,7 +1,7 @@
 // The swing wand: while fire is held, a rope joins the wizard's body and a fixed point of the arena. The
 // point is an anchor near the crosshair, or the ground or wall under the crosshair. The rope is the spring of
-// the lift wand (paper 002), but it only pulls. It reels in to a share of its first length, and a hand that
-// pulls shortens it further. The body is moved by force alone.
+// the lift wand (paper 002), but it only pulls. The rope reels in to a share of its initial length, and a
+// hand that pulls shortens it further. The body is moved by force alone.
 #include <algorithm>
 #include <cmath>
 
@@ -16,22 +16,22 @@ namespace {
 using input::Button;
 
 struct SwingData {
-    double energy_per_use{};  ///< energy per gameplay tick
-    /// Reach from the eye (m), final share of the first length, reeling per tick (m).
+    double energy_per_use{};  ///< energy that holding the rope costs per gameplay tick
+    /// Reach from the eye (m), final length as a share of the initial one, reeling speed (m per tick).
     double reach{}, rest_share{}, reel{};
-    double stiffness{}, damping_ratio{};  ///< N/m, share of critical damping
+    double stiffness{}, damping_ratio{};  ///< stiffness (N/m), damping as a share of critical damping
     double tension_max{};                 ///< largest tension (N); beyond it the rope slips
     /// Cosine of the largest angle between crosshair and anchor.
     double aim_cos{};
     double metres_per_metre{}, newtons_per_newton{};
-    double force_max{};  ///< largest force at the device (N)
+    double force_max{};  ///< largest force of the rope on the hand, at the device (N)
 };
 
 /// State of the swing wand in a wizard's hand.
 struct SwingHand {
-    vec3 anchor{};         ///< fixed end of the rope (m, world)
+    vec3 anchor{};         ///< position of the rope's fixed end (m, world)
     vec3 taken_device{};   ///< position of the device when the rope was attached (m, device frame)
-    double length{};       ///< length of the slack rope without the hand's pull (m); 0: no rope
+    double length{};       ///< unstretched length of the rope without the hand's pull (m); 0: no rope
     double rest_length{};  ///< length at which reeling in ends (m)
     double pulled{};       ///< length by which the hand has shortened the rope (m)
     double tension{};      ///< mean tension over the last tick (N)
@@ -59,14 +59,14 @@ SwingData read(const ConfigTable& root) {
 
 // ---- attaching --------------------------------------------------------------------------------------------
 
-/// Point at which a rope would be fastened.
+/// Point at which a rope would be attached.
 struct Hold {
-    vec3 point{};          ///< (m, world)
-    ecs::Entity anchor{};  ///< none: a point of a fixed body
+    vec3 point{};          ///< position (m, world)
+    ecs::Entity anchor{};  ///< the anchor; not a valid entity if the point is on a fixed body
 };
 
-/// The anchor nearest to the crosshair, else the point of a fixed body under the crosshair; std::nullopt if
-/// neither is within reach.
+/// The anchor nearest to the crosshair, or else the point of a fixed body under the crosshair; std::nullopt
+/// if neither is within reach.
 std::optional<Hold> latched_at(const MatchContext& context, const SwingData& data, ecs::Entity wizard) {
     const auto& now = std::as_const(context.world);
     const Sight sight = sight_of(context, wizard);
@@ -80,7 +80,8 @@ std::optional<Hold> latched_at(const MatchContext& context, const SwingData& dat
         const double nearness = glm::dot(to / distance, ahead);
         if (nearness < best) return;
         const auto hit = context.physics.read().ray(eye, motion.position, layer::ground, wizard.index);
-        if (hit && hit->key != e.index) return;  // the anchor itself is in the ground layer, too
+        // There is an obstacle, unless the ray has hit the anchor, which is in the ground layer, too.
+        if (hit && hit->key != e.index) return;
         best = nearness;
         found = Hold{motion.position, e};
     });
@@ -129,15 +130,15 @@ void fire(const WandUse& use, const SwingData& data) {
 
 // ---- every tick -------------------------------------------------------------------------------------------
 
-/// Force on the hand along the rope (N, device frame), limited to force_max.
+/// Force of the rope on the hand (N, device frame), limited to force_max.
 vec3 felt(const MatchContext& context, const SwingData& data, ecs::Entity wizard, vec3 way, double tension) {
     const auto& gaze = std::as_const(context.world).get<Gaze>(wizard);
     const double size = std::min(data.force_max, data.newtons_per_newton * tension);
     return glm::conjugate(look_rotation(gaze.yaw, gaze.pitch)) * (way * size);
 }
 
-/// Length of the slack rope (m). It reels in, a pulling hand shortens it, and it slips when the tension
-/// exceeds the largest one.
+/// Unstretched length of the rope (m). The rope reels in, a pulling hand shortens it, and it slips when the
+/// tension exceeds the maximum.
 double slack_length(const SwingData& data, double distance, double pulled, SwingHand& hand) {
     hand.length -= std::min(data.reel, std::max(0.0, hand.length - hand.rest_length));
     hand.length = std::max(hand.length, distance + pulled - data.tension_max / data.stiffness);

@@ -6,7 +6,7 @@ vec3 coupled_velocity(const physics::Physics& physics, physics::Key body, const 
     return physics.velocity(body) + coupling.owed;
 }
 
-// The result is exact for a free body. Its displacement is v0 dt + g dt^2/2, its end velocity v0 + g dt.
+// The result is exact for a free body, whose displacement is v0 dt + g dt^2/2, its end velocity v0 + g dt.
 void apply_coupling(physics::Physics& physics, physics::Key body, const haptics::CouplingResult& result,
                     double dt, WandCoupling& coupling) {
     const auto& state = physics.state(body);
@@ -24,9 +24,9 @@ void end_coupling(physics::Physics& physics, physics::Key body, WandCoupling& co
 }
 
 // The rope's length follows the spring, gravity along the rope and the centrifugal acceleration. The equation
-// is solved exactly, with the last two held constant over the step. The force acts along the direction of the
-// rope in the middle of the step. With the direction at the start the swing would gain energy, 5 % a minute
-// at 1 ms.
+// is solved exactly, with gravity and centrifugal acceleration held constant over the step. The force acts
+// along the rope's direction in the middle of the step; with the direction at the start, the swing would gain
+// energy, 5 % a minute with steps of 1 ms.
 std::optional<haptics::CouplingResult> hang(const Rope& rope, double mass, vec3 place, vec3 velocity,
                                             vec3 gravity, double dt) {
     const vec3 to = rope.anchor - place;

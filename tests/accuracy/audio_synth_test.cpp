@@ -1,4 +1,5 @@
-// The sound generator against exact formulas: frequency, decay, sweep, filters, notes, and the Fourier transform.
+// Compares the sound generator with exact formulas: frequency, decay, sweep, filters, notes, and the Fourier
+// transform.
 #include <cmath>
 
 #include "audio/analysis.h"
@@ -11,7 +12,7 @@ namespace {
 
 constexpr double rate = sample_rate;
 
-/// Amplitude and phase of a frequency around a moment, through a Hann window.
+/// Amplitude and phase of a frequency around a time, through a Hann window.
 std::complex<double> wave_at(const Sound& sound, double hz, double middle_s, double width_s) {
     const auto from = static_cast<std::size_t>((middle_s - width_s / 2) * rate);
     const auto count = static_cast<std::size_t>(width_s * rate);
@@ -25,7 +26,7 @@ std::complex<double> wave_at(const Sound& sound, double hz, double middle_s, dou
     return sum * (2.0 / static_cast<double>(count));
 }
 
-/// Frequency near `hz`, from the turn of the phase within 10 ms around a moment.
+/// Frequency near `hz`, from the change of phase within 10 ms around a time.
 double frequency_at(const Sound& sound, double hz, double middle_s) {
     const double gap = 0.01;
     const auto before = wave_at(sound, hz, middle_s - gap / 2, 0.03),
@@ -48,7 +49,7 @@ TEST(AudioSynth, PartialHasItsFrequencyAndDecay) {
     }
 }
 
-/// A decay is computed block by block. After 3,900 of them it must still be the exponential.
+/// A decay is computed block by block. After 3,900 blocks it must still be exponential.
 TEST(AudioSynth, ALongDecayStaysExponential) {
     const auto sound = made(head(1.5) + tone(1000, "decay = 1.5"));
     const double early = std::abs(wave_at(sound, 1000, 0.1, 0.04)),
@@ -63,8 +64,8 @@ TEST(AudioSynth, PartialsHaveTheirRatiosLevelsAndDecays) {
     const auto second = [&](double s) { return std::abs(wave_at(sound, 1350, s, 0.04)); };
     EXPECT_NEAR(frequency_at(sound, 1350, 0.1), 1350, 0.01);
     EXPECT_NEAR(std::log(second(0.05) / second(0.2)), std::log(1000.0) * 0.15 / 0.25, 5e-3);
-    // Both waves begin their decay after the attack of 2 ms. A window of 40 ms sees an exponential decay r as
-    // sinh(x)/x / (1 + (x/pi)^2) with x = r * 20 ms, besides its value in the middle.
+    // Both waves begin their decay after the attack of 2 ms. Through a window of 40 ms, an exponential decay
+    // with rate r has its value in the middle times sinh(x)/x / (1 + (x/pi)^2), where x = r * 20 ms.
     const auto seen = [](double r) {
         const double x = r * 0.02;
         return std::sinh(x) / x / (1 + x * x / (pi * pi));
@@ -109,7 +110,7 @@ TEST(AudioSynth, NotesHaveTheFrequenciesOfTheirKeys) {
     EXPECT_LT(std::abs(wave_at(sound, 880, 0.45, 0.08)), 1e-3 * std::abs(wave_at(sound, 880, 0.6, 0.08)));
 }
 
-/// Powers of a second of noise within [0, low), [low, high) and above.
+/// Power of a second of noise in the bands [0, low), [low, high) and above.
 std::array<double, 3> powers(std::string_view keys, double low, double high) {
     const auto sound = made(head(1.5) + part("noise", keys));
     std::array<double, 3> sums{};
@@ -129,7 +130,8 @@ std::array<double, 3> powers(std::string_view keys, double low, double high) {
 }
 
 TEST(AudioSynth, NoiseIsLimitedToItsBand) {
-    // Two filters of second order in a row: a low or high one falls by 24 dB per octave, a band by 12 dB.
+    // Two filters of second order in series: a low-pass or high-pass falls by 24 dB per octave, a band-pass
+    // by 12 dB.
     EXPECT_LT(powers("filter = \"low\"\nhz = 1000", 1000, 4000)[2], 3e-4);
     EXPECT_GT(powers("filter = \"low\"\nhz = 1000", 1500, 4000)[0], 0.97);
     EXPECT_LT(powers("filter = \"high\"\nhz = 4000", 1000, 4000)[0], 1e-5);

@@ -1,5 +1,5 @@
-// Accuracy of carving: volumes that tools take away against closed forms, with their orders; strength against
-// time; symmetry; the balance of mass.
+// Accuracy of carving: removed volumes compared with closed forms, with orders of convergence; change over
+// time at a given strength; symmetry; conservation of mass.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,8 +14,9 @@ double bell_in_ball(double c) {
     return std::pow(pi / c, 1.5) * std::erf(std::sqrt(c)) - 2 * pi / c * std::exp(-c);
 }
 
-/// Integral of 1 - exp(-amount w) over the ball of radius 1, where w is the weight of the Gaussian extent:
-/// w = (exp(-4.5 r^2) - rim) / (1 - rim). Each term of the exponential series is a bell with a closed form.
+/// Integral of 1 - exp(-amount w) over the ball of radius 1, where w is the weight of the Gaussian extent: w
+/// = (exp(-4.5 r^2) - rim) / (1 - rim). Each term of the exponential series is a Gaussian with a closed-form
+/// integral.
 double melted_volume(double amount) {
     const double rim = std::exp(-4.5), k = amount / (1 - rim);
     double sum = 0, factor = 1;
@@ -26,8 +27,8 @@ double melted_volume(double amount) {
     return 4 * pi / 3 - std::exp(k * rim) * sum;
 }
 
-/// Largest relative error of the volume that one dab takes out of a solid body, over dabs anywhere between
-/// voxels.
+/// Largest relative error of the volume that one use of a tool removes from a solid body, over random
+/// positions between voxels.
 double volume_error(const Tool& tool, double radius, double seconds, double exact) {
     const int n = 2 * static_cast<int>(radius) + 6;
     Random random = random_stream(24, 2);
@@ -74,7 +75,8 @@ TEST(CarvingAccuracy, ASphereTakesItsVolumeAndThatOfItsRim) {
     for (int i = 0; i < 4; ++i) {
         const double radius = 3 << i;
         const Tool tool = density_constant(round_extent(ExtentShape::sphere, radius), 0);
-        // The mean of (4/3) pi r^3 over the rim, from one voxel below the radius to one above it.
+        // The exact value is the mean of (4/3) pi r^3 over the rim, from one voxel below the radius to one
+        // above.
         error[i] = volume_error(tool, radius, 0, 4 * pi / 3 * (1 + 1 / (radius * radius)));
     }
     EXPECT_LT(error[0], 0.01);
@@ -136,7 +138,7 @@ TEST(CarvingAccuracy, AMixedColourDependsOnTheTimeNotOnTheNumberOfEdits) {
     const auto mean_red = [](int edits) {
         Voxels body = block({16, 16, 16}, 1);
         std::ranges::fill(body.colour, Rgb8{0, 0, 0});
-        Tool tool = density_filter(30, 0, 1);  // a weight close to 1 everywhere
+        Tool tool = density_filter(30, 0, 1);  // a weight close to 1 everywhere, so the exact result is known
         tool.operations[0].changes = {.colour = true};
         tool.operations[0].colour = {200, 0, 0};
         for (int i = 0; i < edits; ++i) {
@@ -149,7 +151,8 @@ TEST(CarvingAccuracy, AMixedColourDependsOnTheTimeNotOnTheNumberOfEdits) {
     const double once = mean_red(1);
     EXPECT_GT(once, 60);
     EXPECT_NEAR(mean_red(2), once, 0.5);
-    EXPECT_NEAR(mean_red(500), once, 0.5);  // each edit moves by less than half a step of the 8 bits
+    // Each edit changes the colour by less than half a step of its 8 bits.
+    EXPECT_NEAR(mean_red(500), once, 0.5);
 }
 
 TEST(CarvingAccuracy, MirroredDabsGiveMirroredBodies) {
@@ -202,7 +205,7 @@ TEST(CarvingAccuracy, ARadiusInMetresIsASphereAlsoWithUnequalSpacings) {
     Extent extent = round_extent(ExtentShape::sphere, 0.05);
     extent.in_metres = true;
     const Edit e = edit(body.view(), density_constant(extent, 0), {});
-    EXPECT_NEAR(e.removed / (4 * pi / 3 * 0.05 * 0.05 * 0.05), 1.01, 0.002);  // the rim adds 1 %
+    EXPECT_NEAR(e.removed / (4 * pi / 3 * 0.05 * 0.05 * 0.05), 1.01, 0.002);  // the tool's soft rim adds 1 %
     extent.in_metres = false;
     extent.half = vec3(10);
     std::ranges::fill(body.density, 1.0F);
@@ -216,7 +219,7 @@ TEST(CarvingAccuracy, DensitiesOfAScanKeepTheirUnit) {
     body.full = 3000;
     const vec3 place = place_of(body, {8, 8, 8});
     edit(body.view(), density_filter(5, 0, 1), {.place = place, .seconds = std::log(2.0)});
-    EXPECT_NEAR(body.density[body.view().at(8, 8, 8)], 0, 1e-3);  // half-way from 1000 to -1000
+    EXPECT_NEAR(body.density[body.view().at(8, 8, 8)], 0, 1e-3);  // expected: half-way from 1000 to -1000
     edit(body.view(), density_constant(round_extent(ExtentShape::sphere, 3), 0.5), {.place = place});
     EXPECT_EQ(body.density[body.view().at(8, 8, 8)], 1000);
     EXPECT_EQ(body.density[0], 1000);

@@ -1,5 +1,5 @@
-// Tests of filters: against formulas, against samples of them at several spacings, and that samples are
-// smoothed only when that is needed.
+// Tests of filters: compared with formulas, and with samples of these at several spacings; also that samples
+// are smoothed only when necessary.
 #include "field/filters.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ vec3 place_within(Random& random, double half) {
     return {random.uniform(-half, half), random.uniform(-half, half), random.uniform(-half, half)};
 }
 
-/// A source that is a formula, in a box of 2 m.
+/// A source given by a formula, in a box of 2 m.
 FilterSource formula(AnyField field, double spacing) {
     const int n = static_cast<int>(2 / spacing) + 1;
     return {.field = field, .count = {n, n, n}, .spacing = vec3(spacing)};
@@ -31,7 +31,7 @@ FilterSource formula(AnyField field, double spacing) {
 FilterSource of_gyroid(double spacing) { return formula({field_of<Scalar>(wavy), {}}, spacing); }
 FilterSource of_beltrami(double spacing) { return formula({{}, field_of<Vector>(twist)}, spacing); }
 
-/// The same field from samples, with another spacing along each axis.
+/// Samples of that formula, with a different spacing along each axis.
 struct SampledSource {
     Volume volume;
     Grid grid;
@@ -192,7 +192,7 @@ TEST(Filters, ThePlacesAtTheEdgeAndBeyondAreFinite) {
     const SampledSource samples(of_gyroid(0.1), Kernel::catmull_rom);
     FilteredField f;
     put(f, samples.source(), {{FilterKind::gradient}, {FilterKind::divergence}});
-    // A linear source has no second derivatives, up to the outermost samples and beyond.
+    // A linear source has no second derivatives, also at the outermost samples and beyond.
     const Plane plane{{}, {0, 1, 0}};
     const SampledSource flat(formula({field_of<Scalar>(plane), {}}, 0.1), Kernel::catmull_rom);
     FilteredField g;
@@ -208,7 +208,7 @@ TEST(Filters, ThePlacesAtTheEdgeAndBeyondAreFinite) {
 
 // ---- smoothing --------------------------------------------------------------------------------------------
 
-/// Smooths a sample along one axis as the sum is defined, in its order.
+/// Smooths a sample along one axis exactly as the sum is defined, in the same order.
 float smoothed_sample(const Volume& v, std::array<int, 3> at, int axis, int component,
                       const std::vector<double>& weights) {
     const auto a = static_cast<std::size_t>(axis);
@@ -313,7 +313,7 @@ TEST(Filters, AVectorIsSmoothedInEachComponent) {
     const SampledSource samples(of_beltrami(0.1), Kernel::catmull_rom);
     FilteredField f;
     put(f, samples.source(), {{FilterKind::smooth, 1}});
-    // Each term is a wave along one axis, so it is damped by that axis's spacing.
+    // Each term is a wave along one axis, so its damping depends on that axis's spacing.
     const vec3 h = samples.volume.spacing;
     const auto damped = [](double spacing) { return std::exp(-0.5 * 16 * spacing * spacing); };
     const auto exact = [&](vec3 p) {

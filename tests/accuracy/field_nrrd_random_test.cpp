@@ -1,7 +1,8 @@
-// Two hundred NRRD files, random over what people use: types, encodings, byte orders, attached and detached, several files,
-// skips, spaces, units, forms of place, colours, vectors and time. What is read must have the values and places with which
-// the file was made, and where teem's `teem-unu` is installed, teem must read the same values: else the test
-// misunderstands the format. It takes a tenth of a second; with teem, two.
+// Reads two hundred random NRRD files that use what real files use: types, encodings, byte orders, attached
+// and detached data, several data files, skips, spaces, units, forms of placement, colours, vectors and time.
+// The reader must give the values and positions with which the file was made. If teem's `teem-unu` is
+// installed, it must read the same values; otherwise the test itself would misunderstand the format. Takes a
+// tenth of a second, or two seconds with teem.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -31,7 +32,7 @@ constexpr std::array type_forms{
 
 struct SpaceForm {
     const char* line;
-    vec3 sign;  ///< from the file's frame to ours
+    vec3 sign;  ///< signs that convert the file's frame to ours
 };
 constexpr std::array space_forms{SpaceForm{"space: left-posterior-superior", {1, 1, 1}},
                                  SpaceForm{"space: RAS", {-1, -1, 1}},
@@ -52,24 +53,24 @@ constexpr std::array unit_forms{UnitForm{"", mm},     UnitForm{"mm", mm},   Unit
 struct ExtraForm {
     const char* kind;
     int size;        ///< 0: any
-    int components;  ///< number of components of what is read: 1 or 3
+    int components;  ///< number of components that the reader returns: 1 or 3
 };
 constexpr std::array extra_forms{ExtraForm{"", 1, 1},          ExtraForm{"time", 0, 1},
                                  ExtraForm{"RGB-color", 3, 1}, ExtraForm{"vector", 3, 3},
                                  ExtraForm{"3-vector", 3, 3},  ExtraForm{"covariant-vector", 3, 3}};
 
-/// What a file says, and how.
+/// The contents of a file, and how they are written.
 struct Case {
     const TypeForm* type{};
-    const SpaceForm* space{};  ///< null: none
+    const SpaceForm* space{};  ///< null: the file names no space
     const UnitForm* unit{};
     const ExtraForm* extra{};
     int extra_size = 1, frame = 0;
     bool extra_is_last = false, is_big = false, has_origin = false, has_directions = false;
     std::array<int, 3> count{};
-    std::array<vec3, 3> direction{};  ///< in the file's frame and unit
+    std::array<vec3, 3> direction{};  ///< axis vectors in the file's frame and unit
     vec3 origin{};
-    std::vector<double> values{};  ///< in the file's order
+    std::vector<double> values{};  ///< values in the order of the file
     std::string header{};
 
     bool is_4d() const { return extra->kind[0] != 0; }
@@ -108,7 +109,7 @@ void append_value(const TypeForm& type, double value, bool is_big, std::string& 
 
 std::string words_of(const vec3& v) { return text("(", v.x, ",", v.y, ",", v.z, ")"); }
 
-/// Values for the axes in the file's order; the axis that is not of space gets `of_extra`.
+/// Values for the axes in the file's order; the axis that is not spatial gets `of_extra`.
 std::string by_axis(const Case& c, const std::array<std::string, 3>& of_space, std::string_view of_extra) {
     std::string out;
     if (c.is_4d() && !c.extra_is_last) append_text(out, text(" ", of_extra));
@@ -117,7 +118,8 @@ std::string by_axis(const Case& c, const std::array<std::string, 3>& of_space, s
     return out;
 }
 
-/// Three axes at right angles, each along one of space, two of them turned by 3-4-5 triangles in some cases.
+/// Draws three axes at right angles, each along one coordinate axis; in some cases two of them are rotated by
+/// the angle of a 3-4-5 triangle.
 void draw_directions(Random& random, bool turned, Case& c) {
     std::array<int, 3> order{0, 1, 2};
     if (turned)
@@ -131,7 +133,7 @@ void draw_directions(Random& random, bool turned, Case& c) {
     }
 }
 
-/// Lines of the header that say where the samples lie.
+/// Header lines that say where the samples lie.
 std::string place_lines(Random& random, Case& c) {
     std::string lines = c.space != nullptr ? text(c.space->line, "\n") : "";
     c.has_directions = c.space != nullptr && chance(0.6, random);
@@ -198,7 +200,7 @@ Case draw_case(Random& random) {
     return c;
 }
 
-/// The samples from one to another as the file has them.
+/// Samples number `from` to `to`, encoded as in the file.
 std::string samples_of(const Case& c, std::string_view encoding, std::size_t from, std::size_t to) {
     std::string out;
     for (std::size_t i = from; i < to; ++i) {
@@ -220,7 +222,7 @@ protected:
         if (c.type->bytes > 1 && encoding != "ascii")
             c.header += text("endian: ", c.is_big ? "big" : "little", "\n");
         const bool several = chance(0.3, random);
-        // Lines are skipped in the file, and bytes in what is unpacked.
+        // Lines are skipped in the file, bytes in the unpacked data.
         std::string skipped_line, skipped_bytes;
         if (chance(0.3, random)) {
             c.header += "line skip: 1\n";
@@ -240,7 +242,7 @@ protected:
         return put("v.nhdr", text(c.header, "data file: v.data\n"));
     }
 
-    /// One file for each slice along the slowest axis.
+    /// Writes one file for each slice along the slowest axis.
     template <class Packed>
     fs::path write_several(Random& random, const Case& c, const Packed& packed) const {
         const auto slices =
@@ -258,7 +260,7 @@ protected:
     }
 };
 
-/// The value that is read for a component of sample `i`, turned into our frame; a colour's luminance.
+/// The value that the reader must give for sample `i`: its components in our frame, or a colour's luminance.
 vec3 right_value(const Case& c, std::array<int, 3> i) {
     const auto value = [&](int e) { return static_cast<double>(static_cast<float>(c.values[c.at(i, e)])); };
     if (c.extra->components == 3)
@@ -267,8 +269,8 @@ vec3 right_value(const Case& c, std::array<int, 3> i) {
     return vec3(value(c.frame), 0, 0);
 }
 
-/// The fault of a volume that was read; empty: none. Each of its samples must have the value of the file's sample that lies
-/// there. Without an origin, the middle of both must be the same.
+/// Fault of a volume that was read; empty: none. Each of its samples must have the value of the file's sample
+/// at that position. If the file has no origin, both volumes must have the same middle.
 std::string fault_of(const Case& c, const Volume& v) {
     if (v.has_place != c.has_origin) return "another origin";
     const vec3 sign = c.space != nullptr ? c.space->sign : vec3(1);

@@ -1,4 +1,5 @@
-// Compares streamlines with closed forms: circles, the helix of a Beltrami flow, hyperbolas; and their order.
+// Compares streamlines with closed forms (circles, the helix of a Beltrami flow, hyperbolas), and checks the
+// order of convergence.
 #include "field/streamline.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@
 namespace thaum::field {
 namespace {
 
-/// Turns about y at 2 rad/s, and rises.
+/// A flow that turns about y at 2 rad/s and rises.
 struct Turning {
     double rise = 0;
     Vector operator()(vec3 p) const {
@@ -30,7 +31,7 @@ struct Beltrami {
     }
 };
 
-/// Towards the plane x = 0 and away along y.
+/// A flow towards the plane x = 0 and away along y.
 struct Stagnation {
     Vector operator()(vec3 p) const { return {{-p.x, p.y, 0}, {vec3(-1, 0, 0), vec3(0, 1, 0), vec3(0)}}; }
 };
@@ -82,7 +83,7 @@ TEST(Streamline, KeepsItsToleranceWithFewSteps) {
     for (const double tolerance : {1e-5, 1e-7, 1e-9}) {
         const auto line = traced(
             flow, seed, {.length = 4, .tolerance = tolerance, .longest_step = 4, .shortest_step = 1e-6});
-        // Errors of steps add up, and neighbouring lines part.
+        // The tolerance grows along the line: errors of steps add up, and neighbouring lines diverge.
         EXPECT_LT(glm::distance(line.back().place, exact.back().place),
                   20 * tolerance * static_cast<double>(line.size()));
         EXPECT_GT(line.size(), points) << "a smaller tolerance takes more steps";
@@ -115,7 +116,7 @@ TEST(Streamline, RunsBothWays) {
 }
 
 TEST(Streamline, TurnsAcrossWithTheMatter) {
-    // On the axis of a turning and rising flow, matter turns by 2 rad/s as it rises by 0.5 m/s.
+    // On the axis of a turning and rising flow, a ribbon turns by 2 rad/s while it rises by 0.5 m/s.
     const Turning flow{.rise = 0.5};
     const auto line = traced(flow, vec3(0), {.length = 0.25, .tolerance = 1e-8});
     const auto &first = line.front(), &last = line.back();

@@ -1,5 +1,5 @@
-// Tests of fields between their samples: accuracy of each kernel, also at borders, and results for places
-// that are not numbers and for grids without samples.
+// Tests of fields between their samples: accuracy of each kernel, also at borders, and results for positions
+// that are NaN and for grids without samples.
 #include "field/field.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::array kernels{Kernel::linear, Kernel::catmull_rom};
 
-/// Samples with a gap at the end of each row. The gap holds NaN.
+/// Samples with padding at the end of each row. The padding holds NaN.
 struct Stored {
     std::vector<float> values;
     Grid grid;
@@ -135,7 +135,8 @@ TEST(FieldAccuracy, TheGradientIsTheValues) {
                 vec3 step(0);
                 step[axis] = 1e-6;
                 const double cell = (place[axis] - 1e-6) / 0.5, next = (place[axis] + 1e-6) / 0.5;
-                if (std::floor(cell) != std::floor(next)) continue;  // the linear kernel has a kink there
+                // The linear kernel has a kink at a cell's border.
+                if (std::floor(cell) != std::floor(next)) continue;
                 const double rise = (s.grid(place + step).value - s.grid(place - step).value) / 2e-6;
                 EXPECT_NEAR(here.gradient[axis], rise, 1e-8);
             }
@@ -236,7 +237,7 @@ TEST(Field, OneSampleIsAConstantAndTwoALine) {
 
 // ---- vectors ----------------------------------------------------------------------------------------------
 
-/// Rigid rotation plus a stretch. Its curl is (2, -4, 6) and its divergence 0.75.
+/// Rigid rotation plus stretching. Its curl is (2, -4, 6) and its divergence 0.75.
 struct Whirl {
     Vector operator()(vec3 p) const {
         const vec3 spin(1, -2, 3), stretch(0.5, -0.25, 0.5);
@@ -298,7 +299,7 @@ Errors fluid_errors(int n) {
     Errors most;
     for (int i = 0; i < 3000; ++i) {
         vec3 place = random_place(random, vec3(0), {1, 1, 4 * l.h});
-        if (i % 4 == 0) place[i / 4 % 2] = static_cast<double>(i / 8 % 2);  // on a wall
+        if (i % 4 == 0) place[i / 4 % 2] = static_cast<double>(i / 8 % 2);  // every fourth point is on a wall
         const Vector found = grid(place), exact = box_vortex(place);
         most.value = std::max(most.value, glm::length(found.value - exact.value));
         most.gradient = std::max(most.gradient, glm::length(curl(found) - curl(exact)));

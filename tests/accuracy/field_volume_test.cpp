@@ -1,5 +1,6 @@
 // Tests of analytic fields against difference quotients, of sampled volumes against analytic fields, and of
-// placements: a volume that moves, turns and grows reads the same from a frame that does so too.
+// placements: a volume that is moved, rotated and scaled has the same values in a frame that is transformed
+// likewise.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -71,7 +72,7 @@ TEST(AnalyticField, GradientsAreTheValues) {
                 const Vector low = field(place - step), high = field(place + step), here = field(place);
                 for (int i = 0; i < 3; ++i) {
                     const auto row = static_cast<std::size_t>(i);
-                    // A core's edge, where the gradient jumps.
+                    // skips the edge of a core, where the gradient jumps
                     if (std::abs(high.gradient[row][axis] - low.gradient[row][axis]) > 0.1) continue;
                     EXPECT_NEAR(here.gradient[row][axis], (high.value[i] - low.value[i]) / (2 * h), 1e-6)
                         << name;
@@ -110,10 +111,10 @@ TEST(AnalyticField, SurfacesAreWhereTheyShouldBe) {
 // ---- samples ----------------------------------------------------------------------------------------------
 
 struct VolumeErrors {
-    double value{}, gradient{}, curl{};  ///< root mean squares
+    double value{}, gradient{}, curl{};  ///< root mean square errors of the value, its gradient and the curl
 };
 
-/// Spacings differ along each axis. Samples lie in a box of about 2 m.
+/// Errors of a sampled field. The spacing is different along each axis. Samples lie in a box of about 2 m.
 VolumeErrors volume_errors(const ScalarField& field, int n, Kernel kernel,
                            const std::function<bool(vec3)>& smooth) {
     const Volume volume = sampled(field, {n, n * 3 / 2, n * 3 / 4}, 2.0 / vec3(n, n * 1.5, n * 0.75));
@@ -156,7 +157,8 @@ VolumeErrors volume_errors(const VectorField& field, int n, Kernel kernel,
 
 double order(double coarse, double fine) { return std::log2(coarse / fine); }
 
-/// Fields are compared where they are smooth within the reach of the kernel on the coarsest samples.
+/// Whether fields are smooth around a point within the reach of the kernel on the coarsest samples. Only such
+/// points are compared.
 bool is_smooth(vec3 p) {
     if (glm::length(p - sphere.middle) < 0.3) return false;
     return std::abs(glm::length(glm::cross(p - vortex.middle, vortex.axis)) - vortex.radius) > 0.15;
@@ -181,8 +183,8 @@ TEST(SampledVolume, ValuesGradientsAndCurlsConvergeInTheOrdersOfTheKernels) {
             const VolumeErrors fine = volume_errors(field, 64, promise.kernel, is_smooth);
             EXPECT_NEAR(order(coarse.value, fine.value), promise.value, 0.4);
             EXPECT_NEAR(order(coarse.gradient, fine.gradient), promise.slope, 0.3);
-            // In the vortex's outer flow the errors of the two parts of the curl partly cancel, so that it may
-            // converge faster.
+            // In the vortex's outer flow the errors of the two parts of the curl partly cancel, so that it
+            // may converge faster.
             EXPECT_GE(order(coarse.curl, fine.curl), promise.slope - 0.3);
         }
         const VolumeErrors flat =
@@ -218,7 +220,7 @@ TEST(Placement, FramesLeadThereAndBack) {
     EXPECT_EQ(to_parent(Placement{}, vec3(1, 2, 3)), vec3(1, 2, 3));
 }
 
-/// Sphere, plane and vortex written directly in the parent's frame.
+/// Sphere, plane and vortex, written directly as formulas in the parent frame.
 TEST(Placement, APlacedFormulaIsTheFormulaOfThePlacedBody) {
     Random random = random_stream(6, 6);
     for (int run = 0; run < 300; ++run) {
@@ -249,7 +251,7 @@ TEST(Placement, ASampledVolumeFeelsTheSameWhereverItLies) {
             const vec3 own = random_place(random, 0.75), place = to_parent(p, own);
             const Scalar one = Placed<Scalar>{field_of<Scalar>(grid), p}(place);
             EXPECT_NEAR(one.value, grid(own).value, 1e-12);
-            // The feel is a force along the gradient, which turns with the volume.
+            // The force is along the gradient, which is rotated together with the volume.
             const vec3 back = glm::transpose(p.turn) * one.gradient * p.scale;
             EXPECT_LE(glm::length(back - grid(own).gradient), 1e-10);
             const Vector many = Placed<Vector>{field_of<Vector>(grids), p}(place);

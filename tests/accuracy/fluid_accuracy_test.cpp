@@ -1,4 +1,5 @@
-// Solver `thaum` against exact solutions: order of convergence, and quantities conserved to rounding.
+// Compares the solver `thaum` with exact solutions: order of convergence, and quantities that must be
+// conserved up to rounding.
 #include <gtest/gtest.h>
 
 #include "fluid/fluid.h"
@@ -50,7 +51,7 @@ TEST(FluidAccuracy, ADriftingVortexConvergesInSecondOrder) {
 }
 
 TEST(FluidAccuracy, ADoubleShearLayerRollsUpAsOnAFinerGrid) {
-    // With neighbours 1 and 3 cells apart in the advection, the error was 0.033.
+    // With neighbours at distances of 1 and 3 cells in the advection scheme, the error was 0.033.
     const Flow flow = flows::double_shear();
     Fluid fluid = begun(flow, fourth, 64);
     for (const double dt : flows::steps_until(flow.end)) advance(fluid, dt);
@@ -70,18 +71,18 @@ TEST(FluidAccuracy, TheVortexInABoxIsTheSameInAllOrientations) {
 TEST(FluidAccuracy, ALidDragsTheFluidAsTheSeriesSays) {
     const Flow flow = flows::couette_start();
     for (const Scheme& scheme : {fourth, second}) {
-        // The time step is so short that only the error of the grid remains.
+        // The time step is so short that only the error of the grid matters.
         const auto error = [&](int n) { return error_of(flow, scheme, n, 1e-3); };
         const double coarse = error(8), middle = error(16), fine = error(32);
         EXPECT_LE(fine, 1.5e-3);
         EXPECT_GE(order_between(coarse, middle), 1.9);
         EXPECT_GE(order_between(middle, fine), 1.9);
-        // With the full time step, viscosity may be implicit.
+        // With the full time step, viscosity may be solved implicitly.
         for (const int n : {8, 16, 32, 64}) EXPECT_LE(error_of(flow, scheme, n), 0.025) << n;
     }
 }
 
-/// The fluid after its spin-down. Fails if a step leaves more divergence than allowed.
+/// The fluid after a spin-down. Fails if a step leaves more divergence than allowed.
 Fluid spun_down(int n) {
     auto fluid = flows::turning_bowl(second, n).value();
     for (const double dt : flows::steps_until(flows::bowl_end))
@@ -96,14 +97,14 @@ TEST(FluidAccuracy, ABowlBrakesTheFluidAsTheSeriesSays) {
         errors.push_back(flows::bowl_error(fluid, flows::bowl_end));
         between.push_back(flows::bowl_error_between(fluid, flows::bowl_end));
     }
-    // For comparison, with walls of first order: 0.100 at 16, 0.041 at 32. If faces open by less than
-    // an eighth count as closed: 0.0118, 0.0032, and 0.00089 at 64.
+    // For comparison: walls of first order gave 0.100 with 16 cells and 0.041 with 32. Treating faces that
+    // are open by less than an eighth as closed gave 0.0118, 0.0032, and 0.00089 with 64 cells.
     EXPECT_LE(errors[0], 0.0116);
     EXPECT_LE(errors[2], 0.0030);
     EXPECT_LE(errors[3], 0.0022);
     EXPECT_LE(errors[4], 0.00083);
     EXPECT_GE(order_between(errors[0], errors[4]) / 2, 1.9);
-    // If the wall is at the nearest closed places, the error at 32 is 0.22.
+    // For comparison: with the wall at the nearest closed faces, the error with 32 cells was 0.22.
     EXPECT_LE(between[1], 0.042);
     EXPECT_LE(between[3], 0.022);
 }
@@ -120,7 +121,7 @@ double walled_error(const flows::WalledFlow& flow, int n) {
 
 TEST(FluidAccuracy, FluidDrivenBetweenTwoCylindersFollowsTaylorAndCouette) {
     const flows::WalledFlow flow = flows::taylor_couette();
-    // With walls of first order: 0.177, 0.055 and 0.029.
+    // For comparison: walls of first order gave 0.177, 0.055 and 0.029.
     EXPECT_LE(walled_error(flow, 16), 0.021);
     EXPECT_LE(walled_error(flow, 32), 0.0099);
     EXPECT_LE(walled_error(flow, 64), 0.0031);
@@ -129,15 +130,15 @@ TEST(FluidAccuracy, FluidDrivenBetweenTwoCylindersFollowsTaylorAndCouette) {
 TEST(FluidAccuracy, AVortexBesideTheAxisOfABowlStaysSteady) {
     const flows::WalledFlow flow = flows::bowl_vortex();
     const double coarse = walled_error(flow, 16), fine = walled_error(flow, 32);
-    // With walls of first order: 0.089 and 0.032.
+    // For comparison: walls of first order gave 0.089 and 0.032.
     EXPECT_LE(coarse, 0.0215);
     EXPECT_LE(fine, 0.0053);
     EXPECT_GE(order_between(coarse, fine), 1.9);
 }
 
 TEST(FluidAccuracy, ATurningFluidSlipsAlongABowl) {
-    // When advection read closed faces as fluid at rest: 0.306 and 0.287. When small openings were missed or closed:
-    // 0.022 and 0.012, and 0.016 at 48.
+    // For comparison: 0.306 and 0.287 when advection read closed faces as fluid at rest; 0.022 and 0.012, and
+    // 0.016 with 48 cells, when small openings were missed or closed.
     for (const auto& [n, most] : {std::pair{16, 0.0115}, std::pair{32, 0.005}}) {
         auto fluid = flows::slipping_bowl(n).value();
         for (const double dt : flows::steps_until(1)) {
@@ -161,7 +162,8 @@ TEST(FluidAccuracy, ASwirlInABallDecaysAtTheExactRate) {
 }
 
 TEST(FluidAccuracy, AThickLayerAndAThinOneShareTheShearAndStayApart) {
-    // With arithmetic means of the viscosity, the error was 0.04 to 0.26, and up to 0.6 % crept out.
+    // For comparison: with arithmetic means of the viscosity, the error was 0.04 to 0.26, and up to 0.6 %
+    // leaked out.
     for (const double ratio : {11.0, 100.0, 1e4, 1e6}) {
         const flows::ThickLayer layer{.ratio = ratio, .viscosity = 0.1};
         auto fluid = flows::layered_couette(layer, 16).value();
@@ -171,8 +173,8 @@ TEST(FluidAccuracy, AThickLayerAndAThinOneShareTheShearAndStayApart) {
     }
 }
 
-/// Error of a steady flow between a plate and one that moves, through a layer that is thick up to `top`. There its
-/// share falls to zero over `width` (m).
+/// Error of a steady flow between a fixed and a moving plate, through a layer of viscous substance up to the
+/// height `top`, where its share falls to zero over `width` (m).
 double edge_error(double ratio, double top, double width) {
     constexpr int n = 16, parts = 4096;
     auto fluid = flows::layered_couette({.ratio = ratio, .viscosity = 0.1}, n);
@@ -199,14 +201,15 @@ double edge_error(double ratio, double top, double width) {
 }
 
 TEST(FluidAccuracy, LayersThatMeetWithinACellShareTheShearByTheirDepths) {
-    // With the means of whole cells the error was up to 0.046 at a ratio of 11, and 0.11 from 100 on.
+    // For comparison: with means over whole cells the error was up to 0.046 at a viscosity ratio of 11, and
+    // 0.11 from a ratio of 100 on.
     for (const double ratio : {11.0, 100.0, 1e4, 1e6})
         for (const double part : {0.125, 0.25, 0.5, 0.75, 0.875})
             EXPECT_LE(edge_error(ratio, 0.5 + part / 16, 0), 0.002) << ratio << ", " << part;
 }
 
 TEST(FluidAccuracy, AGradualMixtureIsNotTakenForTwoLayers) {
-    // Taken for layers, it had an error of 0.03.
+    // For comparison: treated as separate layers, the error was 0.03.
     EXPECT_LE(edge_error(11, 0.513, 1.5 / 16), 0.011);
 }
 
@@ -218,7 +221,7 @@ TEST(FluidAccuracy, AnyViscosityDampsAtTheExactRate) {
 // ---- the bounds detect broken solvers
 // --------------------------------------------------------------------------
 
-// Without advection the vortex would decay in place.
+// Without advection the vortex decays in place, so the bound above must fail.
 TEST(FluidAccuracy, TheGateFailsAFluidWithoutAdvection) {
     for (const Flow& flow : {flows::taylor_green_moving(), flows::taylor_green_oblique()}) {
         Fluid fluid = begun(flow, fourth, 16);
@@ -267,7 +270,7 @@ Fluid stirred(Edge edge, int order) {
         one.radius = 0.3;
         EXPECT_TRUE(push(fluid, one));
     }
-    advance(fluid, 1e-3);  // removes the divergence
+    advance(fluid, 1e-3);  // this first step removes the divergence
     return fluid;
 }
 
@@ -277,7 +280,8 @@ TEST(FluidAccuracy, PushesAddTheirMomentumToTheFluid) {
     const vec3 impulse(0.02, -0.05, 0.03);
     for (const int order : {2, 4}) {
         for (const int n : {15, 16, 32}) {
-            for (const double viscosity : {0.0, 0.002, 0.02, 1.0}) {  // none, explicit, or implicit
+            // Viscosity that is zero, solved explicitly, or solved implicitly.
+            for (const double viscosity : {0.0, 0.002, 0.02, 1.0}) {
                 flow.settings.viscosity = viscosity;
                 Fluid fluid = begun(flow, {Solver::thaum, order}, n);
                 ASSERT_TRUE(push(fluid, {.place = {0.4, 0.5, 0.9}, .radius = 0.2, .impulse = impulse}));
@@ -331,7 +335,7 @@ double off_mirror(const Fluid& one, const Fluid& other, std::size_t across) {
                     Cells cell{i, j, k};
                     const double here =
                         double{one.now.velocity[axis][static_cast<std::size_t>(one.lattice.at(i, j, k))]};
-                    // Faces are mirrored onto faces, and there is one more face than cells.
+                    // Faces are mirrored onto faces; along the axis there is one more face than cells.
                     cell[across] = one.lattice.cells[across] - cell[across] - (axis == across ? 0 : 1);
                     const auto there = static_cast<std::size_t>(one.lattice.at(cell[0], cell[1], cell[2]));
                     const double seen = double{other.now.velocity[axis][there]} * (axis == across ? -1 : 1);
@@ -358,7 +362,8 @@ TEST(FluidAccuracy, AMirrorImageStaysExact) {
                 return mirrored(swirl(p), axis);
             });
             EXPECT_EQ(off_mirror(one, other, static_cast<std::size_t>(axis)), 0.0);
-            // The fluid moves and is not its own mirror image, so the test can fail.
+            // Precondition: the fluid moves and is not its own mirror image, otherwise the test could not
+            // fail.
             EXPECT_GT(off_mirror(one, one, static_cast<std::size_t>(axis)), 0.01);
         }
     }
@@ -372,7 +377,7 @@ TEST(FluidAccuracy, AFluidAtRestVisitsNoCells) {
     EXPECT_EQ(energy(fluid), 0.0);
 }
 
-/// The fluid of `resting`, turned so that gravity acts along another axis.
+/// The fluid of `resting`, rotated so that gravity acts along another axis.
 Fluid resting_along(int axis) {
     auto fluid = flows::resting(fourth, 16).value();
     const double pull = fluid.settings.gravity.y;
@@ -398,8 +403,8 @@ TEST(FluidAccuracy, StableLayersStayAtRest) {
     }
 }
 
-// Upside down the layers fall, so the test above can fail. All axes agree, up to the order in which
-// viscosity treats them.
+// Upside down, the layers must fall, which shows that the test above can fail. All axes give equal results,
+// except for the order in which viscosity treats them.
 TEST(FluidAccuracy, LayersUpsideDownFall) {
     std::array<double, 3> speed{};
     for (const int axis : {0, 1, 2}) {

@@ -1,5 +1,5 @@
-// Energy of heavy and light substances: the flow gains no more than pushes and falling release, and not
-// too little.
+// Energy of heavy and light substances: the flow gains no more energy than pushes and falling release, and
+// not too little.
 #include <gtest/gtest.h>
 
 #include "core/text.h"
@@ -38,8 +38,8 @@ TEST(FluidBuoyancy, FallingSubstancesKeepMostOfTheReleasedEnergy) {
     }
 }
 
-/// The report accounts for all energy. Without forces and without viscosity, all missing energy must be
-/// reported as rescaled.
+/// The report accounts for all energy. Without forces and viscosity, all missing energy must be reported as
+/// removed by rescaling.
 TEST(FluidBuoyancy, TheReportAccountsForRemovedEnergy) {
     auto fluid = flows::weighing_fluid(flows::Weighing::sloshing, true, 16, 0).value();
     flows::EnergyBalance balance = flows::start_balance(fluid);
@@ -62,8 +62,8 @@ TEST(FluidBuoyancy, TheReportAccountsForRemovedEnergy) {
 }
 
 /// A standing wave in a layered box with frequency N / sqrt(2), N^2 = -g dw/dy. In every half period all its
-/// energy becomes kinetic again. A force of first order in time and a flow with divergence amplified it 23
-/// times in five periods.
+/// energy becomes kinetic again. With a force of first order in time and a flow with divergence, the wave was
+/// amplified 23 times in five periods.
 TEST(FluidBuoyancy, AWaveInLayersIsNeitherAmplifiedNorDamped) {
     const double weight = 0.5, height = 0.02;
     Settings settings = flows::settings_of(flows::Flow{}, {Solver::thaum, 4}, 16);
@@ -86,7 +86,7 @@ TEST(FluidBuoyancy, AWaveInLayersIsNeitherAmplifiedNorDamped) {
     EXPECT_NEAR(late / before, 1, 0.08);
 }
 
-/// Diffusion lifts heavy substance without taking energy from the flow.
+/// Diffusion raises the heavy substance without taking energy from the flow.
 TEST(FluidBuoyancy, DiffusionOfLayersDoesNotBrakeTheFlow) {
     Settings settings = flows::settings_of(flows::Flow{}, {Solver::thaum, 4}, 16);
     settings.edges[0] = Edge::periodic;
@@ -100,7 +100,7 @@ TEST(FluidBuoyancy, DiffusionOfLayersDoesNotBrakeTheFlow) {
     EXPECT_NEAR(flows::kinetic_energy(fluid) / kinetic, 1, 1e-4);
 }
 
-/// The flow that carries substances is free of divergence at either order, so a constant density stays
+/// The flow that transports substances is free of divergence at either order, so a constant density stays
 /// constant.
 TEST(FluidBuoyancy, AConstantDensityStaysConstantInAStirredBox) {
     for (const int order : {2, 4}) {
@@ -122,7 +122,7 @@ TEST(FluidBuoyancy, AConstantDensityStaysConstantInAStirredBox) {
     }
 }
 
-/// Work of the queued pushes, from the velocities before and after the step (m^5/s^2).
+/// Work of the queued pushes per density, from the velocities before and after the step (m^5/s^2).
 double work_of(const std::array<Samples, 3>& push, const std::array<Samples, 3>& before, const Fluid& after) {
     double work = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)

@@ -1,5 +1,4 @@
-// The baseline solver: its errors equal those of the published method, and it keeps the method's
-// guarantees.
+// The baseline solver: its errors equal those of the published method, and it keeps that method's guarantees.
 #include <gtest/gtest.h>
 
 #include "fluid/classic/classic.h"
@@ -21,8 +20,8 @@ double error_at_end(const Flow& flow, int n) {
     return flows::error_at(flow, fluid, flow.end);
 }
 
-// The reference errors are of a common port of Stam's solver, with its mistakes corrected and the same
-// 20 sweeps.
+// The reference errors come from a common port of Stam's solver, with its mistakes corrected and the same 20
+// sweeps.
 TEST(FluidClassic, HasTheErrorsOfThePublishedSolver) {
     EXPECT_NEAR(error_at_end(flows::taylor_green_box(0), 16), 0.22, 0.005);
     EXPECT_NEAR(error_at_end(flows::taylor_green_box(0), 32), 0.20, 0.005);
@@ -98,7 +97,7 @@ TEST(FluidClassic, DensitiesStayBetweenTheirBoundsAtAnySpeedAndStep) {
     }
 }
 
-/// Divergence one step after a push into the vortex.
+/// Divergence that remains one step after a push into the vortex.
 double divergence_left(int sweeps) {
     Flow flow = flows::taylor_green_box(0);
     flow.settings.sweeps = sweeps;
@@ -107,8 +106,7 @@ double divergence_left(int sweeps) {
     return advance(fluid, flows::step).divergence;
 }
 
-// The floor is the divergence that a difference across two cells cannot detect, for any number of
-// sweeps.
+// The floor is the divergence that differences across two cells cannot detect, whatever the number of sweeps.
 TEST(FluidClassic, MoreSweepsLeaveLessDivergenceDownToAFloor) {
     EXPECT_LT(divergence_left(20), 0.5 * divergence_left(1));
     EXPECT_LT(divergence_left(80), 0.5 * divergence_left(20));

@@ -1,6 +1,6 @@
-// Solids and implicit viscosity. A projection removes the divergence, takes energy only, and its cost
-// does not grow with the grid. Fluid at rest in a bowl stays at rest. Implicit viscosity converges to
-// the exact one with its step.
+// Solids and implicit viscosity. A projection removes the divergence, never adds energy, and its cost does
+// not grow with the grid. Fluid at rest in a bowl stays at rest. Implicit viscosity converges to the exact
+// solution with the time step.
 #include <gtest/gtest.h>
 
 #include "core/random.h"
@@ -50,7 +50,7 @@ TEST(FluidSolids, AProjectionRemovesDivergenceAtACostIndependentOfTheGrid) {
         EXPECT_LE(found.divergence, share * n * largest(solids.rows(), velocity)) << n;
         EXPECT_LE(found.iterations, 16) << n;
         EXPECT_GE(found.iterations, 4) << n;
-        // A second projection finds that nothing is left to do.
+        // A second projection needs no iterations, because no divergence is left.
         EXPECT_EQ(solids.project(velocity, potential, 2 * share, 100).iterations, 0) << n;
     }
 }
@@ -97,7 +97,7 @@ TEST(FluidSolids, AProjectionStartsFromTheLastOneAndABadGuessDoesNoHarm) {
     solids.project(projected, known, share, 100);
     const int without = iterations(make_samples(lattice), flow);
     EXPECT_LE(iterations(known, flow), 1);
-    // A potential of another magnitude, as from a shorter sub-step.
+    // A start potential of another magnitude, as from a shorter sub-step.
     auto half = flow;
     for (Samples& u : half)
         for (float& value : u) value *= 0.5F;
@@ -117,7 +117,7 @@ TEST(FluidSolids, OpeningsOfAnySizeHaveTheirAreaAndTheirCentre) {
     const vec3 low(0.3, -0.2, 0.7);
     Random random = random_stream(9, 0);
     for (int i = 0; i < 200; ++i) {
-        // A wall cuts off a corner, whose sides are these shares of the edges.
+        // A wall cuts off a corner of the cell; a and b are the cut shares of two edges.
         const double a = random.uniform(0.01, 0.5), b = random.uniform(0.01, 0.5);
         const bool far = i % 2 == 1;
         const auto solid = [&](vec3 place) {
@@ -132,7 +132,7 @@ TEST(FluidSolids, OpeningsOfAnySizeHaveTheirAreaAndTheirCentre) {
     }
 }
 
-/// Sum of squares of the velocity, each face counted by its open share.
+/// Sum of the squared velocity, each face weighted by its open share.
 double square_in_openings(const Fluid& fluid, const Solids& solids) {
     double sum = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -143,7 +143,7 @@ double square_in_openings(const Fluid& fluid, const Solids& solids) {
 }
 
 TEST(FluidSolids, AFastTurningFluidKeepsItsEnergyAlongASlippingBowl) {
-    // When small openings counted as whole ones, they asked for more sub-steps than there are. The pressure was
+    // When small openings counted as whole ones, they required more sub-steps than allowed. The pressure was
     // then left out, and a sixth of the energy was lost.
     auto fluid = flows::slipping_bowl(24).value();
     set_velocity(fluid, [](vec3 place) { return 12.0 * flows::rigid_turn(place); });
@@ -208,7 +208,7 @@ void stir_a_bowl(int n) {
         ASSERT_LE(report.divergence, 1e-4) << i;
         ASSERT_FALSE(report.fell_back) << i;
     }
-    // The place is on the path of the ladle.
+    // The position is on the path of the ladle.
     EXPECT_GT(velocity_at(fluid, {0.75, 0.5, 0.5}).z, 0.01);
     EXPECT_LT(velocity_at(fluid, {0.25, 0.5, 0.5}).z, -0.01);
     EXPECT_NEAR(amount(fluid, 0), mass, 1e-6 * mass);
@@ -223,7 +223,7 @@ void stir_a_bowl(int n) {
 }
 
 TEST(FluidSolids, AStirredBowlKeepsItsSubstancesAndLosesItsEnergy) {
-    // Sizes with and without rows of whole vectors.
+    // Sizes whose rows are, and are not, a multiple of the vector length.
     for (const int n : {16, 13}) {
         SCOPED_TRACE(n);
         stir_a_bowl(n);

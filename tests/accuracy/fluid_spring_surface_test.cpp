@@ -1,5 +1,5 @@
-// The spring surface against closed forms: normal modes of the lattice, the recurrence of Runge-Kutta,
-// and the static response to a push.
+// Compares the spring surface with closed forms: normal modes of the lattice, the recurrence of the
+// Runge-Kutta method, and the static response to a push.
 #include "fluid/spring_surface.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ SpringSurface mode(const SpringSurfaceSettings& s, std::uint32_t p, std::uint32_
                         [&](std::size_t x, std::size_t z) { return 0.01 * shape_at(s, p, q, x, z); });
 }
 
-/// Height and velocity of one mode, and the largest deviation of the surface from this mode.
+/// Height and velocity of one mode, and the largest deviation of the surface from the mode.
 struct Part {
     double height{}, velocity{}, rest{};
 };
@@ -109,7 +109,7 @@ TEST(SpringSurfaceAccuracy, NoModeIsFasterThanTheStiffestFrequency) {
                 for (std::uint32_t q = 1; q <= 13; ++q) fastest = std::max(fastest, mode_frequency(s, p, q));
             }
             EXPECT_LE(fastest, stiffest_frequency(s));
-            EXPECT_GE(fastest, 0.97 * stiffest_frequency(s));  // the bound is tight
+            EXPECT_GE(fastest, 0.97 * stiffest_frequency(s));  // the bound is not much larger than necessary
         }
     }
 }
@@ -128,7 +128,7 @@ TEST(SpringSurfaceAccuracy, LongWavesApproachThoseOfAMembrane) {
     EXPECT_LT(before, 2e-3);
 }
 
-/// Height and velocity of a mode, compared with the recurrence of Runge-Kutta for one damped
+/// Height and velocity of a mode are compared with the recurrence of the Runge-Kutta method for one damped
 /// oscillator.
 TEST(SpringSurfaceAccuracy, AStepFollowsTheRecurrenceOfRungeKutta) {
     SpringSurfaceSettings s = lattice(33, Rim::pinned);
@@ -141,7 +141,7 @@ TEST(SpringSurfaceAccuracy, AStepFollowsTheRecurrenceOfRungeKutta) {
     for (int i = 0; i < 50; ++i) {
         const SpringSurfaceStep step = advance(surface, scratch, {}, t);
         ASSERT_EQ(step.steps, 1U);
-        double dx = x, dv = v;  // Taylor terms of e^(A t)
+        double dx = x, dv = v;  // terms of the Taylor series of e^(A t)
         for (int k = 1; k <= 4; ++k) {
             const double next = dv * t / k;
             dv = (-w2 * dx - 2 * s.damping * dv) * t / k;
@@ -178,7 +178,7 @@ TEST(SpringSurfaceAccuracy, ConvergesInFourthOrderUnderAProbeToo) {
     const double t = 32 * 0.9 / std::sqrt(2 * stiffest_frequency(s) * stiffest_frequency(s));
     for (const std::size_t count : {0U, 1U}) {
         const auto with = std::span(probes).first(count);
-        // Pressed by 10 N from the start and never released, so the motion is smooth.
+        // Pushed with 10 N from the start and never released, so that the motion is smooth.
         const SpringSurface start = with_heights(make_spring_surface(s), [&](std::size_t x, std::size_t z) {
             return 0.05 * shape_at(s, 1, 1, x, z) + 0.02 * shape_at(s, 2, 3, x, z);
         });
@@ -191,7 +191,7 @@ TEST(SpringSurfaceAccuracy, ConvergesInFourthOrderUnderAProbeToo) {
     }
 }
 
-/// Weights of the footprint as the header defines them.
+/// Weights of the probe's footprint, as the header defines them.
 std::vector<double> weights_of(const SpringSurfaceSettings& s, const SurfaceProbe& p) {
     std::vector<double> weights(make_spring_surface(s).height.size());
     const double a = surface_node_spacing(s), radius = std::max(p.radius, 1.5 * a);

@@ -1,4 +1,4 @@
-// A hand in a computed fluid, each pushing the other, as fluid_touch.h asks of a game.
+// A hand and a computed fluid push each other, as fluid_touch.h requires of a game.
 #include <gtest/gtest.h>
 
 #include "fluid/fields.h"
@@ -10,7 +10,7 @@ namespace {
 
 constexpr double brew_density = 8;  // kg/m^3
 
-/// A periodic box of 1 m, so that only the hand takes momentum.
+/// A periodic box of 1 m, in which only the hand can absorb momentum.
 struct StirredBox {
     fluid::Fluid fluid =
         *fluid::make_fluid({.cells = {16, 16, 16},
@@ -48,7 +48,7 @@ struct StirredBox {
         add_fluid_step(rig.fluid(), flow());
     }
 
-    /// Momentum of the hand in the bowl (kg m/s); s_f scales its mass.
+    /// Momentum of the hand in the bowl (kg m/s); the force scale s_f scales its mass.
     vec3 hand_momentum() const {
         const auto& frame = rig.model.fluid.frame;
         return frame.turn * (rig.spec.mass * rig.tip.velocity) / frame.newtons_per_newton;
@@ -71,10 +71,10 @@ TEST(FluidTouchAccuracy, HandAndFluidTogetherConserveMomentum) {
 }
 
 TEST(FluidTouchAccuracy, AReleasedHandIsCarriedByTheFlow) {
-    // The hand stirs in circles. When released, it moves on with the flow that it made.
+    // The hand stirs in circles. When released, it is carried along by the flow that it has caused.
     StirredBox box;
     auto& rig = box.rig;
-    rig.servo.limits.cap = 1e-9;  // led without feeling
+    rig.servo.limits.cap = 1e-9;  // no force on the hand while it is moved
     const double radius = 0.2 / 16, turns_per_second = 1.5;
     int tick = 0;
     const auto led = [&](double t) {

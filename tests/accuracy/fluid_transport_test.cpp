@@ -24,7 +24,7 @@ constexpr Edges all_walls{Edge::free_slip, Edge::no_slip, Edge::free_slip};
 
 std::size_t place(const Lattice& l, int i, int j, int k) { return static_cast<std::size_t>(l.at(i, j, k)); }
 
-/// Samples of a function of the place (m) at cell centres.
+/// Samples of a function of the position (m) at cell centres.
 Samples field(const Lattice& l, const std::function<double(vec3)>& value) {
     Samples samples = make_samples(l);
     each_cell(l, [&](int i, int j, int k, std::size_t at) {
@@ -75,8 +75,8 @@ bool is_free_edge(const Lattice& l, const IsClosed& closed, std::size_t axis, Ce
     return true;
 }
 
-/// Random potentials on the low edges of all cells, zero on edges that touch a closed cell. They are
-/// multiples of 1/64, so sums of them are exact.
+/// Random potentials on the low edges of all cells, zero on edges that touch a closed cell. All are multiples
+/// of 1/64, so that their sums are exact.
 std::array<Samples, 3> random_potential(const Lattice& l, std::uint64_t seed, const IsClosed& closed) {
     std::array<Samples, 3> potential{make_samples(l), make_samples(l), make_samples(l)};
     Random random = random_stream(seed, 3);
@@ -120,12 +120,12 @@ double amount(const Lattice& l, const Samples& density) {
 float least(const Lattice& l, const Samples& density) {
     float result = density[place(l, 0, 0, 0)];
     each_cell(l, [&](int, int, int, std::size_t at) {
-        if (!(density[at] >= result)) result = density[at];  // keeps a NaN
+        if (!(density[at] >= result)) result = density[at];  // written so that a NaN is kept
     });
     return result;
 }
 
-/// Relative L2 error.
+/// Relative L2 error of a transported density.
 double error(const Lattice& l, const Samples& found, const Samples& exact) {
     double off = 0, all = 0;
     each_cell(l, [&](int, int, int, std::size_t at) {
@@ -135,7 +135,7 @@ double error(const Lattice& l, const Samples& found, const Samples& exact) {
     return std::sqrt(off / all);
 }
 
-/// Transports a density in `steps` steps of `seconds` in total. Returns the last report.
+/// Transports a density in `steps` steps that take `seconds` in total. Returns the last report.
 TransportReport carry(const Lattice& l, const Velocity& velocity, Samples& density, double seconds, int steps,
                       const TransportSettings& settings = {.most_substeps = 64},
                       const FaceApertures* face_apertures = nullptr) {
@@ -204,9 +204,9 @@ TEST(TransportAccuracy, ABlobReturnsFromOneRevolution) {
 }
 
 struct Deformed {
-    double error;        ///< relative L1 error
-    double least, most;  ///< extremes over all steps
-    double change;       ///< relative change of the amount
+    double error;        ///< relative L1 error of the density
+    double least, most;  ///< lowest and highest density over all steps
+    double change;       ///< relative change of the total amount
 };
 
 Velocity deformation_at_start(const Lattice& l) {
@@ -229,7 +229,7 @@ Velocity times(double factor, Velocity velocity) {
     return velocity;
 }
 
-/// LeVeque's flow, forward and back again.
+/// LeVeque's deforming flow, forward and back again.
 Deformed deformed(double (*shape)(vec3), int n, double courant) {
     const Lattice l = make_lattice({n, n, n}, 1.0 / n, {Edge::free_slip, Edge::free_slip, Edge::free_slip});
     const Samples before = field(l, shape);
@@ -382,8 +382,8 @@ TEST(Transport, AnEmptyOrMotionlessDensityVisitsNoCells) {
 
 /// A lattice seen with permuted and mirrored axes.
 struct View {
-    std::array<std::size_t, 3> axes{0, 1, 2};  ///< the new axis a is the old axes[a]
-    std::array<bool, 3> mirrored{};            ///< mirrored new axes
+    std::array<std::size_t, 3> axes{0, 1, 2};  ///< axis a of the view is axis axes[a] of the lattice
+    std::array<bool, 3> mirrored{};            ///< which axes of the view are mirrored
 };
 
 Cells seen(const View& view, Cells n, Cells cell, std::array<int, 3> faces) {
@@ -445,7 +445,7 @@ double asymmetry(const View& view, const Edges& edges, double diffusion) {
 }
 
 TEST(Transport, MirrorsAndTheExchangeOfXAndYHoldToTheBit) {
-    // Without diffusion the random density counts as a body with sharp edges.
+    // Without diffusion, the random density is transported like a body with sharp edges.
     for (const double diffusion : {1e-3, 0.0}) {
         for (const Edges& edges : {all_round, all_walls}) {
             const auto found = [&](const View& view) { return asymmetry(view, edges, diffusion); };
@@ -456,7 +456,7 @@ TEST(Transport, MirrorsAndTheExchangeOfXAndYHoldToTheBit) {
             EXPECT_EQ(found({.axes = {1, 0, 2}}), 0);
             EXPECT_LE(found({.axes = {2, 1, 0}}), 2e-6);
             EXPECT_LE(found({.axes = {1, 2, 0}}), 2e-6);
-            EXPECT_GT(found({.axes = {1, 2, 0}}), 0);  // the test detects a single bit
+            EXPECT_GT(found({.axes = {1, 2, 0}}), 0);  // the test detects a difference of a single bit
         }
     }
 }

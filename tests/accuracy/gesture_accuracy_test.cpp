@@ -1,4 +1,5 @@
-// Accuracy on public data beside the source tree (../shared/data/gestures). Skipped where the folder is absent.
+// Accuracy on public data in a folder beside the source tree (../shared/data/gestures). Skipped if the folder
+// does not exist.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -71,7 +72,8 @@ TEST_F(GesturePublicData, LettersOfWhichHalfAreUnknown) {
                                       .unknown_share = 0.5};
     const auto result = evaluate(set.strokes, settings);
     ASSERT_TRUE(result && result->open_set);
-    // An unknown h is so near to an n, and so on, that even 20 templates of each letter accept 85 % and no more.
+    // Letters that were not learnt are so similar to known ones, such as h and n, that even with 20 templates
+    // of each letter no more than 85 % are accepted correctly.
     EXPECT_GE(result->open_set->correct_accepts, 0.78);
     EXPECT_LE(result->open_set->false_accepts, 0.015);
 }
@@ -107,7 +109,7 @@ TEST_F(GesturePublicData, ProbabilitiesHoldAndUnknownGesturesAreNothing) {
     EXPECT_LE(result->open_set->false_accepts, 0.03);
 }
 
-/// Probabilities from one template of each gesture alone, which nobody's strokes were fitted to.
+/// Probabilities from one template of each gesture, without a fit to strokes of users.
 TEST_F(GesturePublicData, ProbabilitiesHoldWithoutStrokesOfUsers) {
     const auto error = [](const StrokeSet& set, Protocol protocol, std::size_t templates) {
         const auto result = evaluate(set.strokes, {.protocol = protocol,

@@ -1,5 +1,5 @@
-// Accuracy of the coupling against exact solutions, for all stiffnesses, masses, dampings and steps that a
-// game may use.
+// Compares the coupling with exact solutions, for all stiffnesses, masses, dampings and steps that a game may
+// use.
 #include <gtest/gtest.h>
 
 #include "haptics/coupling.h"
@@ -14,8 +14,8 @@ double relative(double value, Real exact, Real scale) {
     return static_cast<double>(std::abs(Real(value) - exact) / scale);
 }
 
-/// The hand moves evenly and the object follows. Compares velocity change and path over one step with small
-/// steps in long double.
+/// The hand moves at constant velocity and the object follows. Compares velocity change and displacement over
+/// one step with the result of small steps in long double.
 double error_with_prescribed_hand(double stiffness, double damping, double mass, double dt) {
     const auto step = coupling_step({stiffness, damping, 0}, 1 / mass, 0, dt);
     const CouplingState state{.hand = {0.3, 0, 0},
@@ -52,8 +52,8 @@ TEST(HapticsCoupling, IsExactAtAnyStiffnessMassDampingAndStep) {
     RecordProperty("worst_relative_error", std::to_string(worst * 1e12) + "e-12");
 }
 
-/// Two free bodies of 1 kg and `ratio` kg, released 0.2 m apart. Compares them after one second with the
-/// textbook's formula.
+/// Two free bodies of 1 kg and `ratio` kg, released 0.2 m apart. Compares their state after one second with
+/// the textbook formula.
 double error_of_free_pair(double stiffness, double damping_ratio, double ratio, double dt) {
     const double reduced = ratio / (1 + ratio);
     const double damping = damping_ratio * 2 * std::sqrt(stiffness * reduced);
@@ -63,7 +63,8 @@ double error_of_free_pair(double stiffness, double damping_ratio, double ratio, 
     for (int i = 0; i < steps; ++i) {
         const auto r = couple(step, s);
         const vec3 hand_change = -r.impulse;  // for 1 kg
-        // The centre of mass rests, so the hand's path is the object's, weighted by mass.
+        // The centre of mass is at rest, so the hand's displacement is the object's, scaled by the ratio of
+        // masses.
         s.hand -= ratio * r.displacement;
         s.hand_velocity += hand_change;
         s.object += r.displacement;
@@ -101,14 +102,14 @@ TEST(HapticsCoupling, DragAndWeightAreIntegratedToo) {
     vec3 total{};
     for (int i = 0; i < 250; ++i) {
         const auto r = couple(step, s);
-        // The returned values obey Newton's law in every step.
+        // The returned values satisfy Newton's second law in every step.
         EXPECT_NEAR(m * r.velocity_change.y, r.impulse.y + r.drag_impulse.y + m * g * dt, 1e-11);
         s.hand += s.hand_velocity * dt;
         s.object += r.displacement;
         s.object_velocity += r.velocity_change;
         total += r.impulse;
     }
-    // e = HIP - object oscillates freely about the sag by drag and weight.
+    // e = HIP - object oscillates freely around the static deflection due to drag and weight.
     const Real sag = (Real(drag) * (Real(w) - Real(vf)) - Real(m) * Real(g)) / Real(k);
     const auto exact = oracle::free_motion((Real(b) + Real(drag)) / (2 * Real(m)), Real(k) / Real(m),
                                            {0.1L - sag, Real(w) + 0.4L}, 1);

@@ -21,7 +21,7 @@ using field::Scalar;
 
 constexpr double stiffness = 1000, level = 0.5, fine = 0.001;
 
-/// Samples about the origin, with the averages that their directions need.
+/// Samples around the origin, with the averages from which their gradients are computed.
 struct Body {
     std::array<int, 3> count{};
     vec3 spacing{fine};
@@ -44,7 +44,7 @@ struct Body {
         return {samples.data(), count, {1, row, row * count[1]}, -half(), spacing, field::Kernel::linear};
     }
     SmoothGrid felt() const { return {grid(), averages.grid(grid()), {0, 1}}; }
-    /// As the surface's shader draws it.
+    /// Whether the surface's shader draws the point as solid.
     bool is_drawn(vec3 p) const {
         const vec3 h = half();
         return std::abs(p.x) <= h.x && std::abs(p.y) <= h.y && std::abs(p.z) <= h.z &&
@@ -64,7 +64,7 @@ TouchedModes hand_on(const SmoothGrid& felt) {
     return {{use}, stiffness};
 }
 
-/// Moves a hand evenly and returns the force after its rest at the end.
+/// Moves a hand at constant speed and returns the force after a rest at the end.
 vec3 pushed(TouchedModes& hand, vec3 from, vec3 to, int ticks, double* most = nullptr) {
     hand.start(from);
     vec3 force(0);
@@ -145,7 +145,7 @@ TEST(DrawnBody, ASheetOfOneSampleIsFeltInEveryDirection) {
     }
 }
 
-/// Largest angle between force and normal of a ball of 20 samples (degrees).
+/// Largest angle between force and normal, on a ball with a diameter of 20 samples (degrees).
 double worst_direction(const Body& body, vec3 middle) {
     constexpr double radius = 20 * fine;
     const SmoothGrid felt = body.felt();
@@ -169,7 +169,7 @@ TEST(DrawnBody, MasksAndSlicesFarApartHaveSmoothDirections) {
     EXPECT_LE(worst_direction({{64, 64, 22}, {fine, fine, 3 * fine}, hard}, middle), 6);
 }
 
-/// Largest change of force in a tick of a tip that slides on a ball of 32 samples with 1 N, at 50 mm/s (N).
+/// Largest change of force per tick for a tip that slides on a ball of 32 samples with 1 N, at 50 mm/s (N).
 double largest_step(const Body& body, double stiff = stiffness) {
     constexpr double radius = 32 * fine, speed = 5e-5;
     const double deep = 1 / stiff;
@@ -250,7 +250,7 @@ TEST(DrawnBody, TheNormalTurnsOverTheEdgeOfACutWithoutAJump) {
     const double begin = std::asin(edge / radius);
     vec3 before(0, 0, 1);
     for (int i = -300; i < 300; ++i) {
-        // From the cut face over the edge and down the ball.
+        // The path goes from the cut face over the edge and down the ball.
         const double turn = begin + std::max(i, 0) * step / radius;
         const vec3 out(det::sin(turn), 0, det::cos(turn));
         const vec3 place = i < 0 ? vec3(edge + i * step, 0, face) : middle + radius * out;
@@ -265,7 +265,8 @@ TEST(DrawnBody, TheNormalTurnsOverTheEdgeOfACutWithoutAJump) {
     }
 }
 
-/// A proxy is where the tip was a tick ago, and so behind a tip that comes. Nothing holds it there.
+/// The proxy is where the tip was one tick ago, and so lags behind an approaching tip. No friction may hold
+/// the proxy there.
 TEST(DrawnBody, ATipInFrontOfABodyMeetsNoFriction) {
     const Body ball({24, 24, 24}, vec3(fine), ball_at(vec3(0), 0.007, fine));
     const SmoothGrid felt = ball.felt();

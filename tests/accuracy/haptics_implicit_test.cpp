@@ -1,4 +1,4 @@
-// Implicit surfaces, and contact with the surface of one value.
+// Implicit surfaces, and contact with the surface on which a field has a given value.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -60,9 +60,9 @@ TEST(ImplicitSurfaces, GradientsAreThoseOfTheValuesAndShapesAreDistances) {
               field_of<Scalar>(ground)}) {
             const Scalar here = shape(place);
             EXPECT_NEAR(glm::length(here.gradient), 1, 1e-12);
-            if (here.value < 0.001) continue;  // inside, a block has creases
+            if (here.value < 0.001) continue;  // skipped, because a block's distance has creases inside
             EXPECT_LE(gradient_error(shape, place), 1e-5);
-            // One step by the value along the gradient ends on the surface.
+            // One step of the length of the value along the gradient ends on the surface.
             EXPECT_NEAR(shape(place - here.value * here.gradient).value, 0, 1e-12);
         }
     }
@@ -80,7 +80,7 @@ TEST(ImplicitSurfaces, MergedObjectsMakeOneSmoothSurface) {
         EXPECT_LE(merged(place).value, least + 1e-15);
         EXPECT_GE(merged(place).value, least - 0.002 * std::log(2.0) - 1e-15);
     }
-    // In the waist between the balls, which is a crease of the two, the merged surface is round.
+    // In the waist between the balls, where their union has a crease, the merged surface is smooth.
     const vec3 waist = merged({0, 0.012, 0}).gradient;
     EXPECT_LE(glm::distance(waist / glm::length(waist), vec3(0, 1, 0)), 1e-12);
 }
@@ -99,7 +99,7 @@ TEST(ImplicitSurfaces, ATextureIsOnThePotential) {
     const ScalarField plain = field_of<Scalar>(ball);
     const Decorated decorated{plain, grating, nullptr};
     for (const vec3 place : some_places()) EXPECT_LE(gradient_error(decorated, place), 1e-4);
-    // On a crest the surface is higher by twice the amplitude.
+    // At a crest the surface is higher than the plain one by twice the amplitude.
     const vec3 crest(0.001, 0.02, 0);
     EXPECT_NEAR(decorated(crest).value, ball(crest).value - 0.0004, 1e-15);
 }
@@ -117,7 +117,7 @@ TEST(LevelContact, TheForcePointsAlongTheNormalOfASphereToRounding) {
 }
 
 TEST(LevelContact, ATipDoesNotFallThroughWhatItCrossesInOneTick) {
-    const Block sheet{.half = {0.05, 0.0005, 0.05}};  // 1 mm thick
+    const Block sheet{.half = {0.05, 0.0005, 0.05}};  // a sheet 1 mm thick
     const Thickened thick{field_of<Scalar>(sheet), 0.0002};
     TouchedModes hand{{wall_of(field_of<Scalar>(thick), 20)}};
     hand.start({0, 0.01, 0});
@@ -143,7 +143,7 @@ TEST(LevelContact, AFlatFieldBeforeTheSurfaceNeedsNoGradient) {
 }
 
 TEST(LevelContact, AGrooveAndACornerHoldTheProxyStill) {
-    // The outside of a block, as a hollow: three walls meet in its corner.
+    // The outside of a block as a solid, so that the block is a hollow: three walls meet in its corner.
     const Block inner{.half = vec3(0.02)};
     const auto hollow = [&](vec3 p) {
         const Scalar s = inner(p);
@@ -159,7 +159,7 @@ TEST(LevelContact, AGrooveAndACornerHoldTheProxyStill) {
             if (tick > 250) change = std::max(change, glm::distance(force, last));
             last = force;
         }
-        EXPECT_LE(change, 1e-3);  // N, of 1.3 and 1.6
+        EXPECT_LE(change, 1e-3);  // largest change of force (N), of total forces of 1.3 and 1.6 N
         EXPECT_LE(glm::distance(hand.proxy, glm::min(goal, vec3(0.02))), 1e-5);
     }
 }
@@ -209,7 +209,7 @@ TEST(LevelContact, ASurfaceThatCurvesEverywhereNeverHoldsMoreThanItsStrength) {
         if (tick % 400 == 0)
             goal = {random.uniform(-0.04, 0.04), random.uniform(-0.04, 0.04), random.uniform(-0.04, 0.04)};
         const vec3 way = goal - at;
-        at += std::min(1.0, 1e-4 / std::max(glm::length(way), 1e-9)) * way;  // at most 0.1 m/s
+        at += std::min(1.0, 1e-4 / std::max(glm::length(way), 1e-9)) * way;  // moves by at most 0.1 m/s
         largest = std::max(largest, glm::length(hand.move(at)));
     }
     EXPECT_GE(largest, 0.9);

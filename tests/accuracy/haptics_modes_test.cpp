@@ -1,4 +1,4 @@
-// Accuracy of haptic modes against analytic fields.
+// Compares haptic modes with analytic fields.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,13 +42,13 @@ PrimitiveSet set_of(const ModeUse& use, const ModeInput& input) {
 const field::RankineVortex vortex{
     .middle = {0.01, 0, -0.02}, .axis = glm::normalize(vec3(1, 2, 3)), .radius = 0.03, .speed = 0.6};
 
-/// Unit vector from a place straight to the vortex's axis.
+/// Unit vector from a position straight towards the vortex's axis.
 vec3 inward(vec3 place) {
     const vec3 off = vortex.middle - place;
     return glm::normalize(off - glm::dot(off, vortex.axis) * vortex.axis);
 }
 
-/// Places within the core, not on the axis.
+/// Positions within the core, but not on its axis.
 std::vector<vec3> places_in_core() {
     std::vector<vec3> places;
     const vec3 a = perpendicular_to(vortex.axis), b = glm::cross(vortex.axis, a);
@@ -114,7 +114,7 @@ TEST(HapticModes, SnappingToACoreIsExactInACoreThatTurnsLikeASolid) {
         EXPECT_EQ(line.kind, PrimitiveKind::line);
         EXPECT_LE(glm::length(off - glm::dot(off, vortex.axis) * vortex.axis), 1e-12);
         EXPECT_LE(glm::length(glm::cross(line.direction, vortex.axis)), 1e-12);
-        use.settings.reach = 1e-4;  // the axis is farther
+        use.settings.reach = 1e-4;  // shorter than the distance of the axis
         EXPECT_EQ(set_of(use, {.proxy = place}).items()[0].strength, 0);
     }
 }
@@ -126,8 +126,8 @@ TEST(HapticModes, GradientAndForcePushWithTheMappedStrength) {
     const auto up =
         set_of(use_of("gradient", scalar_field(slope), field::window(0, 2, 0, 4)), {.proxy = {1, 2, 3}});
     EXPECT_LE(glm::distance(up.items()[0].direction, -slope.normal), 1e-12);
-    EXPECT_NEAR(up.items()[0].strength, 2, 1e-12);  // the gradient's length is 1
-    // A negative strength turns the force round.
+    EXPECT_NEAR(up.items()[0].strength, 2, 1e-12);  // expected for a gradient of length 1
+    // A negative strength reverses the force.
     const auto down =
         set_of(use_of("gradient", scalar_field(slope), field::constant(-3)), {.proxy = {1, 2, 3}});
     EXPECT_LE(glm::distance(down.items()[0].direction, slope.normal), 1e-12);
@@ -157,23 +157,23 @@ TEST(HapticModes, ViscosityHoldsTheProxyBackWithTheMappedStrength) {
     hand.start({0.02, 0, 0});
     vec3 force(0);
     for (int tick = 0; tick < 200; ++tick) force = hand.move({0.02, 1e-4 * tick, 0});
-    // The proxy trails the tip; the strength is that of the depth at the proxy of the last tick.
+    // The proxy lags behind the tip; the strength is computed from the depth of the proxy in the last tick.
     EXPECT_NEAR(force.y, -ball(hand.proxy - vec3(0, 1e-4, 0)).value / 0.05, 1e-4);
     EXPECT_NEAR(force.x, 0, 1e-12);
 }
 
 TEST(HapticModes, ASurfaceHoldsWithFrictionInProportionToItsPush) {
-    const field::Plane ground{.through = {}, .normal = {0, -1, 0}};  // larger values upward
+    const field::Plane ground{.through = {}, .normal = {0, -1, 0}};  // a field whose values increase upwards
     auto use = use_of("surface", scalar_field(ground), field::constant(5));
     use.settings.friction = field::constant(0.4);
     TouchedModes hand{{use}};
     hand.start(vec3(0));
     for (int tick = 0; tick <= 50; ++tick) hand.move({0, -1e-4 * tick, 0});
-    // Pressed in by 5 mm with 1.5 N, it sticks below 0.6 N.
+    // Pushed in by 5 mm (1.5 N), the proxy sticks as long as the tangential force is below 0.6 N.
     EXPECT_LE(glm::distance(hand.move({0.001, -0.005, 0}), vec3(-0.3, 1.5, 0)), 1e-9);
     for (int tick = 0; tick < 100; ++tick) hand.move({0.001 + 1e-4 * tick, -0.005, 0});
     EXPECT_LE(glm::distance(hand.move({0.011, -0.005, 0}), vec3(-0.6, 1.5, 0)), 1e-9);
-    // A push beyond its strength slips through, and the friction is that of the strength.
+    // A push above the mode's strength breaks through, and the friction is that for the mode's strength.
     for (int tick = 0; tick < 300; ++tick) hand.move({0.011 + 1e-4 * tick, -0.005 - 1e-4 * tick, 0});
     const vec3 through = hand.move({0.041, -0.035, 0});
     EXPECT_NEAR(through.y, 5, 1e-6);
@@ -189,7 +189,7 @@ TEST(HapticModes, SnapToGridHoldsAtTheNearestPoint) {
     hand.start({0.0205, -0.0105, 0.0003});
     hand.move({0.0205, -0.0105, 0.0003});
     EXPECT_LE(glm::distance(hand.proxy, vec3(0.02, -0.01, 0)), 1e-12);
-    hand.start({0.025, -0.01, 0});  // farther than the reach
+    hand.start({0.025, -0.01, 0});  // the hand is farther from the grid point than the reach
     EXPECT_LE(glm::length(hand.move({0.025, -0.01, 0})), 1e-12);
 }
 
@@ -224,7 +224,7 @@ TEST(HapticModes, EveryModeReadsOneKindOfFieldAndIsListedByName) {
         EXPECT_EQ(find_mode(mode.name), &mode);
         places += mode.primitives;
     }
-    EXPECT_LE(places, primitive_capacity);  // all modes act together
+    EXPECT_LE(places, primitive_capacity);  // all primitives of all modes fit together
 }
 
 TEST(HapticModes, EveryFieldIsOfferedEveryModeDirectlyOrThroughAFilter) {
@@ -246,7 +246,7 @@ TEST(HapticModes, EveryFieldIsOfferedEveryModeDirectlyOrThroughAFilter) {
 }
 
 TEST(HapticModes, AModeFeelsAFieldThroughAFilter) {
-    // The speed of a vortex, felt as a viscosity, and the gradient of a depth, followed like a flow.
+    // The speed of a vortex is felt as a viscosity, and the gradient of a depth is followed like a flow.
     field::FilteredField speed, slope;
     const field::Filter magnitude{field::FilterKind::magnitude}, gradient{field::FilterKind::gradient};
     const field::Plane plane{.through = {}, .normal = glm::normalize(vec3(2, 1, -2))};
@@ -292,13 +292,15 @@ TEST(HapticModes, FieldsWithoutDirectionAndFaultyFieldsGiveNoForce) {
             return Vector{scalars[i].gradient, {scalars[i].gradient, vec3(0), scalars[i].gradient}};
         };
         for (const Mode& mode : modes()) {
-            if (mode.name == "viscosity" || mode.name == "snap_grid") continue;  // they need no direction
+            // These modes need no direction.
+            if (mode.name == "viscosity" || mode.name == "snap_grid") continue;
             const bool is_scalar = mode.reads == FieldKind::scalar;
             const auto use = use_of(mode.name, is_scalar ? scalar_field(scalar) : vector_field(vector),
                                     field::constant(3));
             const auto set = set_of(use, {.proxy = {0.001, 0, 0}});
             EXPECT_EQ(set.items().size(), mode.primitives) << mode.name << " " << i;
-            const bool good = (i == 2 || i == 3) && !is_scalar;  // a vector of length 1
+            // A vector of length 1, for which a force is right.
+            const bool good = (i == 2 || i == 3) && !is_scalar;
             for (const Primitive& p : set.items()) {
                 EXPECT_TRUE(good || p.strength == 0) << mode.name << " " << i;
             }

@@ -1,5 +1,5 @@
-// Accuracy of the oscillator's response against small steps in long double, for all dampings and across the
-// critical one.
+// Compares the oscillator's response with small steps in long double, for all dampings, also around critical
+// damping.
 #include "haptics/oscillator.h"
 
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@ namespace {
 
 using oracle::Real;
 
-/// The worst relative error of the three. S and, without damping, S1 pass through zero. Near there, their
-/// error is relative to their amplitude.
+/// The largest relative error of the three functions. S, and without damping also S1, pass through zero; near
+/// there, the error is relative to their amplitude.
 double worst_error(double x, double q) {
     constexpr double t = 0.003;
     const Oscillator o{.decay = x / t, .frequency2 = q / (t * t)};

@@ -1,11 +1,11 @@
 // A tip slides under the surface of round bodies, at depths of 0.1 to 0.9 of the radius, with friction 0 to
 // 1, at up to 1 m/s. The force must follow the exact solution and never vanish while the tip is inside.
 //
-// Exact solution on a sphere of radius R: let theta be the angle at the centre between the proxy and the tip,
-// which is rho from the centre. The pull has the normal part R - rho cos(theta) and the tangential part rho
-// sin(theta). Coulomb's law, tangential = mu normal, then reads sin(theta + alpha) = sin(alpha) R / rho with
-// alpha = atan(mu). If the right side exceeds 1, the proxy sticks wherever it is. A groove round an axis
-// obeys the same law with its own radius and a larger coefficient.
+// Exact solution on a sphere of radius R: let theta be the angle at the centre between proxy and tip, and rho
+// the distance of the tip from the centre. The pull has the normal part R - rho cos(theta) and the tangential
+// part rho sin(theta). Coulomb's law, tangential = mu normal, then reads sin(theta + alpha) = sin(alpha) R /
+// rho with alpha = atan(mu). If the right side exceeds 1, the proxy sticks wherever it is. A groove around an
+// axis follows the same law with its own radius and a larger coefficient.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace {
 
 using namespace round_rig;
 
-/// Angle by which the proxy lags behind the tip in steady sliding (rad), or -1 if it sticks for ever.
+/// Angle by which the proxy lags behind the tip in steady sliding (rad), or -1 if it sticks forever.
 double steady_lag(double radius, double tip_radius, double friction) {
     const double alpha = std::atan(friction);
     const double sine = std::sin(alpha) * radius / tip_radius;
@@ -30,7 +30,7 @@ double steady_lag(double radius, double tip_radius, double friction) {
 
 // ---- steady sliding ---------------------------------------------------------------------------------------
 
-/// A steady slide round a circle.
+/// A steady slide around a circle.
 struct Circle {
     double radius{};       ///< radius of the circle (m)
     double depth_ratio{};  ///< depth of the tip divided by the radius
@@ -55,14 +55,14 @@ std::string name_of(const Circle& c) {
 
 /// Largest differences between the forces and the exact ones over a whole slide (N).
 struct Errors {
-    double steady{};  ///< after the lag is constant
-    double before{};  ///< while the proxy sticks and the lag grows
-    int lost{};       ///< ticks without force
+    double steady{};  ///< largest error once the lag is constant
+    double before{};  ///< largest error while the proxy sticks and the lag grows
+    int lost{};       ///< number of ticks without force
 };
 
-/// Slides a tip along a circle of radius `tip_radius`. The proxy runs outside it on a circle of radius
-/// `radius`; both are about the z axis. Friction here is the ratio of tangential to radial pull at which the
-/// proxy slides.
+/// Slides a tip along a circle of radius `tip_radius`. The proxy moves outside of that circle, on one of
+/// radius `radius`; both circles are around the z axis. Friction here is the ratio of tangential to radial
+/// pull at which the proxy slides.
 Errors slide_round(Probe& probe, const Circle& c, double friction, double height) {
     Errors errors;
     const double radius = c.radius + surface_gap, tip_radius = c.radius * (1 - c.depth_ratio);
@@ -78,7 +78,7 @@ Errors slide_round(Probe& probe, const Circle& c, double friction, double height
         const double along = tip_radius * std::sin(angle - proxy);
         const bool slides = std::abs(along) > friction * normal * (1 + 1e-12);
         if (slides && lag >= 0 && along > 0) proxy = angle - lag;
-        if (slides && along < 0) return errors;  // more than half a turn behind
+        if (slides && along < 0) return errors;  // the proxy is more than half a turn behind
         const ContactResult touched = probe.at(tip);
         if (glm::length(touched.force) == 0) ++errors.lost;
         const vec3 exact = stiffness * (polar(radius, proxy) - tip);
@@ -89,7 +89,7 @@ Errors slide_round(Probe& probe, const Circle& c, double friction, double height
 }
 
 constexpr double steady_chatter = 1e-6;  // N
-constexpr double judged_to = 1e-4;       // N; accuracy of the Runge-Kutta solution of a transient
+constexpr double judged_to = 1e-4;       // tolerance (N): accuracy of the Runge-Kutta solution of a transient
 
 TEST(RoundBodies, SteadySlidingOverASphereIsTheClosedForm) {
     for (const Circle& c : all_circles()) {
@@ -107,7 +107,8 @@ TEST(RoundBodies, SteadySlidingRoundCapsuleAndCylinderIsTheSame) {
         for (const Circle& c : all_circles()) {
             Probe probe{rubbing_patch(c.friction)};
             add(probe.patch, kind, {}, {c.radius, 0.02, 0});
-            probe.patch.bodies[0].orientation = rotation({1, 0, 0}, pi / 2);  // axis along z
+            // Rotated so that the axis is along z.
+            probe.patch.bodies[0].orientation = rotation({1, 0, 0}, pi / 2);
             const Errors errors = slide_round(probe, c, c.friction, 0);
             EXPECT_EQ(errors.lost, 0) << name_of(c);
             EXPECT_LE(errors.steady, steady_chatter) << name_of(c);
@@ -116,8 +117,8 @@ TEST(RoundBodies, SteadySlidingRoundCapsuleAndCylinderIsTheSame) {
     }
 }
 
-/// Two overlapping spheres have a groove, a circle of radius c < R. The loads of both sum to R / c times the
-/// radial pull.
+/// Two overlapping spheres have a groove, a circle of radius c < R. The normal forces of both add up to R / c
+/// times the radial pull.
 TEST(RoundBodies, SteadySlidingInTheGrooveOfTwoSpheresIsTheClosedForm) {
     for (const double overlap : {0.3, 0.6, 0.9}) {  // half the distance of the centres, divided by R
         for (const Circle& c : all_circles()) {
@@ -134,8 +135,8 @@ TEST(RoundBodies, SteadySlidingInTheGrooveOfTwoSpheresIsTheClosedForm) {
     }
 }
 
-/// A sphere stands on a floor and the tip is pressed under both. Without friction the proxy is on their
-/// circle, beside the tip.
+/// A sphere stands on a floor, and the tip is inside both. Without friction the proxy is on the circle where
+/// they meet, beside the tip.
 TEST(RoundBodies, BetweenASphereAndTheFloorTheForceIsExact) {
     for (const Circle& c : all_circles()) {
         if (c.friction > 0) continue;
@@ -150,15 +151,15 @@ TEST(RoundBodies, BetweenASphereAndTheFloorTheForceIsExact) {
     }
 }
 
-/// A helix at constant depth, with friction. Nothing changes relative to the tip, so the force must not
-/// either.
+/// The tip follows a helix at constant depth, with friction. Seen from the tip nothing changes, so the force
+/// must not change either.
 TEST(RoundBodies, AlongAHelixTheForceIsConstantSeenFromTheTip) {
     for (const SurfaceKind kind : {SurfaceKind::capsule, SurfaceKind::cylinder}) {
         for (const Circle& c : all_circles()) {
             Probe probe{rubbing_patch(c.friction)};
             add(probe.patch, kind, {}, {c.radius, 2, 0});
             const double tip_radius = c.radius * (1 - c.depth_ratio);
-            if (c.speed < 0.1) continue;  // the lag settles over several radii
+            if (c.speed < 0.1) continue;  // skipped, because the lag settles only over several radii
             const int settled = static_cast<int>(20 * c.radius / (c.speed * dt));
             probe.at({1.2 * c.radius, 0, 0});
             vec3 first(0);
@@ -169,7 +170,7 @@ TEST(RoundBodies, AlongAHelixTheForceIsConstantSeenFromTheTip) {
                 const vec3 force = probe.at(tip).force;
                 ASSERT_GT(glm::length(force), 0) << name_of(c) << " at " << tick;
                 const vec3 seen(glm::dot(force, out), force.y, glm::dot(force, round));
-                // It sticks, and the pull grows.
+                // The proxy sticks forever, and the pull keeps growing.
                 if (steady_lag(c.radius, tip_radius, c.friction) < 0) break;
                 if (tick == settled) first = seen;
                 if (tick > settled) {
@@ -182,8 +183,8 @@ TEST(RoundBodies, AlongAHelixTheForceIsConstantSeenFromTheTip) {
 
 // ---- transients -------------------------------------------------------------------------------------------
 
-/// Exact proxy on a sphere about the origin after the tip has moved (m). It moves along the great circle
-/// until Coulomb's law holds.
+/// Exact proxy on a sphere about the origin after the tip has moved (m). The proxy moves along the great
+/// circle towards the tip until Coulomb's law holds.
 vec3 exact_on_sphere(vec3 proxy, vec3 tip, double friction) {
     const double radius = glm::length(proxy), tip_radius = glm::length(tip);
     const vec3 out = proxy / radius;
@@ -220,7 +221,8 @@ TEST(RoundBodies, OverASphereEveryTransientIsTheExactOne) {
     }
 }
 
-/// Exact proxy without friction for a tip inside (m): its foot on the round side where the proxy is.
+/// Exact proxy without friction for a tip inside (m): the nearest point of the side, on the same side of the
+/// body as the proxy.
 vec3 foot_on_side(SurfaceKind kind, vec3 tip, double radius, double half) {
     const double held = kind == SurfaceKind::capsule ? std::clamp(tip.y, -half, half) : tip.y;
     const vec3 core(0, held, 0);
@@ -239,8 +241,8 @@ TEST(RoundBodies, WithoutFrictionTheProxyIsTheFootOnTheSideThatWasTouched) {
                 double worst = 0;
                 for (int tick = 0; tick < 2000; ++tick) {
                     const double angle = 0.8 * speed * dt / radius * tick;
-                    // Up and down to just before the cap, where the cap is nearer than the side; over both
-                    // ends of a capsule.
+                    // The tip moves up and down: on a cylinder to just before the point where the cap is
+                    // nearer than the side, on a capsule over both ends.
                     const double reach = kind == SurfaceKind::capsule ? half + 0.4 * radius : half - 1e-5;
                     const double up = reach * std::sin(0.6 * speed * dt / reach * tick);
                     vec3 tip((1 - depth_ratio) * radius * std::cos(angle), up,
@@ -258,8 +260,9 @@ TEST(RoundBodies, WithoutFrictionTheProxyIsTheFootOnTheSideThatWasTouched) {
     }
 }
 
-/// Exact proxy on a capsule, or on the side of a cylinder, after the tip has moved. It descends its distance
-/// to the tip along the surface until Coulomb's law holds. Runge-Kutta method, with the last step bisected.
+/// Exact proxy on a capsule, or on the side of a cylinder, after the tip has moved. The proxy moves along the
+/// surface in the direction in which its distance to the tip decreases fastest, until Coulomb's law holds.
+/// Runge-Kutta method, with the last step bisected.
 struct Descent {
     SurfaceKind kind{};
     double radius{}, half{}, friction{};

@@ -1,5 +1,5 @@
-// Accuracy of the simulated device's motion against closed forms: without dry friction, with it, and at stops
-// and releases.
+// Compares the simulated device's motion with closed forms: without dry friction, with it, and when the
+// motion stops and starts again.
 #include <gtest/gtest.h>
 
 #include "core/random.h"
@@ -13,7 +13,7 @@ using oracle::Real;
 
 constexpr double most_error = 1e-9;  // relative
 
-/// Settings in which the reference device is held under-, critically and over-damped.
+/// Hands that hold the reference device under-damped, critically damped and over-damped.
 struct Grip {
     const char* name;
     Hand hand;
@@ -81,7 +81,7 @@ TEST(HapticsSimulatedAccuracy, ConstantForceOnTheBareDevice) {
     for (int tick = 1; tick <= 1000; ++tick) {
         state = step(device, state, {}, {2, 0, 0});
         const Real t = Real(tick) / 1000, rate = Real(0.5) / Real(0.1);
-        const Real v = 4 * (1 - std::exp(-rate * t));  // 2 N over 0.5 N s/m
+        const Real v = 4 * (1 - std::exp(-rate * t));  // terminal velocity 4 m/s: 2 N over 0.5 N s/m
         expect_close(state.velocity.x, v, 4, "velocity");
         expect_close(state.position.x, 4 * t - v / rate, 4, "position");
     }
@@ -92,12 +92,12 @@ TEST(HapticsSimulatedAccuracy, RampTarget) {
         const System system(grip.hand);
         auto state = resting_at({});
         constexpr Real w = 0.25L;
-        // Steady state: behind the target by the lag that damping to the ground causes.
+        // Steady state: the device lags behind the target, because of damping relative to the ground.
         const Real lag = Real(0.5) * w / system.k;
         for (int tick = 1; tick <= 1000; ++tick) {
             const Real t = Real(tick) / 1000;
             state = step(system.device, state, {0, 0, static_cast<double>(w * t)}, {});
-            const auto exact = system.free({lag, -w}, t);  // x - (w t - lag)
+            const auto exact = system.free({lag, -w}, t);  // relative to the steady motion: x - (w t - lag)
             expect_close(state.position.z, exact.x + w * t - lag, w, grip.name);
             expect_close(state.velocity.z, exact.v + w, w, grip.name);
         }
@@ -126,8 +126,9 @@ TEST(HapticsSimulatedAccuracy, FrictionStopsASlideWhereItShould) {
 }
 
 TEST(HapticsSimulatedAccuracy, AnUndampedSpringLosesTwoBandsAnHalfSwing) {
-    // The classical dry oscillator. Each half swing is a half cosine about the middle -F/k or +F/k, so every
-    // turning point lies 2 F / k nearer. The mass stops where it first turns within the band.
+    // The classical oscillator with dry friction. Each half swing is a half cosine around -F/k or +F/k, so
+    // each turning point is nearer to the middle by 2 F / k. The mass stops at the first turning point within
+    // +-F/k.
     constexpr double k = 400, friction = 0.26;
     const auto device =
         with_friction({.mass = 0.15, .stiffness = k, .damping = 0, .max_target_speed = 1e9}, friction, 0);
@@ -159,7 +160,7 @@ TEST(HapticsSimulatedAccuracy, ARampLetsGoAtTheMomentItShould) {
         with_friction({.mass = 0.15, .stiffness = k, .damping = 0, .max_target_speed = 1e9}, friction, 0);
     const Real go = Real(friction) / (k * Real(w)), rate = std::sqrt(Real(k) / Real(0.25));
     auto state = resting_at({});
-    for (int tick = 1; tick <= 90; ++tick) {  // until just before it would stop again
+    for (int tick = 1; tick <= 90; ++tick) {  // until just before the mass would stop again
         const Real t = Real(tick) / 1000;
         state = step(device, state, {static_cast<double>(Real(w) * t), 0, 0}, {});
         const Real u = t - go;
@@ -169,8 +170,8 @@ TEST(HapticsSimulatedAccuracy, ARampLetsGoAtTheMomentItShould) {
 }
 
 TEST(HapticsSimulatedAccuracy, StickAndSlipDoNotDependOnTheTick) {
-    // The same evenly moved target and constant force in ticks of 1/8, 1 and 8 ms. The longer the tick, the
-    // more stops and releases fall into one.
+    // Constant velocity of the target and constant force, simulated with ticks of 1/8, 1 and 8 ms. The longer
+    // a tick, the more stops and starts of the motion fall into it.
     const Hand hand{.mass = 0.15, .stiffness = 400, .damping = 2, .max_target_speed = 1e9};
     const auto run = [&hand](int ticks_per_8_ms) {
         const auto device = with_friction(hand, 0.26, 0.2, 8e-3 / ticks_per_8_ms);

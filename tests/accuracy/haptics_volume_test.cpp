@@ -1,4 +1,4 @@
-// Feel of volumes: forces linked to opacity, shells, walls, materials, and scanned surfaces.
+// How volumes feel: forces that follow opacity, shells, walls, materials, and scanned surfaces.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ struct FeltVolume {
     }
 };
 
-/// Density 100 per cm below a plane, 0 above.
+/// Density grows by 100 per cm below a plane and is 0 above.
 const auto ramp = [](vec3 p) { return Scalar{std::max(0.0, -1e4 * p.y), {0, p.y < 0 ? -1e4 : 0, 0}}; };
 
 // ---- shell, opacity ---------------------------------------------------------------------------------------
@@ -62,7 +62,7 @@ TEST(VolumeFeel, StiffnessAndViscosityFollowTheOpacity) {
     FeltVolume v;
     v.feel.density = field_of<Scalar>(ramp);
     v.feel.opacity = {.density = field::window(10, 60, 0, 1),
-                      .gradient = field::window(0, 2e4, 0, 1),  // half at this gradient
+                      .gradient = field::window(0, 2e4, 0, 1),  // stiffness halved at this gradient
                       .stiffness = 2,
                       .retarding = 4,
                       .retarding_always = 0.25};
@@ -93,10 +93,11 @@ TEST(VolumeFeel, TheInvertedMappingDrawsTheTipIntoAThinStructure) {
     const vec3 pull = v.rest(start);
     EXPECT_GT(glm::length(pull), 0.1);
     EXPECT_LE(glm::distance(glm::normalize(pull), -glm::normalize(start)), 1e-9);
-    // A free hand that follows the pull ends on the fibre; without the inversion it would be thrown out.
+    // A free hand that follows the pull ends on the fibre; without the inversion the force would push it
+    // away.
     vec3 tip = start;
     for (int tick = 0; tick < 4000; ++tick) tip += 1e-5 * v.move(tip);
-    EXPECT_LE(glm::length(tip), 3e-4);  // the pull fades out on the fibre
+    EXPECT_LE(glm::length(tip), 3e-4);  // tolerance, because the pull fades out on the fibre
 }
 
 // ---- walls, materials -------------------------------------------------------------------------------------
@@ -112,7 +113,7 @@ VolumeFeel skin_over_bone() {
 
 TEST(VolumeFeel, AnInvisibleSkinIsFeltUntilAStrongPushGetsThroughToTheBone) {
     FeltVolume v{skin_over_bone(), {}, {}};
-    v.feel.opacity = {.density = field::constant(0), .stiffness = 5};  // invisible
+    v.feel.opacity = {.density = field::constant(0), .stiffness = 5};  // an opacity that is zero everywhere
     v.hand.start({0, 0.002, 0});
     double at_skin = 0, between = 1;
     for (int tick = 0; tick <= 2000; ++tick) {
@@ -279,11 +280,12 @@ TEST(ScannedSurfaces, TheForceOnASphereIsWithinThreeDegreesOfTheNormal) {
         errors.push_back(glm::length(glm::cross(glm::normalize(force), out)) / radians_per_degree);
     }
     std::ranges::sort(errors);
-    EXPECT_LE(errors.back(), 0.8);              // asked for: 3
-    EXPECT_LE(errors[errors.size() / 2], 0.1);  // asked for: 0.5
+    EXPECT_LE(errors.back(), 0.8);              // largest error: 3 is required
+    EXPECT_LE(errors[errors.size() / 2], 0.1);  // median error: 0.5 is required
 }
 
-/// Root mean square of the force's distance from its mean over the nearest 64 ms, as a share of the mean force.
+/// Root mean square deviation of the force from its mean over the surrounding 64 ms, as a share of the mean
+/// force.
 double noise_of(TouchedModes hand, const std::function<vec3(int)>& way, int ticks) {
     std::vector<vec3> forces;
     hand.start(way(0));
@@ -320,7 +322,7 @@ TEST(ScannedSurfaces, ATipThatSlidesAlongAHardEdgeFeelsNoVibration) {
         const double in = 0.024 - depth * std::min(1.0, tick / 60.0);
         return block.turn * vec3(in - from_bisector, in, 1e-4 * tick - 0.014);
     };
-    for (const double off : {0.0003, 0.01})  // just beside the bisecting plane; on the face
+    for (const double off : {0.0003, 0.01})  // offsets: just beside the bisecting plane, and on the face
         EXPECT_LE(noise_of(
                       {{scan_wall(smooth)}}, [&](int tick) { return along(off, tick); }, 280),
                   0.01)

@@ -31,7 +31,7 @@ long double ulp_at(long double x) {
 
 long double ulps(double value, long double exact) { return std::abs(value - exact) / ulp_at(exact); }
 
-/// Largest error over many arguments, and the argument that gives it.
+/// Largest error over many arguments, and the argument with that error.
 struct Worst {
     long double error = 0;
     double at = 0;
@@ -68,7 +68,7 @@ std::vector<double> spread_arguments(int low, int high, std::uint64_t seed) {
     return result;
 }
 
-/// Doubles around k pi/2, where an inexact reduction of the argument loses all digits.
+/// Doubles around k pi/2, where an inexact reduction of the argument would lose all digits.
 std::vector<double> arguments_near_quarter_turns() {
     std::vector<double> result;
     for (int k = -63'000; k <= 63'000; ++k) {
@@ -124,7 +124,7 @@ TEST_P(TurnAccuracy, EveryExponent) { expect_within_bound(spread_arguments(-1074
 TEST_P(TurnAccuracy, NearQuarterTurns) { expect_within_bound(arguments_near_quarter_turns()); }
 
 TEST_P(TurnAccuracy, HugeArgumentsNextToQuarterTurns) {
-    // The last argument is the double nearest to a multiple of pi/2 (W. Kahan).
+    // The last argument is the double that lies nearest to a multiple of pi/2 (W. Kahan).
     expect_within_bound({1.0000001e9, -1e10, 1e22, largest, -largest, 6381956970095103.0 * 0x1p797});
 }
 
@@ -207,7 +207,7 @@ TEST(MathsAccuracy, Pow) {
     Worst worst;
     for (int i = 0; i < 5 * samples; ++i) {
         const double x = std::ldexp(random.uniform(1, 2), static_cast<int>(random.below(2040)) - 1020);
-        // Half of the exponents give results near the ends of the range.
+        // Half of the exponents are so large that results are near the ends of the range.
         const double y = i % 2 == 0 ? random.uniform(-10, 10) : random.uniform(-1000, 1000) / std::log2(x);
         const auto exact = std::pow(static_cast<long double>(x), static_cast<long double>(y));
         if (exact > largest || exact < smallest_normal) continue;

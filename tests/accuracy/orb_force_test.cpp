@@ -1,5 +1,5 @@
-// The force at the orb against formulas that this test writes down itself: the flow of three Rankine vortices and six waves,
-// and the place to which spring and primitive move the proxy in each tick.
+// Compares the force at the orb with independent formulas in this test: the flow of three Rankine vortices
+// and six waves, and the position to which spring and haptic primitive move the proxy in each tick.
 #include <algorithm>
 #include <functional>
 #include <string_view>
@@ -10,10 +10,11 @@
 namespace thaum::game::test {
 namespace {
 
-constexpr double per_metre = 8;  // m of the orb for each metre of the hand
+constexpr double per_metre = 8;  // metres in the orb per metre of the hand
 constexpr double k = 300;        // N/m
 
-/// The orb's flow at a place of the device frame of a hand that looks along `yaw`, with derivatives by differences.
+/// The orb's flow at a position in the device frame of a hand that looks along `yaw`, with derivatives by
+/// differences.
 struct FeltFlow {
     field::VortexFlow flow;
     double yaw{};
@@ -22,7 +23,7 @@ struct FeltFlow {
         const double c = std::cos(yaw), s = sense * std::sin(yaw);
         return {c * v.x + s * v.z, v.y, -s * v.x + c * v.z};
     }
-    /// Velocity (m/s, device frame).
+    /// Velocity of the flow at the hand (m/s, device frame).
     vec3 operator()(vec3 hand) const {
         const vec3 place = per_metre * turned(hand, 1);
         vec3 sum(0);
@@ -38,7 +39,7 @@ struct FeltFlow {
             sum += std::cos(glm::dot(wave.wave, place) + wave.phase) * wave.velocity;
         return turned(sum, -1);
     }
-    /// Whether the edge of a vortex is so near that the differences below would reach across it.
+    /// Whether the edge of a vortex is so near that finite differences would reach across it.
     bool near_an_edge(vec3 hand) const {
         const vec3 place = per_metre * turned(hand, 1);
         return std::ranges::any_of(flow.vortices, [&](const field::RankineVortex& vortex) {
@@ -47,7 +48,7 @@ struct FeltFlow {
         });
     }
     double speed(vec3 hand) const { return glm::length((*this)(hand)); }
-    /// Gradient of the speed (per second, for a metre of the hand).
+    /// Gradient of the speed (1/s, per metre of hand motion).
     vec3 slope(vec3 hand) const {
         vec3 slope(0);
         for (int i = 0; i < 3; ++i) {
@@ -57,7 +58,7 @@ struct FeltFlow {
         }
         return slope;
     }
-    /// Curl (per second, for a metre of the hand).
+    /// Curl (1/s, per metre of hand motion).
     vec3 curl(vec3 hand) const {
         std::array<vec3, 3> d{};
         for (int i = 0; i < 3; ++i) {
@@ -69,13 +70,13 @@ struct FeltFlow {
     }
 };
 
-/// What a mode is expected to make of the proxy and of the tip.
+/// What the expected position of the proxy in a mode is computed from: proxy, tip, flow and strength.
 struct Felt {
     vec3 proxy{}, tip{};
     const FeltFlow& flow;
     const field::TransferFunction& strength;
 
-    /// The tip, drawn by `way` but with `force` at most.
+    /// The tip moved by the vector `way`, but at most as far as `force` allows.
     vec3 drawn(vec3 way, double force) const {
         const double pull = k * glm::length(way);
         return tip + (pull > force ? force / pull : 1) * way;
@@ -114,8 +115,8 @@ vec3 surface(const Felt& f) {
     return f.held_by_plane(glm::normalize(f.flow.slope(f.proxy)), f.strength(f.flow.speed(f.proxy)), 0.15);
 }
 
-/// Share of the ticks over some seconds of a wandering hand in which the force differs from the expected one by more than
-/// 10 uN, and the largest force (N).
+/// Share of the ticks, over some seconds of a wandering hand, in which the force differs from the expected
+/// one by more than 10 uN; and the largest force (N).
 std::pair<double, double> share_of_others(std::uint8_t key, const Expectation& expected, std::uint64_t seed) {
     Seance seance(seed);
     seance.begin();

@@ -1,5 +1,5 @@
-// Bodies against closed forms and, without the correction of free flight, against Bullet's own
-// recurrence: semi-implicit Euler.
+// Compares bodies with closed forms and, without the correction of free flight, with Bullet's own recurrence:
+// semi-implicit Euler.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,7 +28,8 @@ TEST(PhysicsAccuracy, FreeFallIsExactAtEveryStep) {
 
 TEST(PhysicsAccuracy, WithoutTheCorrectionFreeFallFollowsBulletsRecurrence) {
     for (const double step : {0.001, 0.002, 0.004, 0.008})
-        EXPECT_NEAR(fall_error(step, false), g * 1 * step / 2, 1e-11) << step;  // g t dt / 2
+        // Error of semi-implicit Euler: g t dt / 2.
+        EXPECT_NEAR(fall_error(step, false), g * 1 * step / 2, 1e-11) << step;
 }
 
 TEST(PhysicsAccuracy, AThrowKeepsItsEnergyAndItsHorizontalMomentum) {
@@ -36,7 +37,7 @@ TEST(PhysicsAccuracy, AThrowKeepsItsEnergyAndItsHorizontalMomentum) {
     physics.add(2, box({0.1, 0.2, 0.3}, 3), {.velocity = {7, 9, -5}, .spin = {1, 2, 3}});
     const auto energy = [&] {
         const BodyState s = physics.state(2);
-        return glm::dot(s.velocity, s.velocity) / 2 + g * s.position.y;  // energy per mass (J/kg)
+        return glm::dot(s.velocity, s.velocity) / 2 + g * s.position.y;  // mechanical energy per mass (J/kg)
     };
     const double before = energy();
     for (int i = 0; i < 3000; ++i) {
@@ -67,7 +68,7 @@ TEST(PhysicsAccuracy, DampedFallFollowsTheClosedFormForAnyDamping) {
 }
 
 TEST(PhysicsAccuracy, PushedBodiesFollowBulletsStep) {
-    // A contact acts on a body at rest in every step, so exact flight must not lift it.
+    // A contact acts on a resting body in every step; the correction of free flight must not lift the body.
     for (const bool exact : {true, false}) {
         Physics physics({.exact_flight = exact});
         add_floor(physics);
@@ -102,7 +103,8 @@ TEST(PhysicsAccuracy, ElasticCollisionKeepsMomentumAndEnergy) {
         const double momentum = 3 * physics.velocity(1).x + physics.velocity(2).x;
         ASSERT_NEAR(momentum, 5, 1e-12) << i;
     }
-    EXPECT_NEAR(physics.velocity(1).x, 0.5, 1e-9);  // (m1 - m2) v1 / M + 2 m2 v2 / M
+    // Velocity after an elastic collision: (m1 - m2) v1 / M + 2 m2 v2 / M.
+    EXPECT_NEAR(physics.velocity(1).x, 0.5, 1e-9);
     EXPECT_NEAR(physics.velocity(2).x, 3.5, 1e-9);
     EXPECT_NEAR(impulse, 4.5, 1e-9);
 }
@@ -128,7 +130,7 @@ TEST(PhysicsAccuracy, ContactImpulsesAreTheMomentumTheyTake) {
     for (; steps < 1500; ++steps) {
         physics.step(dt);
         for (const Contact& c : physics.contacts()) impulse += c.impulse * c.normal.y * (c.b == 2 ? -1 : 1);
-        // At all times the momentum of the box is that given by gravity minus that taken by the floor.
+        // At any time the momentum of the box is that gained by gravity minus that absorbed by the floor.
         ASSERT_NEAR(mass * physics.velocity(2).y, impulse - mass * g * steps * dt - mass * g * dt, 1e-9)
             << steps;
     }
@@ -151,7 +153,8 @@ TEST(PhysicsAccuracy, AtRestTheFloorCarriesTheWeight) {
 
 TEST(PhysicsAccuracy, ASpinningTopKeepsItsMomentum) {
     Physics physics({.gravity = {}});
-    physics.add(2, box({0.1, 0.3, 0.5}, 6), {.spin = {0.2, 5, 0.1}});  // about the middle axis, so it tumbles
+    // Spins about the middle principal axis, so it tumbles.
+    physics.add(2, box({0.1, 0.3, 0.5}, 6), {.spin = {0.2, 5, 0.1}});
     const auto momentum = [&] {
         const BodyState s = physics.state(2);
         const vec3 inertia = 6.0 / 3 * vec3{0.09 + 0.25, 0.01 + 0.25, 0.01 + 0.09};

@@ -1,4 +1,5 @@
-// Bounces against Newton's law of restitution, swept bodies against thin walls, and stacks that carry a heavy load.
+// Tests of bounces against Newton's law of restitution, of swept bodies against thin walls, and of stacks
+// under a heavy load.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,11 +22,11 @@ double half_height(const BodyDesc& d) {
     return d.shape == Shape::capsule ? d.size.x + d.size.y : d.size.y;
 }
 
-/// A body dropped onto the ground, with the same restitution on both sides of the pair.
+/// A body dropped onto the ground. Both bodies have the same restitution.
 struct Drop {
     Physics physics{{}, {level_ground()}};
     double step;
-    double rest_height{};  ///< height of the centre of the body when it lies on the ground (m)
+    double rest_height{};  ///< height of the body's centre when it lies on the ground (m)
 
     Drop(Shape shape, Shape ground, double restitution, double height, double step_s) : step(step_s) {
         BodyDesc floor{.shape = ground, .size = {50, 1, 50}, .restitution = 1};
@@ -38,7 +39,7 @@ struct Drop {
 
     double above() const { return physics.state(2).position.y - rest_height; }
 
-    /// Speed of the body at the ground, computed from its energy at a height above it (m/s).
+    /// Speed that the body would have at the ground, from its energy at its present height (m/s).
     double speed_at_ground(double height) const {
         const double speed = physics.velocity(2).y;
         return std::sqrt(std::max(0.0, speed * speed + 2 * 9.81 * height));
@@ -53,7 +54,7 @@ struct Drop {
             physics.step(step);
             now = physics.velocity(2).y;
         }
-        // Remaining penetration is removed without any speed. A corner may touch a step later.
+        // Penetration is removed without adding speed. A corner may touch a step later.
         double fastest = speed_at_ground(std::max(0.0, above()));
         for (int i = 0; i < 3; ++i) {
             physics.step(step);
@@ -82,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Combine(::testing::Values(Shape::box, Shape::sphere, Shape::capsule, Shape::cylinder),
                        ::testing::Values(Shape::box, Shape::mesh), ::testing::Values(0.001, 0.002, 0.004)));
 
-/// Each bounce reaches e^2 of the previous height. No step adds energy, and little is lost.
+/// Each bounce reaches e^2 of the previous height. No step adds energy, and little energy is lost.
 TEST(PhysicsBounce, BallComesToTheSameHeightAgain) {
     for (const double e : {1.0, 0.8}) {
         Drop drop(Shape::sphere, Shape::box, e, 1, dt);
@@ -100,7 +101,7 @@ TEST(PhysicsBounce, BallComesToTheSameHeightAgain) {
     }
 }
 
-/// Each bounce leaves e^2 of the energy for any step, over bounces from many heights.
+/// Each bounce leaves e^2 of the energy, whatever the step, over bounces from many heights.
 TEST(PhysicsBounce, EachBounceKeepsItsShareOfTheEnergyAtEveryStep) {
     for (const double e : {1.0, 0.8}) {
         for (const double step : {0.001, 0.002, 0.004, 0.008}) {
@@ -129,13 +130,13 @@ TEST(PhysicsBounce, FastBallAgainstTheSeamOfTwoFloorsBouncesAsOnOne) {
         physics.add(3, shot, at({0, from, 0}, {0, -speed, 0}));
         for (int i = 0; i < 20; ++i) physics.step(dt);
         EXPECT_NEAR(physics.velocity(3).y, speed, 1e-3 * speed);
-        // The way up is 20 ms of flight minus the way down.
+        // The time upwards is 20 ms of flight minus the time downwards.
         const double down = (from - 0.1) / speed;
         EXPECT_NEAR(physics.state(3).position.y, 0.1 + speed * (0.02 - down), 0.002 * speed * dt) << speed;
     }
 }
 
-/// Below 0.2 m/s a ball comes to rest, as in Bullet, and does not tremble for ever.
+/// Below 0.2 m/s a ball comes to rest, as in Bullet, and does not tremble forever.
 TEST(PhysicsBounce, BouncingBallComesToRestOnTheFloor) {
     Drop drop(Shape::sphere, Shape::box, 0.6, 0.5, dt);
     for (int i = 0; i < 8000; ++i) drop.physics.step(dt);
@@ -143,8 +144,8 @@ TEST(PhysicsBounce, BouncingBallComesToRestOnTheFloor) {
     EXPECT_NEAR(drop.physics.state(2).position.y, 0.1, 1e-3);
 }
 
-/// Throws a body from a random side at a wall of 2 cm, or a wall of triangles without thickness. True
-/// if it passes.
+/// Throws a body from a random side at a wall of 2 cm, or a wall of triangles without thickness. Returns
+/// whether the body passes through.
 bool comes_through(Shape shape, vec3 size, Shape wall, double step, std::uint64_t seed) {
     const TriangleMesh sheet{{{0, -3, -3}, {0, 3, -3}, {0, 3, 3}, {0, -3, 3}}, {{0, 2, 1}, {0, 3, 2}}};
     Random random{seed};

@@ -1,4 +1,5 @@
-// accuracy/primitives_judge.h: checks a balance against its documentation; shares no code with the solver.
+// accuracy/primitives_judge.h: checks whether a balance is what the documentation promises, without any code
+// of the solver.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -8,9 +9,9 @@
 
 namespace thaum::haptics::sets {
 
-/// Largest violation of the documentation by a balance (N): spring against sum of forces, and every force
-/// against what its primitive can exert at the proxy. A position is accurate to `touching` (m), so a force
-/// whose direction depends on it is accurate to what follows from that.
+/// Largest violation of the documentation by a balance (N): spring force against the sum of forces, and each
+/// force against what its primitive can exert at the proxy. A position is accurate only to `touching` (m),
+/// which limits the accuracy of forces whose direction depends on it.
 inline double fault(const PrimitiveSet& set, const Spring& spring, const Balance& balance, double touching) {
     const auto items = set.items();
     double worst = 0;
@@ -41,7 +42,7 @@ inline double fault(const PrimitiveSet& set, const Spring& spring, const Balance
             worst = std::max(worst, glm::length(force) - p.strength);
         }
         worst = std::max(worst, glm::length(outside));
-        if (distance <= touching) continue;  // on its kink it may exert any of these
+        if (distance <= touching) continue;  // on its kink the primitive may exert any of these forces
         const double doubt = p.kind == PrimitiveKind::plane ? 0 : p.strength * 2 * touching / distance;
         worst = std::max(worst, glm::length(force - expected) - doubt);
     }
@@ -60,10 +61,10 @@ inline Triple operator*(Real s, Triple a) { return {s * a.x, s * a.y, s * a.z}; 
 inline Real dot(Triple a, Triple b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Real length(Triple a) { return std::sqrt(dot(a, a)); }
 
-/// A proven bound of the error of the force (N), from the result alone, with 64 bits of mantissa. No kink
-/// counts as touched. f(x) = spring + sum of potentials is at least k/2 |x - minimum|^2 above its minimum,
-/// and the dual value at the forces is below the minimum. So k |x - minimum| <= sqrt(|missing force|^2 + 2 k
-/// gap).
+/// A proven bound on the error of the force (N), computed only from the result, with 64 bits of mantissa. The
+/// proxy is assumed to be on no kink. f(x) = spring + sum of potentials is at least k/2 |x - minimum|^2 above
+/// its minimum, and the dual value at the forces is below the minimum. So k |x - minimum| <= sqrt(|missing
+/// force|^2 + 2 k gap).
 inline double proven_bound(const PrimitiveSet& set, const Spring& spring, const Balance& balance) {
     const Triple x = triple(balance.proxy);
     const Real k = spring.stiffness;
@@ -84,8 +85,8 @@ inline double proven_bound(const PrimitiveSet& set, const Spring& spring, const 
     return static_cast<double>(std::sqrt(dot(missing, missing) + 2 * k * gap));
 }
 
-/// Largest increase of proven_bound by rounding (N): of proxy and positions, which move a kink or plane, and
-/// of forces.
+/// Largest possible increase of proven_bound by rounding (N): of the proxy and positions, which moves a kink
+/// or plane, and of forces.
 inline double bound_rounding(const PrimitiveSet& set, const Spring& spring, const Balance& balance) {
     double reach = glm::length(balance.proxy), strength = 0;
     for (const Primitive& p : set.items()) {

@@ -1,5 +1,5 @@
-// Accuracy of balances of random and degenerate sets: independent residual, laws of a proximal map, brute
-// force.
+// Accuracy of balances of random and degenerate sets: independent residual, properties of a proximal map,
+// brute-force search.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 using sets::Case;
 using sets::Scale;
 
-/// Accuracy of a position in the box (m): far above its rounding, far below an encoder's quantum.
+/// Accuracy of a position in the box (m): far above rounding errors, far below an encoder's resolution.
 double touching(const Scale& scale) { return 1e-13 * (scale.size + scale.strength / scale.stiffness); }
 
 struct Worst {
@@ -62,8 +62,8 @@ void expect_balanced(std::initializer_list<Primitive> primitives, vec3 centre) {
 
 TEST(PrimitivesRandom, LinesThatCrossBalance) {
     using enum PrimitiveKind;
-    // Two crossing lines, each given by a point and a direction. Normals nearly along a line would place the
-    // proxy inaccurately.
+    // Two crossing lines, each given by a point and a direction. With normals that are nearly along a line,
+    // the proxy would be inaccurate.
     expect_balanced({{line,
                       {0.0047499410918187346, 0.0041211621887245718, -0.0086053205396185457},
                       {-0.70721573916907943, -0.026820298561281, -0.70648890285454324},
@@ -77,8 +77,8 @@ TEST(PrimitivesRandom, LinesThatCrossBalance) {
 
 TEST(PrimitivesRandom, LinesThroughTheOriginBalance) {
     using enum PrimitiveKind;
-    // Lines through the world's origin, where coordinates have no size of their own. One is held at its full
-    // strength.
+    // Lines through the world's origin, where coordinates are near zero and give no scale for rounding. One
+    // line exerts its full strength.
     expect_balanced({{plane,
                       {0.0070340789584497259, 0.0025576690495779089, 0.0064541416609062057},
                       {-0.76690165594063398, -0.074891806346451789, -0.63737984550633475},
@@ -105,7 +105,7 @@ TEST(PrimitivesRandom, LinesThroughTheOriginBalance) {
 
 TEST(PrimitivesRandom, APlaneBesideALineThatNearlyMeetsAnotherBalances) {
     using enum PrimitiveKind;
-    // A plane holds the proxy 2e-10 m beside a line that crosses another 5e-8 m away.
+    // A plane holds the proxy 2e-10 m from a line that crosses another one 5e-8 m away.
     expect_balanced({{point,
                       {0.00075195538097018184, -0.0044505912991240756, -0.0094732851300347431},
                       {-0.62989638736790288, -0.66705492178264425, -0.39782945153220517},
@@ -153,7 +153,7 @@ double f(const PrimitiveSet& set, const Spring& spring, vec3 x) {
     return result;
 }
 
-/// Steps of every length in every direction, halved when none leads down.
+/// Tries steps in every direction, and halves the step when none leads to a lower value.
 vec3 brute_minimum(const PrimitiveSet& set, const Spring& spring, double size, Random& random) {
     vec3 x = spring.centre;
     double best = f(set, spring, x);
@@ -194,7 +194,8 @@ TEST(PrimitivesRandom, ItIsFirmlyNonExpansive) {
         const vec3 x1 = balance(c.set, c.spring).proxy;
         c.spring.centre = c2;
         const vec3 x2 = balance(c.set, c.spring).proxy;
-        // |x1 - x2|^2 <= (x1 - x2).(c1 - c2), which implies |x1 - x2| <= |c1 - c2|.
+        // For proxies x and spring centres c: |x1 - x2|^2 <= (x1 - x2).(c1 - c2), which implies |x1 - x2| <=
+        // |c1 - c2|.
         const double rounding = 1e-14 * scale.size;
         ASSERT_LE(glm::dot(x1 - x2, x1 - x2), glm::dot(x1 - x2, c1 - c2) + rounding * glm::length(c1 - c2))
             << i;
@@ -247,7 +248,8 @@ TEST(PrimitivesRandom, ScalesFromTinyToHuge) {
         for (const double strength : {1e-6, 1.0, 1e3}) {
             for (const double size : {1e-9, 1e-3, 1.0, 1e3}) {
                 const double ratio = strength / stiffness / size;
-                if (ratio > 1e8) continue;  // beyond, more is unsolved: TheResidualIsTrueEverywhere
+                // At higher ratios more sets are unsolved: see TheResidualIsTrueEverywhere.
+                if (ratio > 1e8) continue;
                 const Scale scale{strength, size, stiffness};
                 Worst worst;
                 int unsolved = 0;
@@ -289,8 +291,8 @@ TEST(PrimitivesRandom, TheResidualIsTrueEverywhere) {
 }
 
 TEST(PrimitivesRandom, StrengthsThatDwarfTheSetAreBalancedAllTheSame) {
-    // They would carry the proxy away by 1e9 times the size of the set, where its kinks could not be told
-    // apart.
+    // With these strengths the proxy would be moved away by 1e9 times the size of the set, where its kinks
+    // are indistinguishable.
     const Scale scale{1e3, 1e-6, 1};
     Random random{11};
     for (int i = 0; i < 20'000; ++i) {
@@ -328,7 +330,8 @@ TEST(PrimitivesRandom, AStrengthNextToNothingSpoilsNoSet) {
 }
 
 TEST(PrimitivesRandom, LinesThatAreNearlyParallelGiveTheBestForceAndATrueResidual) {
-    // Kinks 1e-14 m apart turn their forces within a few roundings of a position. Some sets end unsolved.
+    // For kinks 1e-14 m apart, the directions of forces change completely within a few rounding steps of a
+    // position. Some sets stay unsolved.
     for (const double angle : {1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14}) {
         Random random{13};
         for (int i = 0; i < 3'000; ++i) {
@@ -354,7 +357,7 @@ TEST(PrimitivesRandom, LinesThatAreNearlyParallelGiveTheBestForceAndATrueResidua
 }
 
 TEST(PrimitivesRandom, TheStepBudgetHolds) {
-    // With a huge strength / stiffness, some sets are unsolved.
+    // If strength / stiffness is huge, some sets are unsolved.
     Random random{5};
     Scale scale;
     int most = 0;
@@ -367,7 +370,8 @@ TEST(PrimitivesRandom, TheStepBudgetHolds) {
             most = std::max(most, found.steps);
         }
     }
-    EXPECT_LE(most, balance_step_budget + 13);  // 12 passes over the forces cost one step each
+    // 12 passes over the forces, at one step each, are added to the budget.
+    EXPECT_LE(most, balance_step_budget + 13);
     EXPECT_GT(most, 100);
 }
 

@@ -36,7 +36,8 @@ TEST(Primitives, ADirectedForceShiftsTheProxy) {
 }
 
 TEST(Primitives, APointHoldsWithinStrengthOverStiffness) {
-    const auto set = set_of({point({0.1, 0, 0}, 3)});  // captures within 0.01 m
+    // The point holds the proxy if the probe is within 0.01 m.
+    const auto set = set_of({point({0.1, 0, 0}, 3)});
     for (const double d : {0.0, 1e-12, 0.005, 0.0099}) {
         expect_at(balance(set, {{0.1 + d, 0, 0}, k}), {0.1, 0, 0}, {0.1 + d, 0, 0});
     }
@@ -52,9 +53,11 @@ TEST(Primitives, ALineHoldsAcrossAndLeavesFreeAlong) {
 
 TEST(Primitives, APlaneIsAWallThatYields) {
     const auto set = set_of({plane({0, 0.1, 0}, {0, 1, 0}, 3)});
-    expect_at(balance(set, {{5, 0.2, 1}, k}), {5, 0.2, 1}, {5, 0.2, 1});      // above: nothing
-    expect_at(balance(set, {{5, 0.095, 1}, k}), {5, 0.1, 1}, {5, 0.095, 1});  // pressed: held
-    expect_at(balance(set, {{5, 0.08, 1}, k}), {5, 0.09, 1}, {5, 0.08, 1});   // through: pushed back
+    expect_at(balance(set, {{5, 0.2, 1}, k}), {5, 0.2, 1}, {5, 0.2, 1});  // above the plane: no force
+    // Pushed against the plane: the proxy is held.
+    expect_at(balance(set, {{5, 0.095, 1}, k}), {5, 0.1, 1}, {5, 0.095, 1});
+    // Pushed through: the plane exerts its full strength.
+    expect_at(balance(set, {{5, 0.08, 1}, k}), {5, 0.09, 1}, {5, 0.08, 1});
 }
 
 TEST(Primitives, TwoPlanesHoldInTheirEdge) {
@@ -62,7 +65,7 @@ TEST(Primitives, TwoPlanesHoldInTheirEdge) {
     expect_at(balance(set, {{-0.005, -0.004, 0.3}, k}), {0, 0, 0.3}, {-0.005, -0.004, 0.3});
     const Balance oblique =
         balance(set_of({plane({}, {1, 0, 0}, 3), plane({}, {0.6, 0.8, 0}, 3)}), {{-0.004, -0.004, 1}, k});
-    // 0.8 s2 = 1.2 N, s1 + 0.6 s2 = 1.2 N.
+    // Balance of the planes' forces along y and x: 0.8 s2 = 1.2 N, s1 + 0.6 s2 = 1.2 N.
     expect_at(oblique, {0, 0, 1}, {-0.004, -0.004, 1});
     EXPECT_LT(glm::length(oblique.primitive[1] - vec3(0.9, 1.2, 0)), 1e-12);
     EXPECT_LT(glm::length(oblique.primitive[0] - vec3(0.3, 0, 0)), 1e-12);
@@ -79,29 +82,30 @@ TEST(Primitives, ThreePlanesHoldInTheirCorner) {
 }
 
 TEST(Primitives, APlaneHoldsBesideAPointThatPullsThroughIt) {
-    // The plane can take the point's 2 N and the spring's 0.3 N.
+    // The plane can exert 3 N, which is enough against the point's 2 N and the spring's 0.3 N.
     const auto set = set_of({plane({}, {0, 1, 0}, 3), point({0, -0.5, 0}, 2)});
     expect_at(balance(set, {{0, -0.001, 0}, k}), {}, {0, -0.001, 0});
 }
 
 TEST(Primitives, APointOnAPlaneAndOnALineAddsUp) {
     const auto set = set_of({plane({}, {0, 1, 0}, 1), point({}, 1), line({}, {0, 0, 1}, 1)});
-    expect_at(balance(set, {{0, -0.009, 0}, k}), {}, {0, -0.009, 0});              // 2.7 of 3 N
+    expect_at(balance(set, {{0, -0.009, 0}, k}), {}, {0, -0.009, 0});  // the plane exerts 2.7 of its 3 N
     expect_at(balance(set, {{0, -0.011, 0}, k}), {0, -0.001, 0}, {0, -0.011, 0});  // 3.3 N
-    expect_at(balance(set, {{0, 0.006, 0}, k}), {}, {0, 0.006, 0});                // 1.8 of 2 N
+    expect_at(balance(set, {{0, 0.006, 0}, k}), {}, {0, 0.006, 0});  // the point exerts 1.8 of its 2 N
 }
 
 TEST(Primitives, CoincidentAndOppositeOnesAreOne) {
     const auto twice = set_of({point({}, 1), point({}, 2)});
     expect_at(balance(twice, {{0.0099, 0, 0}, k}), {}, {0.0099, 0, 0});
     expect_at(balance(twice, {{0.011, 0, 0}, k}), {0.001, 0, 0}, {0.011, 0, 0});
-    const auto slab = set_of({plane({}, {0, 1, 0}, 3), plane({}, {0, -1, 0}, 3)});  // holds from both sides
+    // Two planes that hold the proxy from both sides.
+    const auto slab = set_of({plane({}, {0, 1, 0}, 3), plane({}, {0, -1, 0}, 3)});
     expect_at(balance(slab, {{1, 0.009, 1}, k}), {1, 0, 1}, {1, 0.009, 1});
     expect_at(balance(slab, {{1, -0.012, 1}, k}), {1, -0.002, 1}, {1, -0.012, 1});
 }
 
 TEST(Primitives, ATensionRingFindsFermatsPoint) {
-    // Three strong points and a negligible spring: the place that sees all sides at 120 degrees.
+    // Three strong points and a negligible spring: the proxy is where the points are seen 120 degrees apart.
     const double h = std::sqrt(3.0) / 2;
     const auto set = set_of({point({1, 0, 0}, 1), point({-0.5, h, 0}, 1), point({-0.5, -h, 0}, 1)});
     const Balance found = balance(set, {{}, 1e-3});
@@ -150,9 +154,10 @@ TEST(Primitives, WhatHasAFaultIsRefusedByNameAndLeavesTheSet) {
     EXPECT_EQ(fault(plane({}, {0, 1.1, 0}, 1)), Fault::not_unit);
     EXPECT_EQ(fault(point({0, 2e6, 0}, 1)), Fault::out_of_range);
     EXPECT_EQ(fault(point({}, 2e6)), Fault::out_of_range);
-    EXPECT_EQ(fault({PrimitiveKind::point, {}, {nan, nan, nan}, 1}), Fault::none);  // has no direction
+    // A point has no direction, so NaN is allowed there.
+    EXPECT_EQ(fault({PrimitiveKind::point, {}, {nan, nan, nan}, 1}), Fault::none);
     EXPECT_EQ(fault({PrimitiveKind::directed, {nan, 0, 0}, {1, 0, 0}, 1}),
-              Fault::none);  // has no position
+              Fault::none);  // a directed force has no position, so NaN is allowed there
     EXPECT_EQ(fault(plane({}, {0, 1 + 1e-9, 0}, 1)), Fault::none);
 }
 

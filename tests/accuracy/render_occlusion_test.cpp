@@ -1,4 +1,4 @@
-// Compares form factors with closed forms and with counts of random rays.
+// Compares form factors with closed forms and with random ray counts.
 #include "render/occlusion.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ TEST(FormFactor, ARoofOverTheCornerOfARectangle) {
     // Howell's catalogue of configuration factors, B-3: a small surface parallel to a rectangle, below its
     // corner.
     for (const vec3 size : {vec3(1, 0.2, 1), vec3(3, 0.2, 0.5), vec3(0.1, 0.2, 8)}) {
-        const double a = size.x / 2, b = size.z / 2;  // divided by the distance of 2 m
+        const double a = size.x / 2, b = size.z / 2;  // edge lengths divided by the distance of 2 m
         const double ra = std::sqrt(1 + a * a), rb = std::sqrt(1 + b * b);
         const double exact = (a / ra * std::atan(b / ra) + b / rb * std::atan(a / rb)) / (2 * pi);
         // From below only the lower face is visible.
@@ -48,7 +48,7 @@ TEST(FormFactor, EqualsTheShareOfRays) {
         int met = 0;
         for (int i = 0; i < n; ++i) {
             for (int j = 0; j < n; ++j) {
-                // Uniform points in the unit disc, lifted to the hemisphere, follow the cosine law.
+                // Uniform points in the unit disc, projected up to the hemisphere, follow the cosine law.
                 const double r = std::sqrt((i + 0.5) / n), angle = 2 * pi * (j + 0.5) / n;
                 const vec3 way =
                     r * std::cos(angle) * x + r * std::sin(angle) * z + std::sqrt(1 - r * r) * normal;

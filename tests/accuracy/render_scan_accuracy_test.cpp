@@ -26,16 +26,16 @@ class ScanSurface : public ScanTest {
 protected:
     static constexpr int n = 49;
     static constexpr float radius_samples = 18;
-    /// Radius of the sphere (m), whose samples are 2 m / (n - 1) apart.
+    /// Radius of the sphere (m). Its samples are 2 m / (n - 1) apart.
     static constexpr float radius = radius_samples * 2 / (n - 1);
     const std::vector<std::uint16_t> samples = ball_samples(n, radius_samples);
 
-    /// Number of a pixel in `distances`, whose rows count from below.
+    /// Index of a pixel in `distances`, whose rows count from the bottom.
     static std::size_t number_of(int x, int y) {
         const auto row = static_cast<std::size_t>(picture_side - 1 - y);
         return row * picture_side + static_cast<std::size_t>(x);
     }
-    /// Distances ahead of the eye by the depth of the last picture.
+    /// Distances ahead of the eye, from the depth buffer of the last picture.
     std::vector<float> distances() const {
         std::vector<float> depth(static_cast<std::size_t>(picture_side) * picture_side);
         glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
@@ -54,7 +54,7 @@ TEST_F(ScanSurface, HasTheSilhouetteAndDepthOfTheSphere) {
     camera.orientation = glm::angleAxis(0.1F, fvec3(0, 1, 0));
     const auto image = drawn(scan);
     const auto depth = distances();
-    // A sphere half a pixel smaller or larger at its distance.
+    // Size of a pixel at the sphere's distance. The silhouette must be exact to half a pixel.
     const float pixel =
         2 * std::tan(camera.fov_y / 2) / picture_side * glm::distance(camera.position, centre);
     int hits = 0;
@@ -95,7 +95,7 @@ TEST_F(ScanSurface, MeetsAPlaneWithinTheRoundingOfItsSamples) {
             const fvec3 place = camera.position + expected * ray;
             if (glm::any(glm::greaterThan(glm::abs(place), fvec3(0.99F)))) continue;
             ++hits;
-            // 16-bit samples and 24-bit depth leave less than this.
+            // Tolerance for 16-bit samples and a 24-bit depth buffer.
             EXPECT_NEAR(depth[number_of(x, y)], expected, 4e-3F * spacing);
         }
     }
@@ -107,7 +107,7 @@ TEST_F(ScanSurface, IsLitByItsNormal) {
     environment.sun.colour = fvec3(1);
     environment.sun.direction = glm::normalize(fvec3(1, 1, 2));
     auto scan = surface_of(samples, n);
-    // A scale along one axis: normals are not those of the samples' sphere turned along.
+    // A scale along one axis: normals must be transformed by the inverse transpose, not like directions.
     const fvec3 scale(1, 1.4F, 0.8F);
     scan.model = scaled(scale);
     const auto image = drawn(scan);
@@ -133,7 +133,7 @@ protected:
     const std::vector<std::uint16_t> even = sampled(n, [](fvec3) { return 0.5F; });
     const int middle = picture_side / 2;
 
-    /// Light of matter of this colour along a way (m), before the background.
+    /// Colour of a layer of matter of thickness `way` (m) in front of a background.
     static fvec3 over(fvec3 behind, fvec3 colour, float way) {
         const float cover = 1 - std::exp(-absorption * way);
         return detail::tone_mapped(colour) * cover + behind * (1 - cover);
@@ -171,13 +171,13 @@ TEST_F(ScanLight, DependsOnTheLengthOfTheWayThroughTheTurnedBody) {
     scan.table = &table;
     scan.model = rotated({0, 1, 0}, 0.3F);
     expect_near(pixel_of(drawn(scan), middle, middle), over(behind, fvec3(1), 2 / std::cos(0.3F)));
-    // A scaled body looks the same: absorption belongs to its own frame.
+    // A scaled body looks the same, because absorption is defined in its own frame.
     scan.model = scaled(fvec3(0.5F));
     expect_near(pixel_of(drawn(scan), middle, middle), over(behind, fvec3(1), 2));
 }
 
 TEST_F(ScanLight, ShowsAToolInsideThroughThePartInFrontOfIt) {
-    stand({0, 0, 0}, {0.5F, 0.5F, 0.5F}, {0.3F, 0.6F, 0.1F});  // its front is at z = 0.25 m
+    stand({0, 0, 0}, {0.5F, 0.5F, 0.5F}, {0.3F, 0.6F, 0.1F});  // a box whose front is at z = 0.25 m
     const auto tool = pixel_of(drawn(), middle, middle);
     const auto table = uniform_table(fvec3(0.4F), absorption);
     auto scan = scan_of(even, n);
@@ -186,7 +186,7 @@ TEST_F(ScanLight, ShowsAToolInsideThroughThePartInFrontOfIt) {
         detail = how;
         expect_near(pixel_of(drawn(scan), middle, middle), over(tool, fvec3(0.4F), 0.75F));
     }
-    // A wall before the scan hides it.
+    // A wall in front of the scan hides it.
     stand({0, 0, 1.5F}, {2, 2, 0.1F}, {0.3F, 0.6F, 0.1F});
     const auto wall = drawn();
     EXPECT_LE(greatest_difference(wall, drawn(scan)), 1);
@@ -206,7 +206,7 @@ TEST_F(ScanLight, CoversAnotherScanBehindItInEitherOrder) {
     expect_near(pixel_of(drawn(other_way), middle, middle), expected);
 }
 
-/// Emission and absorption by a table over the density, in a thousand steps per sample.
+/// Emission and absorption by a table over density, integrated in a thousand steps per sample.
 fvec4 marched(float from, float to, const ScanTable& table, float unit, auto density) {
     const int steps = 40'000;
     const float h = (to - from) / static_cast<float>(steps);

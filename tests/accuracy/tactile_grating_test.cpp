@@ -1,4 +1,5 @@
-// The effects of paper 004 against its formulas, written out here once more with the C library's functions.
+// Compares the effects of paper 004 with its formulas, written out independently here with the C library's
+// functions.
 #include <cmath>
 
 #include "unit/tactile_rig.h"
@@ -57,7 +58,7 @@ TEST(TactileGrating, TheSignalOfAnEffectIsTheGratingUnderItsEnvelope) {
             const double h = amplitude * (1 + std::sin(a));
             const double rate = amplitude * 2 * pi / 12e-3 * std::cos(a);
             const double force = shape * (5000 * h + 0.8 * std::max(0.0, rate)) / 5;
-            const double tilt = std::atan(rate / 1.0);  // the skin moves at 1 m/s
+            const double tilt = std::atan(rate / 1.0);  // at a skin speed of 1 m/s
             const double part = method == Method::vibration ? 1 : method == Method::both ? 0.5 : 0;
             const auto found = signal(effect, 0.6, ms);
             EXPECT_NEAR(found.into_skin, force * (1 - part + part * std::cos(tilt)), 1e-12);

@@ -1,4 +1,4 @@
-// The charts of the body, and the felt place of phantom actuators.
+// Tests the charts (flat maps) of the body, and where phantom actuators are felt.
 #include <cmath>
 #include <numeric>
 
@@ -11,7 +11,7 @@ TEST(TactileBody, TheChartIsTheArcOfTheEllipse) {
     const Torso torso(0.16, 0.115);
     double arc = 0;
     vec3 before(0, 1, 0.115);
-    for (int i = 1; i <= 3000; ++i) {  // most of the right half, in straight pieces
+    for (int i = 1; i <= 3000; ++i) {  // most of the right half of an ellipse, in straight pieces
         const double angle = pi * i / 3000;
         const vec3 at(0.16 * std::sin(angle), 1, 0.115 * std::cos(angle));
         arc += glm::length(at - before);
@@ -29,9 +29,10 @@ TEST(TactileBody, TheChartIsTheArcOfTheEllipse) {
 
 TEST(TactileBody, DirectionsOfTheWorldBecomeDirectionsOfTheBody) {
     const auto expect_near = [](vec3 a, vec3 b) { EXPECT_NEAR(glm::length(a - b), 0, 1e-12); };
-    expect_near(to_body_frame({0, 0, -1}, 0), {0, 0, 1});       // ahead
-    expect_near(to_body_frame({1, 0, 0}, 0), {1, 0, 0});        // right
-    expect_near(to_body_frame({-1, 0, 0}, pi / 2), {0, 0, 1});  // turned left, so -x is ahead
+    expect_near(to_body_frame({0, 0, -1}, 0), {0, 0, 1});  // ahead
+    expect_near(to_body_frame({1, 0, 0}, 0), {1, 0, 0});   // right
+    // The body is turned left, so -x is ahead of it.
+    expect_near(to_body_frame({-1, 0, 0}, pi / 2), {0, 0, 1});
     expect_near(to_body_frame({0, 0, 1}, pi / 2), {-1, 0, 0});
 }
 
@@ -45,7 +46,7 @@ TEST(TactileBody, RaisedArmsMoveForwardsAndUp) {
     EXPECT_EQ(posed(pose, Part::front, {0, 1, 0.1}), vec3(0, 1, 0.1));
 }
 
-/// Largest error of the felt place over a grid of wanted places inside the cells (m).
+/// Largest error of the felt position over a grid of intended positions inside the cells (m).
 double largest_error(const Layout& layout, bool front, double sigma) {
     vec2 low(1e9), high(-1e9);
     for (std::size_t i = 0; i < layout.actuators.size(); ++i) {
@@ -53,7 +54,7 @@ double largest_error(const Layout& layout, bool front, double sigma) {
         low = glm::min(low, layout.chart_of(Region::torso, i));
         high = glm::max(high, layout.chart_of(Region::torso, i));
     }
-    if (!front) {  // the chart of the back is torn in its middle
+    if (!front) {  // the chart of the back has a cut in its middle
         low.x = layout.torso.round() / 2 - 0.09;
         high.x = low.x + 0.18;
     }
@@ -129,7 +130,7 @@ TEST(TactilePhantom, AnyLayoutAndAnyPlaceGiveSharesThatSumToOne) {
             a.place.at = {random.uniform(-1, 1), random.uniform(0, 2), a.place.part == Part::front ? z : -z};
         }
         const auto layout = make_layout("random", Torso(0.16, 0.115), actuators);
-        if (!layout) continue;  // two in one place
+        if (!layout) continue;  // two actuators in one place are refused
         const BodyPoint point{Part::front,
                               {random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3)}};
         const auto place = layout->chart_place(point);

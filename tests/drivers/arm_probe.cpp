@@ -92,7 +92,7 @@ struct Hand {
     }
 };
 
-/// Waits until `enough` ticks were played or the arm is gone. Returns the arm's last status.
+/// Waits until `enough` ticks have been played or the arm is lost. Returns the arm's last status.
 ArmStatus play(const OpenArm& arm, const Hand& hand, std::uint64_t enough) {
     for (;;) {
         auto status = arm.status();
@@ -101,8 +101,7 @@ ArmStatus play(const OpenArm& arm, const Hand& hand, std::uint64_t enough) {
     }
 }
 
-/// If the script makes the library call tasks after its end (callback=after_end), waits until it has done
-/// so 100 times.
+/// If the script makes the library call tasks after its end (callback=after_end), waits for 100 such calls.
 void outlive_calls_after_end(const char* library) {
     const char* script = std::getenv("FAKE_HD");
     if (script == nullptr || std::string(script).find("after_end") == std::string::npos) return;
@@ -111,8 +110,8 @@ void outlive_calls_after_end(const char* library) {
     while (report().calls_after_end < 100) sleep_until_ns(monotonic_ns() + 2'000'000);
 }
 
-/// Time that the library gets to open and to close the arm. The test of modes (arm_modes_test.cpp) sets the
-/// variable only where the call must hang; elsewhere a busy machine may delay a call that works.
+/// Time limit for the library to open and to close the arm. The test of modes (arm_modes_test.cpp) sets the
+/// variable only where the call must hang; in other cases a busy machine may delay a call that works.
 std::int64_t patience_ns(const char* variable) {
     constexpr std::int64_t generous_ms = 60'000;
     const char* ms = std::getenv(variable);

@@ -77,13 +77,13 @@ std::vector<guint8> answer(const Pad& pad, unsigned number, std::size_t size) {
 
 // ---- motors -----------------------------------------------------------------------------------------------
 
-/// Adds a line to the file, in one piece, since several threads write.
+/// Adds a line to the file with a single write, since several threads write.
 void tell(const Pad& pad, const std::string& line) {
     const auto whole = pad.prefix + line + "\n";
     if (pad.felt >= 0 && write(pad.felt, whole.data(), whole.size()) < 0) std::perror("pad");
 }
 
-/// Keeps an effect, and gives a new one a number. Returns an error number.
+/// Stores an effect, and numbers it if it is new. Returns an error number.
 int upload(Pad& pad, ff_effect& effect) {
     if (!pad.model.motors || effect.type != FF_RUMBLE) return EINVAL;
     for (int id = 0; effect.id < 0 && id < most_effects; ++id) {
@@ -154,7 +154,7 @@ gboolean on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer data
     return TRUE;
 }
 
-/// The set of a model's buttons as the system writes it: hexadecimal words, the highest one first.
+/// The set of a model's buttons as the system prints it: hexadecimal words, the highest first.
 std::string words_of_buttons(const Model& model) {
     std::array<std::uint64_t, KEY_CNT / 64> words{};
     for (const auto code : model.buttons) words.at(code / 64) |= std::uint64_t{1} << (code % 64);
@@ -168,7 +168,8 @@ std::string words_of_buttons(const Model& model) {
     return out;
 }
 
-/// What the system says of the device. SDL takes devices with the same number (dev) for one.
+/// Description of the device as the system gives it. SDL takes devices with the same device number (dev) for
+/// one.
 std::string description_of(const Pad& pad, std::size_t number) {
     constexpr std::size_t first_minor = 64;
     const auto digit = std::to_string(number), event = "event" + digit;
@@ -187,13 +188,15 @@ Model xbox_360() { return xbox(0x028e, 0x0114, "Microsoft X-Box 360 pad", true);
 Model xbox_one() { return xbox(0x02d1, 0x0101, "Microsoft X-Box One pad", false); }
 
 std::uint16_t button_code(std::size_t number) {
-    constexpr std::size_t block = 32;  // those of joysticks and of pads follow one another
+    // Buttons per block; the block of joystick buttons is followed by that of pad buttons.
+    constexpr std::size_t block = 32;
     return static_cast<std::uint16_t>(number < block ? BTN_JOYSTICK + number
                                                      : BTN_TRIGGER_HAPPY + number - block);
 }
 
 std::uint16_t axis_code(std::size_t number) {
-    constexpr std::size_t first = ABS_BRAKE + 1;  // codes after it are those of hats
+    // The codes after this one are those of hats (direction pads)
+    constexpr std::size_t first = ABS_BRAKE + 1;
     return static_cast<std::uint16_t>(number < first ? number : ABS_PRESSURE + number - first);
 }
 
@@ -238,7 +241,7 @@ void report(Pad& pad, std::uint16_t type, std::uint16_t code, int value) {
         std::perror("pad");
 }
 
-// Removes or restores the link to the device node, and tells programs.
+// Removes or restores the link to the device node, and notifies programs.
 void plug(Pad& pad, bool in) {
     pad.plugged = in;
     for (auto& effect : pad.effects) effect = false;
@@ -255,7 +258,7 @@ void follow_motors(Pad& pad) {
     std::size_t filled = 0;
     for (;;) {
         const auto got = read(pad.fd, reinterpret_cast<char*>(&event) + filled, sizeof event - filled);
-        if (got <= 0) {  // nobody has opened the pad
+        if (got <= 0) {  // no program has opened the pad
             usleep(1000);
             continue;
         }

@@ -1,5 +1,5 @@
-// Fake pads and joysticks of any model, made by umockdev. Programs see them if they, or the process that starts them, run
-// under umockdev-wrapper. /dev/uinput is not needed.
+// Fake pads and joysticks of any model, simulated by umockdev. A program sees them if it, or the process that
+// starts it, runs under umockdev-wrapper. /dev/uinput is not needed.
 #pragma once
 #include <linux/input.h>
 
@@ -17,22 +17,23 @@ namespace fake {
 struct Axis {
     std::uint16_t code{};
     std::int32_t lowest = -32768, highest = 32767;
-    std::int32_t rest = 0;  ///< value while nobody touches it
+    std::int32_t rest = 0;  ///< value while no one touches the axis
 };
 
 struct Model {
     std::uint16_t bus = BUS_USB, vendor{}, product{}, version{};
     std::string name{};
     std::vector<std::uint16_t> buttons{};
-    std::vector<Axis> axes{};  ///< those of hats, too
+    std::vector<Axis> axes{};  ///< axes, including those of hats (direction pads)
     bool motors = false;
 };
 
 Model xbox_360();
 Model xbox_one();
-/// A joystick with so many buttons, axes and hats, which SDL numbers in this order. Without motors.
+/// A joystick without motors, with this number of buttons, axes and hats (direction pads), which SDL numbers
+/// in this order.
 Model stick(std::size_t buttons, std::size_t axes, std::size_t hats);
-/// Code of the button or axis to which SDL gives a number.
+/// Linux code of the button or axis with this number in SDL.
 std::uint16_t button_code(std::size_t number);
 std::uint16_t axis_code(std::size_t number);
 
@@ -44,22 +45,22 @@ struct Pad {
     int fd = -1;
     std::filesystem::path link{}, target{};
     std::string device{};  ///< path of the device in /sys
-    std::string prefix{};  ///< of the lines about its motors
-    int felt = -1;         ///< file for these lines; below 0: none
+    std::string prefix{};  ///< prefix of the lines about the pad's motors
+    int felt = -1;         ///< file descriptor for these lines; below 0: none
     std::atomic<bool> plugged{true};
-    /// Effects that the program has uploaded.
+    /// for each effect number, whether the program has uploaded an effect
     std::array<std::atomic<bool>, most_effects> effects{};
-    /// Present values of the axes. Programs read them again after each report.
+    /// Present values of the axes, which programs read again after each report.
     std::array<std::atomic<int>, ABS_CNT> axis_values{};
 };
 
-/// Makes the pad /dev/input/event<number>, plugged in. `pad` must live until the program ends.
+/// Makes the pad /dev/input/event<number>, plugged in. `pad` must exist until the program ends.
 void make_pad(Pad& pad, _UMockdevTestbed* testbed, const Model& model, std::size_t number);
 /// Reports a change of a button (EV_KEY) or an axis (EV_ABS).
 void report(Pad& pad, std::uint16_t type, std::uint16_t code, int value);
-/// Pulls the pad out, or plugs it in.
+/// Unplugs the pad, or plugs it in.
 void plug(Pad& pad, bool in);
-/// Writes a line for each beginning and end of an effect. Never returns.
+/// Writes a line for each start and end of an effect. Never returns.
 [[noreturn]] void follow_motors(Pad& pad);
 
 }  // namespace fake

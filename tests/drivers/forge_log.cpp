@@ -1,5 +1,5 @@
 // forge_log HOW LOG FORGED: copies a closed log with one change and correct checksums, as a forger would do
-// it to get a false match verified. HOW: same, no_hashes, no_middle, no_last, early_input, late_input,
+// who wants a false match to be accepted. HOW: same, no_hashes, no_middle, no_last, early_input, late_input,
 // result, codes.
 #include <cstdio>
 #include <string_view>

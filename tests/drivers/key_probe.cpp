@@ -1,4 +1,5 @@
-// Opens a window and prints what its keyboard layout has on keys, a line of "NAME LABEL SIGN" for each key named:
+// Opens a window and prints the labels of keys in the keyboard layout, one line of "NAME LABEL SIGN" for each
+// key named:
 //
 //     key_probe NAME...
 #include <cstdio>

@@ -28,7 +28,7 @@ constexpr std::int64_t ns_per_tick = 1'000'000;
 struct Runner {
     pid_t process = 0;
     std::filesystem::path log{};
-    /// Ticks that the match has played; in memory that survives the process.
+    /// Ticks that the match has played, in memory that outlives the process.
     std::atomic<Tick>* done = nullptr;
     std::int64_t kill_at_ns = 0;
 };
@@ -59,10 +59,10 @@ void start(Runner& runner, std::uint64_t seed, std::int64_t life_ns) {
     runner.kill_at_ns = monotonic_ns() + life_ns;
 }
 
-/// Fault of a log after the kill; empty if it replays and holds enough ticks.
+/// Fault of a log after the kill; empty if the log replays and contains enough ticks.
 std::string fault_of(const Runner& runner, Tick killed_at, Tick& kept) {
     auto playback = game::Playback::open(runner.log, game::find_assets());
-    // The process was killed before it made the file.
+    // The process was killed before it created the file.
     if (!playback) return killed_at == 0 ? "" : playback.error().message;
     kept = playback->log().ticks();
     if (playback->log().ending() != input::LogEnding::cut_off) return "does not read as cut off";

@@ -1,19 +1,21 @@
-// Prints the input in a log: devices that left or joined and pauses, then one line per device with sums, buttons
-// and the reduced shares of the brew's effects, and the result of a replay ("same" or the first tick with a
-// different hash).
+// Reads a log in one of three ways.
 //
 //     live_log_probe LOG
 //
-// Or prints a table of the age of each arm's model in each tick (ticks; 0: the tick has no sample of the arm). Where
-// the machine keeps an arm or the match waiting, the age is large or 0.
+// Prints the input: devices that left or joined, and pauses; then one line per device with sums, buttons and
+// the player's faders for the brew's effects; and the result of a replay ("same" or the first tick with a
+// different hash).
 //
 //     live_log_probe LOG --model-ages
 //
-// Or follows a log that is being written, so that a test can ask again and again what the match looks like and
-// only what is new is replayed. For each line on standard input: writes the newest states (one every 32 ticks, as
-// `thaum replay --state`) to STATES and prints the result so far, or an empty line while there is no log.
+// Prints a table of the age of each arm's haptic model in each tick (ticks; 0: the tick has no sample of the
+// arm). If the machine delays an arm or the match, the age is large or 0.
 //
 //     live_log_probe LOG --follow STATES
+//
+// Follows a log that is being written, so that a test can ask repeatedly for the state of the match, and only
+// new ticks are replayed. For each line on standard input, writes the newest states (one every 32 ticks, as
+// `thaum replay --state`) to STATES and prints the result so far, or an empty line while there is no log.
 #include <algorithm>
 #include <cstdio>
 #include <deque>
@@ -31,7 +33,7 @@ struct Seen {
     std::array<long long, input::max_counts> least{}, most{}, sum{};
     std::uint32_t buttons = 0;
     unsigned long long skips = 0;
-    bool away = false;  ///< state in the last sample
+    bool away = false;  ///< true: the device was gone in the last sample
 };
 
 void note(const input::DeviceSample& sample, Seen& seen) {
@@ -66,13 +68,13 @@ void print(std::size_t device, const input::DeviceSpec& spec, const Seen& s) {
     std::printf("\n");
 }
 
-/// A match that is played as far as its log is written.
+/// A match that is replayed as far as its log has been written.
 struct Followed {
     std::unique_ptr<game::Simulation> match;
-    std::deque<std::string> states;  ///< newest last
+    std::deque<std::string> states;  ///< rows of the table of states, the newest last
 };
 
-/// Plays what the log has gained. Returns false while there is no log.
+/// Replays what has been added to the log. Returns false while there is no log.
 bool catch_up(const char* path, Followed& followed) {
     constexpr Tick every = 32;
     constexpr std::size_t kept = 16;

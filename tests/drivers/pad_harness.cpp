@@ -3,12 +3,13 @@
 //     umockdev-wrapper pad_harness [--two] [--equal NUMBER] [--felt FILE] [--version NUMBER] [--stick] [--locked]
 //                                  PROGRAM ARGS...
 //
-// The first pad is an Xbox 360 pad (045e:028e) with motors, of the version NUMBER (hexadecimal). --stick makes it a
-// joystick without a name for any button: 12 buttons, 6 axes of which the last two rest at their lowest value, and a hat.
-// --locked takes everybody's permission to read it. --two adds an Xbox One pad (045e:02d1) without motors, --equal so many
-// pads like the first one, up to eight together.
+// The first pad is an Xbox 360 pad (045e:028e) with motors, of the version NUMBER (hexadecimal). --stick
+// makes it a joystick without a name for any button: 12 buttons, 6 axes of which the last two rest at their
+// lowest value, and a hat. --locked removes all permissions to read it. --two adds an Xbox One pad
+// (045e:02d1) without motors, --equal adds NUMBER pads like the first one, up to eight together.
 //
-// FILE gets one line for each call of the program on the motors, with "2." before it for the second pad, and so on:
+// FILE gets one line for each call of the program on the motors, with "2." before it for the second pad, and
+// so on:
 //
 //     upload ID STRONG WEAK MS    an effect: its number, the magnitudes of both motors, its length
 //     play ID VALUE               an effect begins (1) or stops (0)
@@ -16,13 +17,13 @@
 //
 // A pad that is unplugged refuses all calls, as Linux does. Its effects are gone when it is plugged in again.
 //
-// The steps come from standard input, one line "WHAT VALUE" each, and happen at once. WHAT is one of the
-// following, with "2." before it for the second pad, and so on:
+// Input for the pads comes from standard input, one line "WHAT VALUE" each, and takes effect at once. WHAT is
+// one of the following, with "2." before it for the second pad, and so on:
 //
 //     a, b, x, y, lb, rb, back, start   a button: 1 or 0
 //     lx, ly, rx, ry                    an axis: -32768 to 32767, positive to the right and down
 //     lt, rt                            a trigger: 0 to 255
-//     hx, hy                            the cross: -1 to 1
+//     hx, hy                            the directional pad: -1 to 1
 //     button.N, axis.N                  by SDL's number on a joystick
 //     plugged                           1 or 0
 //     signal                            the number of a signal for the program
@@ -60,7 +61,7 @@ const std::map<std::string, Part> parts{
     {"ry", {EV_ABS, ABS_RY}},       {"rt", {EV_ABS, ABS_RZ}},       {"hx", {EV_ABS, ABS_HAT0X}},
     {"hy", {EV_ABS, ABS_HAT0Y}}};
 
-/// A part by its name, or by SDL's number of a joystick's.
+/// A button or axis by its name, or by SDL's number on a joystick.
 std::optional<Part> part_of(std::string_view what) {
     constexpr std::string_view button = "button.", axis = "axis.";
     const auto number = [&](std::string_view before) {
@@ -116,7 +117,7 @@ struct Wishes {
     const char *felt = nullptr, *version = nullptr;
 };
 
-/// Reads the options, and returns the words after them.
+/// Reads the options, and returns the arguments after them.
 char** read_options(char** words, Wishes& wishes) {
     for (; *words != nullptr; ++words) {
         const std::string_view word = *words;
@@ -160,7 +161,7 @@ int main(int, char** argv) {
     const int felt =
         wishes.felt != nullptr ? open(wishes.felt, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666) : -1;
     if (*program == nullptr || (wishes.felt != nullptr && felt < 0)) return 2;
-    // Never destroyed: threads that read from the pads use them to the end.
+    // Never destroyed, because threads that read from the pads use them until the process ends.
     auto& pads = *std::make_unique<Pads>().release();
     for (auto& pad : pads) pad.felt = felt;
     make_pads(pads, wishes);

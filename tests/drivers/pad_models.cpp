@@ -1,9 +1,10 @@
-// Pads of SDL's table, emulated: umockdev-wrapper pad_models SEED COUNT
+// Emulates pads from SDL's table of mappings: umockdev-wrapper pad_models SEED COUNT
 //
-// Draws COUNT mappings for Linux from those that SDL has, makes a joystick with the numbers, buttons and axes of each, and
-// plugs them in one after the other. Of each, the button A, the left stick and the right trigger must do what they do on
-// an Xbox pad. Then the pad of a mapping that is added, and one from SDL_GAMECONTROLLERCONFIG (set by the caller for the
-// joystick f00d:0002), must play as well. Prints a line for each model that does not.
+// Draws COUNT random mappings for Linux from SDL's table, simulates a joystick with the device numbers,
+// buttons and axes of each, and plugs these in one after the other. On each, the button A, the left stick and
+// the right trigger must act as on an Xbox pad. Then the pad of a mapping that is added, and one from
+// SDL_GAMECONTROLLERCONFIG (set by the caller for the joystick f00d:0002), must work as well. Prints a line
+// for each model that does not.
 #include <SDL.h>
 #include <umockdev.h>
 
@@ -31,9 +32,9 @@ using input::PadState;
 
 /// A part of a joystick in a mapping: "b0", "h0.4", "a2", "+a2", "-a2", "a2~".
 struct Part {
-    char kind{};          ///< b, h or a
-    char half{};          ///< '+' or '-': that half of the axis; 0: the whole axis
-    bool turned = false;  ///< the axis acts the other way round
+    char kind{};          ///< b (button), h (hat) or a (axis)
+    char half{};          ///< '+' or '-': only the positive or negative half of the axis; 0: all of it
+    bool turned = false;  ///< true: the axis acts in the opposite direction
     std::size_t number{};
     unsigned direction{};  ///< of a hat
 };
@@ -53,7 +54,7 @@ std::optional<Part> part_of(std::string words) {
     return part;
 }
 
-/// A mapping, and what its joystick must have.
+/// A mapping, and what its joystick needs.
 struct Mapping {
     std::string guid{}, name{};
     std::vector<std::pair<std::string, Part>> parts{};
@@ -92,9 +93,11 @@ std::uint16_t number_of(const std::string& guid, std::size_t byte) {
     return static_cast<std::uint16_t>(byte_of(guid, byte) | byte_of(guid, byte + 1) << 8U);
 }
 
-/// Mappings that a device of Linux can have: SDL's own drivers mark theirs at the end of the guid, and some are by name.
+/// Whether a mapping is for a Linux device. SDL's own drivers mark theirs at the end of the guid, and some
+/// mappings are identified by name.
 bool is_of_device(const Mapping& mapping) {
-    constexpr std::size_t most_buttons = 64;  // some mappings name more, which Linux has no numbers for
+    // Some mappings have higher numbers, for which Linux has no codes.
+    constexpr std::size_t most_buttons = 64;
     return mapping.guid.size() == 32 &&
            mapping.guid.find_first_not_of("0123456789abcdef") == std::string::npos &&
            byte_of(mapping.guid, 14) == 0 && mapping.buttons <= most_buttons &&
@@ -135,7 +138,8 @@ class Bench {
 public:
     Bench(PadReader& reader, UMockdevTestbed* testbed) : reader_(reader), testbed_(testbed) {}
 
-    /// Waits until something holds of the pad, whatever its place. The limit only ends a test that hangs.
+    /// Waits until a condition holds for the pad, whatever its index. The time limit only ends a test that
+    /// hangs.
     bool wait(const std::function<bool(const PadState&)>& holds) {
         using namespace std::chrono;
         for (const auto end = steady_clock::now() + seconds(60); steady_clock::now() < end;) {
@@ -146,10 +150,11 @@ public:
         }
         return false;
     }
-    /// Tests a model. Returns what does not work; empty: all does.
+    /// Tests a model. Returns what does not work; empty: everything works.
     std::string test(const Mapping& mapping) {
         const auto model = model_of(mapping);
-        auto& pad = *std::make_unique<fake::Pad>().release();  // its threads may outlive the test of it
+        // Never destroyed, because its threads may outlive this test.
+        auto& pad = *std::make_unique<fake::Pad>().release();
         fake::make_pad(pad, testbed_, model, number_++);
         fake::plug(pad, true);
         auto fault = test_parts(pad, mapping);
@@ -204,7 +209,7 @@ private:
     int skipped_ = 0;
 };
 
-/// Draws mappings without drawing one twice.
+/// Draws random mappings, each at most once.
 std::vector<Mapping> drawn(std::vector<Mapping> from, std::uint64_t seed, std::size_t count) {
     Random random = random_stream(seed, 0);
     std::vector<Mapping> out;
@@ -220,7 +225,8 @@ std::vector<Mapping> drawn(std::vector<Mapping> from, std::uint64_t seed, std::s
 
 int main(int argc, char** argv) {
     if (argc != 3) return 2;
-    // First, since programs that look for devices before it do not see its own.
+    // Must come first, because devices of the test bed are invisible to programs that look for devices
+    // earlier.
     auto* testbed = umockdev_testbed_new();
     const auto all = table();
     const auto mappings =

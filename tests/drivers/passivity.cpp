@@ -1,5 +1,5 @@
-// Tests the passive sources of every haptic scenario: sums the energy that they created from the tables of
-// forces that the scenarios wrote. Arguments: the folder, and the largest energy allowed (J).
+// Tests the passive sources of every haptic scenario: computes the energy that they have created from the
+// tables of forces written by the scenarios. Arguments: the folder, and the largest energy allowed (J).
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>

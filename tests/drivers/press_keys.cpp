@@ -1,11 +1,11 @@
-// Presses and releases keys, one after the other, on the X server that DISPLAY names. All of it is one write to the
-// server, so a busy machine cannot come between the press and the release of a key: a key that is held repeats itself in
-// a menu, as it should, and a test that counts its presses would choose another row.
+// Presses and releases keys, one after the other, on the X server named by DISPLAY. All requests are sent in
+// one write, so that a busy machine cannot delay the release of a key: a held key repeats in a menu, as it
+// should, and a test that counts presses would choose the wrong row.
 //
 //     press_keys KEY...
 //
-// KEY is the name of an X keysym, such as Down, KP_0 or Q. The libraries come with xdotool, which tests need anyway, but
-// without headers, so they are loaded at run time.
+// KEY is the name of an X keysym, such as Down, KP_0 or Q. The libraries come with xdotool, which tests need
+// anyway, but without headers, so they are loaded at run time.
 #include <dlfcn.h>
 
 #include <cstdio>
@@ -15,8 +15,8 @@ namespace {
 
 struct Display;
 
-/// Time from a release to the next press, by the server's clock. GLFW takes less than 20 ms for the repetition of a key
-/// that is held.
+/// Time from a release to the next press, by the server's clock (ms). If the time is below 20 ms, GLFW takes
+/// the next press for a repetition of a held key.
 constexpr unsigned long after_ms = 25;
 
 void* function(const char* library, const char* name) {
@@ -46,7 +46,7 @@ struct Keyboard {
     int (*sync)(Display*, int) = x11<int(Display*, int)>("XSync");
 };
 
-/// Adds a press and a release to what will be written. Returns false for a key that the keyboard does not have.
+/// Adds a press and a release to the requests. Returns false for a key that the keyboard does not have.
 bool press(const Keyboard& keys, const char* name) {
     const auto symbol = keys.symbol(name);
     const auto code = symbol == 0 ? KeyCode{0} : keys.code(keys.display, symbol);
@@ -65,7 +65,7 @@ bool press(const Keyboard& keys, const char* name) {
 int main(int argc, char** argv) {
     const Keyboard keys;
     if (keys.display == nullptr) return std::fprintf(stderr, "press_keys: no display\n"), 1;
-    // The first questions to the server are answered before anything is pressed.
+    // The server answers its first requests before any key is pressed.
     for (int i = 1; i < argc; ++i) keys.code(keys.display, keys.symbol(argv[i]));
     keys.sync(keys.display, 0);
     for (int i = 1; i < argc; ++i)

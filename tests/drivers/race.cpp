@@ -1,5 +1,5 @@
-// Two threads write one number without synchronisation. A test expects that the thread sanitizer reports it, so that
-// no build or setting silences the sanitizer unnoticed.
+// Two threads write one number without synchronisation. A test expects that the thread sanitizer reports
+// this, so that no build or setting can disable the sanitizer unnoticed.
 #include <cstdio>
 #include <thread>
 

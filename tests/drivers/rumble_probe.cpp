@@ -1,10 +1,11 @@
-// Lets the motors of pads run, as a match does:
+// Runs the motors of pads as a match does:
 //
 //     rumble_probe FILE
 //
-// The first two pads belong to the two players. FILE is a FIFO with lines "PLAYER LEFT RIGHT FRAMES": player 1
-// or 2 gets so many frames of 8 ms, each with a time to live of 48 ms. A line replaces the one before. The program ends
-// with the FIFO. It prints "player 1 feels" and "player 1 feels nothing" when that changes, and the counts at its end.
+// The first two pads belong to the two players. FILE is a FIFO with lines "PLAYER LEFT RIGHT FRAMES": player
+// 1 or 2 gets that number of frames of 8 ms, each with a time to live of 48 ms. A line replaces the one
+// before. The program ends when the FIFO is closed. It prints "player 1 feels" and "player 1 feels nothing"
+// when this changes, and the counts at its end.
 #include <array>
 #include <atomic>
 #include <cstdio>
@@ -26,7 +27,7 @@ struct Order {
     int frames = 0;
 };
 
-/// Requests that the FIFO has brought; read by a thread of its own.
+/// Requests read from the FIFO, by a thread of their own.
 struct Orders {
     std::mutex mutex;
     Order newest;
@@ -40,7 +41,7 @@ struct Orders {
         }
         ended = true;
     }
-    /// Takes one frame of the newest order. `player` counts from 0.
+    /// Takes one frame of the newest request. `player` counts from 0.
     bool take(std::size_t& player, tactile::TactileFrame& frame) {
         const std::lock_guard lock(mutex);
         if (newest.frames <= 0) return false;
@@ -55,7 +56,7 @@ struct Orders {
 
 class Probe {
 public:
-    /// Eight milliseconds of a match.
+    /// Simulates eight milliseconds of a match.
     void step(Orders& orders) {
         const auto& pads = reader_.poll();
         for (std::uint32_t p = 0; p < felt_.size(); ++p) {

@@ -2,8 +2,8 @@
 //
 //     live_shot OUT.png [TICKS [SPLIT [WIDTH HEIGHT [X Z YAW PITCH [QUALITY [ARENA [Y]]]]]]]
 //
-// SPLIT: top_bottom, side_by_side, first, second. X Z (m) and YAW PITCH (degrees) move the first camera.
-// Y is the height of its feet (m). QUALITY: 0 low, 1 medium (default), 2 high. ARENA: name of an arena's file.
+// SPLIT: top_bottom, side_by_side, first, second. X Z (m) and YAW PITCH (degrees) move the first camera. Y is
+// the height of its feet (m). QUALITY: 0 low, 1 medium (default), 2 high. ARENA: name of an arena's file.
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
@@ -21,7 +21,7 @@ using namespace thaum::game;
 
 namespace {
 
-/// Processor time of all threads (ms), divided by two for a machine with two cores.
+/// Processor time of all threads (ms), divided by two to estimate the duration on two cores.
 double cpu_ms() { return 0.5e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 double now_ms() {
@@ -57,7 +57,7 @@ HudSettings settings_of(std::string_view split) {
     return s;
 }
 
-/// Puts the first wizard to a place, with a direction of view.
+/// Moves the first wizard to a position, with a direction of view.
 void place_first_wizard(Picture& picture, vec3 centre, double yaw_degrees, double pitch_degrees) {
     auto& p = picture.wizards[0];
     p.vitals.centre = centre;
@@ -72,7 +72,7 @@ void print_picture_time(const Simulation& match, Picture& picture) {
     std::cout << "take_picture " << fixed(now_ms() - before, 2) << " us\n";
 }
 
-/// Draws 30 times, and prints the processor time of a frame and the median of its duration.
+/// Draws 30 frames, and prints their processor time and the median duration of a frame.
 void print_frame_times(render::Renderer& renderer, const std::function<void()>& draw) {
     std::vector<double> times;
     const double cpu = cpu_ms();

@@ -1,4 +1,5 @@
-// Readers of tools, materials and snapshots of voxels. Each accepted tool must carve without a fault.
+// Fuzzes the readers of tools, materials and snapshots of voxels. Each accepted tool must carve without a
+// fault.
 #include <cmath>
 
 #include "core/file.h"
@@ -12,7 +13,7 @@ namespace {
 
 using field::Voxels;
 
-/// A small solid body.
+/// A small solid body for trying tools.
 Voxels small_body() {
     Voxels body = field::make_voxels({17, 9, 12}, {0.01, 0.02, 0.015});
     std::ranges::fill(body.density, 1.0F);
@@ -23,7 +24,7 @@ field::Materials some_materials() {
     return {{.name = "bone"}, {.name = "wax"}, {.name = "ink"}, {.name = "invisible"}};
 }
 
-/// Fault of carving with the tool; empty: none.
+/// Fault that occurs when carving with the tool; empty: none.
 std::string fault_of(const field::Tool& tool) {
     Voxels body = small_body();
     for (int i = 0; i < 4; ++i) {
@@ -67,7 +68,7 @@ Outcome read_voxel_snapshot(const std::string& input, const Places&) {
     voxel_hash(body.view(), kept);
     ByteReader reader(std::as_bytes(std::span(input.data(), input.size())));
     const auto restored = restore(body.view(), reader);
-    // Also after a refusal the readers of bricks must see all that changed.
+    // Even after a refusal, readers of bricks must be told of all changes.
     if (voxel_hash(body.view(), kept) != voxel_hash(body.view(), none)) return {.fault = "a stale hash"};
     if (!restored) return {.refusal = restored.error().message};
     return {.accepted = true};

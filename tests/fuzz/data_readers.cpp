@@ -1,4 +1,4 @@
-// Readers of data files and settings. Accepted data must make a match that runs.
+// Fuzzes the readers of data files and settings. Accepted data must make a match that runs.
 #include <fstream>
 
 #include "core/file.h"
@@ -18,7 +18,7 @@ std::string must_read(const std::filesystem::path& file) {
     return content ? std::move(*content) : std::string();
 }
 
-/// Plays a match in which both players walk, jump and shoot. A fault shows as an assertion or a crash.
+/// Plays a match in which both players walk, jump and shoot. A fault causes an assertion or a crash.
 void play(game::MatchData data) {
     game::Simulation match(std::make_shared<const game::MatchData>(std::move(data)),
                            {1, {game::bot_device(0, 1), game::bot_device(1, 1)}});
@@ -32,7 +32,8 @@ void play(game::MatchData data) {
     for (Tick t = 0; t < played; ++t) match.tick(frame);
 }
 
-/// Changes a file as an editor does. The program's own writers refuse to, because it has read the file.
+/// Changes a file as a text editor does. The program's own writers would refuse, because the program has read
+/// the file.
 bool edit(const std::filesystem::path& file, std::string_view words) {
     std::ofstream out(file, std::ios::binary);
     out << words;
@@ -85,7 +86,7 @@ Outcome read_bot(const std::string& input, const Places& places) {
     });
 }
 
-/// Plays every kind of dummy on one range, then continues the range with the shipped data.
+/// Plays every kind of dummy on one range, then continues that range with the shipped data.
 Outcome read_range(const std::string& input, const Places& places) {
     const auto sound = game::load_range(std::filesystem::path(THAUM_SOURCE_DIR) / "assets", {});
     if (!sound) return {.fault = sound.error().message};
@@ -106,7 +107,7 @@ Outcome read_range(const std::string& input, const Places& places) {
     });
 }
 
-/// Follows the lessons for a while, and skips through them.
+/// Plays the lessons for a while, then skips through them.
 Outcome read_lessons(const std::string& input, const Places& places) {
     auto lessons = game::parse_lessons(input, "apprentice.toml");
     if (!lessons) return {.refusal = lessons.error().message};

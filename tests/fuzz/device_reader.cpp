@@ -1,4 +1,4 @@
-// Reader of device files. An accepted file must make a simulated device that keeps its limits.
+// Fuzzes the reader of device files. An accepted file must make a simulated device that keeps its limits.
 #include <algorithm>
 
 #include "core/file.h"
@@ -12,7 +12,7 @@ std::vector<std::string> shipped_devices(const Places& places) {
     std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::directory_iterator(places.assets / "devices"))
         files.push_back(entry.path());
-    std::sort(files.begin(), files.end());  // the order of a directory listing is not defined
+    std::sort(files.begin(), files.end());  // sorted, because the order of a directory listing is undefined
     std::vector<std::string> result;
     for (const auto& file : files) {
         if (auto content = read_text_file(file, 1U << 20U)) result.push_back(std::move(*content));

@@ -1,4 +1,4 @@
-// Readers of strokes and gestures. What is accepted must be recognised without a fault.
+// Fuzzes the readers of strokes and gestures. Whatever is accepted must be recognised without a fault.
 #include <cmath>
 
 #include "core/gzip.h"
@@ -26,7 +26,7 @@ std::vector<StrokePoint> arc(double angle) {
     return points;
 }
 
-/// Fault of recognising a stroke; empty: none.
+/// Fault that occurs when recognising a stroke; empty: none.
 std::string fault_of(const std::vector<StrokePoint>& stroke) {
     const std::vector<Gesture> gestures{{"arc", {}, {arc(3)}}, {"circle", {.closed = true}, {arc(2 * pi)}}};
     static const auto recogniser = gesture::Recogniser::make(gestures);
@@ -85,8 +85,8 @@ std::vector<std::string> gesture_seeds(const Places&) {
             gesture::to_file({"circle", {.direction_sensitive = false, .closed = true}, {arc(2 * pi)}})};
 }
 
-/// Own gestures of two players as a header of a log holds them: a line with the name, then the text of a gesture. What is
-/// accepted must give a match in which a stroke can be read.
+/// Recorded gestures of two players as in the header of a log: a line with the name, then the text of a
+/// gesture. If they are accepted, a match with them must be able to read a stroke.
 Outcome read_profile(const std::string& input, const Places& places) {
     static const auto data = game::load_match_data(places.assets, {});
     if (!data) return {.fault = data.error().message};
@@ -115,7 +115,7 @@ std::vector<std::string> profile_seeds(const Places&) {
             "circle\n" + gesture::to_file({"circle", {.closed = true}, {arc(2 * pi)}})};
 }
 
-/// "strokes, strokes, strokes", packed by gzip.
+/// Seed: the text "strokes, strokes, strokes", compressed by gzip.
 std::vector<std::string> gzip_seeds(const Places&) {
     static constexpr unsigned char words[] = {
         0x1f, 0x8b, 0x08, 0x00, 0x00, 0x00, 0x00, 0x00, 0x02, 0xff, 0x2b, 0x2e, 0x29, 0xca, 0xcf, 0x4e,

@@ -1,4 +1,4 @@
-// Readers of a jacket's setting and of a bHaptics Player's replies.
+// Fuzzes the readers of a jacket's setting and of replies by the bHaptics Player.
 #include "core/text.h"
 #include "fuzz/fuzz.h"
 #include "game/jackets/bhaptics_messages.h"

@@ -1,4 +1,4 @@
-// Saved states of the lab: what is accepted must be a brew that goes on.
+// Fuzzes saved states of the lab: an accepted state must be a brew that can continue.
 #include "core/hash.h"
 #include "fuzz/fuzz.h"
 #include "game/data/match_data.h"
@@ -36,12 +36,13 @@ std::vector<std::string> saved_labs(const Places&) {
     return seeds;
 }
 
-/// Half of them with length and checksum right again, so that what is behind these is reached.
+/// In half of the mutants, length and checksum are corrected, so that the code behind those checks is
+/// reached.
 std::string mutate_lab(const std::vector<std::string>& seeds, Random& random) {
     const auto& seed = seeds[random.below(seeds.size())];
     if (random.below(2) == 0 || seed.size() <= head + hash_size) return mutate_bytes(seeds, random);
     auto body = seed.substr(head, seed.size() - head - hash_size);
-    // Settings are few beside samples: mostly they.
+    // There are few settings among many samples, so mostly settings are mutated.
     const auto settings = std::min<std::size_t>(body.size(), 500);
     const auto from = random.below(3) == 0 ? body.size() - settings : 0;
     body = body.substr(0, from) + mutate_bytes({body.substr(from, settings)}, random) +

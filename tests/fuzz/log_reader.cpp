@@ -1,5 +1,5 @@
-// Fuzzing of logs. Plain damage stops at the checksums. So most mutants get correct checksums, and reach
-// zstd, the decoder, and the match that the header describes.
+// Fuzzes logs. Checksums detect plain damage. So most mutants get correct checksums, and reach zstd, the
+// decoder, and the match that the header describes.
 #include <zstd.h>
 
 #include <cstring>
@@ -46,7 +46,7 @@ std::vector<std::string> recorded_logs(const Places& places) {
     return logs;
 }
 
-/// A seed whose blocks can be found; those of the folder may be damaged.
+/// Whether blocks can be found in a seed; those in the folder may be damaged.
 bool has_blocks(const std::string& seed) {
     if (seed.size() < detail::preamble_size) return false;
     const auto log = bytes_of(seed);
@@ -86,15 +86,15 @@ std::string body_of(const Bytes& log) {
     return string_of(std::span(log).subspan(detail::preamble_size, samples::u32_at(log, 12)));
 }
 
-/// The log with another body, whose size and checksum are correct. The blocks then belong to another salt, so their
-/// checksums are corrected too.
+/// The log with another body, with correct size and checksum. This changes the salt of the blocks, so their
+/// checksums are corrected, too.
 std::string with_body(const Bytes& log, const std::string& body) {
     Bytes out(log.begin(), log.begin() + static_cast<std::ptrdiff_t>(detail::preamble_size));
     const auto bytes = std::as_bytes(std::span(body));
     out.insert(out.end(), bytes.begin(), bytes.end());
     samples::put_at(out, 12, static_cast<std::uint32_t>(body.size()));
     samples::put_at(out, 16, hash_bytes(bytes, hash_bytes(std::span(out).first(16))));
-    Bytes signing = out;  // signed_block reads the salt from it
+    Bytes signing = out;  // signed_block reads the salt from these bytes
     for (const auto& place : samples::blocks_of(log)) {
         const auto block = std::span(log).subspan(place.begin, place.end - place.begin);
         const auto at = signing.size();

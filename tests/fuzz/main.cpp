@@ -1,5 +1,5 @@
-// Runs the inputs in a child process. A crash, a hang or too much memory can then be reported with the
-// number of the run, which makes the same input again.
+// Runs the inputs in a child process, so that a crash, a hang or too much memory can be reported with the
+// number of the run, which reproduces the input.
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -35,11 +35,12 @@ namespace thaum::fuzz {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-/// Longest time for which the child process may compute one input, under sanitizers, and longest real time, after which it
-/// hangs. A busy machine may make it wait.
+/// Maximum processor time for one input, with sanitizers, and maximum real time, after which the child counts
+/// as hanging. Real time is longer because a busy machine may make the child wait.
 constexpr auto most_work = std::chrono::seconds(10), most_time = std::chrono::seconds(600);
-constexpr rlim_t most_memory = rlim_t{1} << 30U;  ///< address space without sanitizers (bytes)
-/// Number of runs from which on both accepted and refused inputs must occur.
+/// Limit of address space in builds without sanitizers (bytes)
+constexpr rlim_t most_memory = rlim_t{1} << 30U;
+/// Number of runs above which both accepted and refused inputs must have occurred.
 constexpr std::uint64_t proof = 100;
 
 /// Progress of the child process, in shared memory.
@@ -58,7 +59,8 @@ std::string input_of(const RunPlan& plan, const std::vector<std::string>& seeds,
     return plan.reader->mutate(seeds, random);
 }
 
-/// Fault of an outcome: its own, or a refusal that is not one line of printable text. Empty: none.
+/// Fault in a run's outcome: a reported one, or a refusal that is not one line of printable text. Empty:
+/// none.
 std::string fault_of(const Outcome& outcome) {
     if (!outcome.fault.empty()) return outcome.fault;
     if (!outcome.accepted && outcome.refusal.empty()) return "refused without a message";
@@ -69,7 +71,8 @@ std::string fault_of(const Outcome& outcome) {
 }
 
 void limit_memory() {
-    // Its shadow memory takes terabytes of address space; see __asan_default_options.
+    // The address sanitizer needs terabytes of address space for its shadow memory; see
+    // __asan_default_options.
     if (THAUM_ADDRESS_SANITIZER) return;
     const rlimit limit{most_memory, most_memory};
     ::setrlimit(RLIMIT_AS, &limit);
@@ -95,7 +98,7 @@ void run_all(const RunPlan& plan, const std::vector<std::string>& seeds, const P
     std::exit(0);
 }
 
-/// Time that the child process has computed so far.
+/// Processor time of the child process so far.
 std::chrono::nanoseconds work_of(pid_t child) {
     clockid_t clock{};
     timespec work{};
@@ -103,7 +106,7 @@ std::chrono::nanoseconds work_of(pid_t child) {
     return std::chrono::seconds(work.tv_sec) + std::chrono::nanoseconds(work.tv_nsec);
 }
 
-/// Waits for the child process. Returns its fault; empty: none.
+/// Watches the child process until it ends. Returns its fault; empty: none.
 std::string watch(pid_t child, const Progress& progress, long& peak_mib) {
     auto seen = progress.done.load();
     auto since = Clock::now();
@@ -174,13 +177,14 @@ std::vector<std::string> seeds_of(const Reader& reader, const Places& places) {
     std::vector<std::filesystem::path> files;
     std::error_code none;
     for (const auto& entry : std::filesystem::directory_iterator(folder, none)) files.push_back(entry.path());
-    if (seeds.empty()) return seeds;  // without a real input the test would prove nothing
+    // Without a real input the test would prove nothing, so this is an error.
+    if (seeds.empty()) return seeds;
     std::sort(files.begin(), files.end());
     for (const auto& file : files) {
         if (auto content = read_text_file(file, 1U << 20U)) seeds.push_back(std::move(*content));
     }
-    // The largest seed is a whole file. It is repeated, because mutants of a whole file get further than
-    // those of a fragment.
+    // The largest seed is a whole file. It is used several times, because mutants of a whole file get further
+    // than those of a fragment.
     constexpr std::size_t most_of_them = 6;
     const auto& whole = *std::max_element(seeds.begin(), seeds.end(),
                                           [](const auto& a, const auto& b) { return a.size() < b.size(); });

@@ -48,7 +48,7 @@ void repeat(std::string& s, Random& random) {
     s.insert(at, many);
 }
 
-/// Begin and end of a random line, with its line feed.
+/// Start and end of a random line, with its line feed.
 std::pair<std::size_t, std::size_t> some_line(const std::string& s, Random& random) {
     const auto at = below(random, s.size());
     const auto before = at == 0 ? std::string::npos : s.rfind('\n', at - 1);

@@ -1,4 +1,5 @@
-// Reader of scenarios. Mutations change whole tokens, so many mutants still compile and start a match.
+// Fuzzes the reader of scenarios. Mutations change whole tokens, so many mutants still compile and start a
+// match.
 #include <algorithm>
 
 #include "core/file.h"

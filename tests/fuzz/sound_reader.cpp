@@ -1,4 +1,5 @@
-// Reader of recipes of sounds. An accepted recipe must make a sound without samples out of range.
+// Fuzzes the reader of sound recipes. An accepted recipe must make a sound whose samples are all within
+// range.
 #include <cmath>
 
 #include "audio/synth.h"

@@ -1,4 +1,5 @@
-// Readers of tactile layouts, effects and .tact files. What is accepted must play within the mixer's limits.
+// Fuzzes the readers of tactile layouts, effects and .tact files. Whatever is accepted must play within the
+// mixer's limits.
 #include <algorithm>
 #include <memory>
 
@@ -19,7 +20,7 @@ std::vector<std::string> files_in(const std::filesystem::path& folder, const cha
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         if (entry.path().extension() == ending) files.push_back(entry.path());
     }
-    std::sort(files.begin(), files.end());  // the order of a directory listing is not defined
+    std::sort(files.begin(), files.end());  // sorted, because the order of a directory listing is undefined
     std::vector<std::string> result;
     for (const auto& file : files) {
         if (auto content = read_text_file(file, 1U << 20U)) result.push_back(std::move(*content));
@@ -27,7 +28,7 @@ std::vector<std::string> files_in(const std::filesystem::path& folder, const cha
     return result;
 }
 
-/// Plays all effects of a bank for a second. Returns the fault of the frames; empty: none.
+/// Plays all effects of a bank for a second. Returns the first fault in the frames; empty: none.
 std::string fault_when_played(const tactile::Layout& layout, const tactile::EffectBank& bank) {
     const auto mixer = std::make_unique<tactile::TactileMixer>(layout, bank);
     for (Tick tick = 0; tick < 1000; tick += tactile::frame_ticks) {

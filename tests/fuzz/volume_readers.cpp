@@ -1,5 +1,6 @@
-// Readers of volumes: NRRD files with their samples, headers of other files, and descriptions of raw samples.
-// What is accepted must be a volume that can be read everywhere, and that is the same after it was written.
+// Fuzzes the readers of volumes: NRRD files with their samples, headers with samples in other files, and
+// descriptions of raw samples. An accepted volume must be readable at every position, and must be the same
+// after writing and reading it again.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -14,10 +15,11 @@
 namespace thaum::fuzz {
 namespace {
 
-constexpr std::size_t most_read = std::size_t{1} << 20U;  ///< samples, so that a run stays short
+/// Maximum number of samples that is read, so that a run stays short.
+constexpr std::size_t most_read = std::size_t{1} << 20U;
 constexpr std::size_t stored_count = 60;
 
-/// True for the same bits, so that NaN equals itself.
+/// Whether all bits are equal, so that NaN equals itself.
 bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
     return a.size() == b.size() &&
            (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0);

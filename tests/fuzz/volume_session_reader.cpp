@@ -1,4 +1,4 @@
-// Saved sessions of the volume lab. An accepted one must be written so that it reads again.
+// Fuzzes saved sessions of the volume lab. An accepted session, when written, must be readable again.
 #include "fuzz/fuzz.h"
 #include "game/lab/volume_session.h"
 

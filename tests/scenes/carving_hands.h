@@ -8,7 +8,7 @@
 
 namespace thaum::bench {
 
-/// Places the first player before a crystal and the second behind it, or far away.
+/// Places the first player in front of a crystal, and the second behind it or far away.
 inline void place_at_the_crystal(game::Simulation& match, bool both = true, std::uint32_t number = 0) {
     const vec3 middle = match.world().get<game::Crystal>(game::crystal_entity(match.world(), number)).middle;
     for (std::uint32_t player = 0; player < game::players; ++player) {
@@ -17,8 +17,8 @@ inline void place_at_the_crystal(game::Simulation& match, bool both = true, std:
     }
 }
 
-/// Input with which both players hold Stir, press their hands into the crystal and out again, and go round. Fire is held,
-/// except in the last quarter of each second, and the tool changes each second.
+/// Input with which both players hold Stir, push their hands into the crystal and pull them out, and walk
+/// around it. Fire is held except in the last quarter of each second, and the tool changes each second.
 inline input::InputFrame carving(Tick tick) {
     input::InputFrame frame;
     for (std::size_t player = 0; player < game::players; ++player) {

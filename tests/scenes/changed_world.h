@@ -1,6 +1,7 @@
-// tests/scenes/changed_world.h: a hand that presses into a spring of the device's stiffness while the world changes
-// again and again: the largest force is moved, forces go off and on, the model is stale, the spring goes and comes. Sums
-// F dx of the device itself. The servo's own energy observer is not used.
+// tests/scenes/changed_world.h: a hand that presses into a spring of the device's stiffness while conditions
+// change repeatedly: the force limit changes, forces are switched off and on, the model becomes stale, the
+// spring disappears and returns. The energy is summed as F dx from the device's own motion. The servo's own
+// energy observer is not used.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -15,7 +16,7 @@ enum class WorldChange : std::uint8_t { largest_force, off_and_on, stale_model, 
 inline constexpr std::array world_changes{WorldChange::largest_force, WorldChange::off_and_on,
                                           WorldChange::stale_model, WorldChange::spring};
 
-/// Loose, usual and firm hands.
+/// Loose, typical and firm hands.
 inline constexpr std::array pressing_hands{haptics::Hand{.mass = 0.55, .stiffness = 135, .damping = 6.5},
                                            haptics::Hand{},
                                            haptics::Hand{.mass = 0.3, .stiffness = 1500, .damping = 30}};
@@ -39,7 +40,7 @@ public:
         created_ = most_created_ = largest_jump_ = 0;
     }
 
-    /// Changes the world and changes it back, with 150 ticks after each.
+    /// Makes a change and undoes it, with 150 ticks after each.
     void change(WorldChange change) {
         for (const bool back : {false, true}) {
             switch (change) {
@@ -52,9 +53,10 @@ public:
         }
     }
 
-    /// Largest energy that the changes have created (J). What the hand has put in and the spring still holds is free.
+    /// Largest energy that the changes have created (J). Energy that the hand has put into the spring and the
+    /// spring still holds does not count.
     double most_created() const { return most_created_; }
-    /// Largest change of force in a tick, beyond that of a spring and a damper of the device's limits (N).
+    /// Largest change of force in a tick (N), beyond that by a spring and a damper with the device's limits.
     double largest_jump() const { return largest_jump_; }
 
 private:

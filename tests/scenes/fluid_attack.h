@@ -1,9 +1,9 @@
-// Hostile input to a fluid and the properties that must still hold; used by tests and by `thaum bench
-// fluid --stress`.
+// Hostile input to a fluid and the properties that must still hold; used by tests and by `thaum bench fluid
+// --stress`.
 //
-// Each step consists of three parts. A strike makes pushes of all sizes, some of which must be refused;
-// moves a ladle to another place; changes the viscosity between 0 and its maximum; and pours in
-// substances. Then the fluid advances, and the result is checked.
+// Each step has three parts. First, a strike applies pushes of all sizes, some of which must be refused,
+// moves a ladle to another position, changes the viscosity between 0 and its maximum, and pours in
+// substances. Then the fluid advances one step. Last, the result is checked.
 #pragma once
 #include <cmath>
 #include <limits>
@@ -14,19 +14,19 @@
 namespace thaum::fluid {
 
 struct AttackPlan {
-    double speed = 1e4;  ///< largest speed that one push gives a cell (m/s)
-    bool jumps = true;   ///< changes the viscosity
-    bool bowl = false;   ///< in a bowl instead of a box
-    bool slips = false;  ///< the fluid slips along the bowl
+    double speed = 1e4;  ///< largest speed that one push gives to a cell (m/s)
+    bool jumps = true;   ///< true: the viscosity is changed in steps
+    bool bowl = false;   ///< true: the fluid is in a bowl instead of a box
+    bool slips = false;  ///< true: the bowl's wall is free-slip
 };
 
-/// Largest divergence in a bowl, where the pressure is solved iteratively.
+/// Bound on the divergence in a bowl, where the pressure is solved iteratively.
 inline constexpr double bowl_divergence = 1e-6;
 
 /// Bounds that must hold after each step.
 struct AttackBounds {
-    double divergence = 1e-6;     ///< largest divergence times h, divided by the speed after the step
-    double energy_growth = 1e-5;  ///< relative growth in a step without forces
+    double divergence = 1e-6;  ///< largest divergence times cell size h, relative to the speed after the step
+    double energy_growth = 1e-5;  ///< relative growth of energy in a step without forces
     double amount_drift = 1e-5;   ///< relative change of a substance's amount in a step
 };
 
@@ -34,10 +34,10 @@ struct Attack {
     Fluid fluid;
     AttackPlan plan{};
     Random random{};
-    double energy{};                                ///< energy given by the strike (m^5/s^2)
+    double energy{};                                ///< upper bound on the energy after the strike (m^5/s^2)
     std::array<double, substances_most> amounts{};  ///< amounts after the strike (m^3)
     int refused{};
-    std::string fault{};  ///< first violation; empty: none
+    std::string fault{};  ///< first violation of a bound; empty: none
     double worst_divergence{}, worst_growth{}, worst_drift{};
 
     bool once_in(std::uint64_t n) { return random.below(n) == 0; }
@@ -45,8 +45,8 @@ struct Attack {
     double magnitude(double low, double high) { return det::exp(random.uniform(low, high) * det::log(10)); }
 };
 
-/// Makes an attack in a closed box or half a ball. Substances have the weight of the base fluid, so
-/// only the strikes add energy.
+/// Makes an attack in a closed box or half a ball. Substances have the density of the base fluid, so only the
+/// strikes add energy.
 inline Expected<Attack> make_attack(const flows::Scheme& scheme, int n, std::uint64_t seed,
                                     const AttackPlan& plan = {}) {
     Settings settings = flows::settings_of(flows::Flow{}, scheme, n);
@@ -58,7 +58,7 @@ inline Expected<Attack> make_attack(const flows::Scheme& scheme, int n, std::uin
     return Attack{.fluid = std::move(*fluid), .plan = plan, .random = random_stream(seed, 0)};
 }
 
-/// A random value that is not a number, infinite or absurdly large.
+/// A random value that is NaN, infinite or absurdly large.
 inline double absurd_number(Attack& attack) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     constexpr std::array numbers{std::numeric_limits<double>::quiet_NaN(), infinite, -infinite, 1e300,
@@ -66,7 +66,7 @@ inline double absurd_number(Attack& attack) {
     return numbers[attack.random.below(numbers.size())];
 }
 
-/// A push with one absurd number in its place, radius or impulse.
+/// A push with one absurd number in its position, radius or impulse.
 inline Push absurd_push(Attack& attack) {
     Push result = flows::random_push(attack.fluid.settings, 1, attack.random);
     const auto which = static_cast<int>(attack.random.below(7));

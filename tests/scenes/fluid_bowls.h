@@ -8,8 +8,8 @@ namespace thaum::fluid::flows {
 using Inside = std::function<bool(vec3)>;
 using Exact = std::function<vec3(vec3)>;
 
-/// The open share of a face across an axis, and the mean of a component over the open part: over those of
-/// places x places that are open.
+/// The open share of a face perpendicular to an axis, and the mean of a velocity component over the open
+/// part, computed from the open ones of `places` x `places` points.
 struct FaceMean {
     double share{}, mean{};
 };
@@ -41,8 +41,8 @@ inline FaceMean face_mean(const Inside& inside, const Exact& exact, vec3 middle,
     return result;
 }
 
-/// Relative L2 error of the velocities on all open faces, weighted by open area. With means over 8 x 8 places, small
-/// openings would add more to it than the flow does.
+/// Relative L2 error of the velocities on all open faces, weighted by open area. With means over only 8 x 8
+/// points, small openings would contribute more error than the flow does.
 inline double faces_error(const Fluid& fluid, const Inside& inside, const Exact& exact) {
     double off = 0, of = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -59,12 +59,12 @@ inline double faces_error(const Fluid& fluid, const Inside& inside, const Exact&
 /// A steady flow between walls at rest, driven by a force.
 struct WalledFlow {
     std::string name;
-    Cells divided{1, 1, 1};  ///< divisors of n for the number of cells along each axis
+    Cells divided{1, 1, 1};  ///< divisor of n along each axis, giving the number of cells
     double viscosity{};      ///< kinematic viscosity (m^2/s)
     double end{};            ///< time of the comparison (s)
     Inside inside;
-    Exact velocity;       ///< exact velocity (m/s)
-    Exact force;          ///< driving force per mass (m/s^2)
+    Exact velocity;       ///< exact velocity as a function of position (m/s)
+    Exact force;          ///< driving force per mass as a function of position (m/s^2)
     bool starts = false;  ///< true: starts with the exact velocity; false: at rest
 };
 
@@ -108,8 +108,9 @@ inline void drive(Fluid& fluid, const std::array<Samples, 3>& force, double dt) 
 inline constexpr double couette_inner = 0.17, couette_outer = 0.43;  ///< m
 inline constexpr double couette_viscosity = 0.01, couette_swirl = 0.01;
 
-/// Speed around an axis along y: A r + B / r is the general steady flow in circles, and a force of
-/// couette_swirl / r adds a third term. The walls are at rest, so A and B make it 0 on both.
+/// Speed around an axis along y (m/s): A r + B / r is the general steady circular flow, and a force of
+/// couette_swirl / r adds a third term. The walls are at rest, so A and B are chosen to make the speed 0 on
+/// both.
 inline double couette_speed(double radius) {
     const auto driven = [](double r) { return -couette_swirl / (2 * couette_viscosity) * r * det::log(r); };
     const double a = couette_inner, b = couette_outer;
@@ -141,7 +142,7 @@ inline WalledFlow taylor_couette() {
 
 // ---- a vortex beside the axis of a bowl -------------------------------------------------------------------------
 
-/// Velocity of a vortex beside the axis of a bowl, 0 on its wall (m/s). In every level it is the curl
+/// Velocity of an off-axis vortex in a bowl, 0 on the wall (m/s). In each horizontal plane it is the curl
 /// along y of (1 - r^2 / R^2)^2 (1 + 1.5 x / R), scaled to a speed of about 0.2 m/s.
 inline vec3 bowl_vortex_velocity(vec3 place) {
     const vec3 off = (place - bowl_centre) / bowl_radius;
@@ -150,7 +151,7 @@ inline vec3 bowl_vortex_velocity(vec3 place) {
     return 0.15 * vec3(-by_z, 0, by_x);
 }
 
-/// Force that keeps this vortex steady: its own advection minus viscosity, by differences (m/s^2).
+/// Force that keeps this vortex steady: its own advection minus viscosity, computed by differences (m/s^2).
 inline vec3 bowl_vortex_force(vec3 place) {
     constexpr double d = 1e-4;
     const vec3 here = bowl_vortex_velocity(place);
@@ -177,12 +178,12 @@ inline WalledFlow bowl_vortex() {
 
 // ---- a bowl along which the fluid slips -------------------------------------------------------------------------
 
-inline constexpr double slipping_turn = 1;  ///< angular speed (rad/s)
+inline constexpr double slipping_turn = 1;  ///< angular speed of the fluid that slips along the bowl (rad/s)
 
-/// A fluid that turns as a rigid body (m/s). Without viscosity it does so for ever.
+/// Velocity of a fluid that rotates as a rigid body (m/s). Without viscosity it does so forever.
 inline vec3 rigid_turn(vec3 place) { return glm::cross(vec3(0, slipping_turn, 0), place - bowl_centre); }
 
-/// A bowl along which the fluid slips, without viscosity, that starts with rigid_turn; n must be even.
+/// A fluid without viscosity in a bowl with a free-slip wall, which starts with rigid_turn; n must be even.
 inline Expected<Fluid> slipping_bowl(int n) {
     Settings settings = settings_of(Flow{}, {Solver::thaum, 2}, n);
     put_into_bowl(settings);
@@ -201,14 +202,14 @@ inline double turn_error(const Fluid& fluid) {
 
 inline constexpr double swirl_radius = 0.45;  ///< m
 inline constexpr double swirl_viscosity = 0.01, swirl_end = 0.5;
-/// Angular speed at the centre (rad/s). It is so small that advection is negligible. At a hundred times as much it
-/// makes a flow across the circles, 0.0017 of the whole, which does not become smaller on finer grids.
+/// Angular speed at the centre (rad/s). So small that advection is negligible: at a hundred times this speed,
+/// advection causes a cross flow of 0.0017 of the whole, which does not become smaller on finer grids.
 inline constexpr double swirl_turn = 3e-5;
 
 inline bool in_ball(vec3 place) { return glm::length(place - vec3(0.5)) < swirl_radius; }
 
-/// Velocity of the swirl (m/s): j1(k r) sin(theta) around the y axis. It is 0 on the wall and decays as exp(-nu k^2
-/// t).
+/// Velocity of the swirl (m/s): j1(k r) sin(theta) around the y axis. It is 0 on the wall and decays as
+/// exp(-nu k^2 t).
 inline vec3 ball_swirl(vec3 place, double time) {
     static const double wave = roots_of_tan()[0] / swirl_radius;
     const vec3 off = place - vec3(0.5);
@@ -228,7 +229,7 @@ inline Expected<Fluid> swirling_ball(int n) {
     return fluid;
 }
 
-/// Error at swirl_end.
+/// Relative error at the time swirl_end.
 inline double swirl_error(const Fluid& fluid) {
     return faces_error(fluid, in_ball, [](vec3 place) { return ball_swirl(place, swirl_end); });
 }
@@ -242,7 +243,7 @@ inline double bowl_error(const Fluid& fluid, double time) {
         [time](vec3 place) { return bowl_spin_down(place, time); });
 }
 
-/// Places in the bowl, at least 5 % of its radius from the wall.
+/// Positions in the bowl, at least 5 % of its radius from the wall.
 inline std::vector<vec3> bowl_places() {
     std::vector<vec3> result;
     Random random = random_stream(1, 0);
@@ -253,8 +254,8 @@ inline std::vector<vec3> bowl_places() {
     return result;
 }
 
-/// Relative L2 error over bowl_places, with linear interpolation between faces. The interpolation alone
-/// has an error of 0.036 / 0.0087 / 0.0020 at n = 16 / 32 / 64.
+/// Relative L2 error at bowl_places, with linear interpolation between faces. Interpolation alone causes an
+/// error of 0.036 / 0.0087 / 0.0020 at n = 16 / 32 / 64.
 inline double bowl_error_between(const Fluid& fluid, double time) {
     double off = 0, of = 0;
     for (const vec3 place : bowl_places()) {

@@ -21,12 +21,13 @@ inline constexpr double step = 0.016;
 /// A flow with a known solution.
 struct Flow {
     std::string name;
-    Settings settings{};  ///< all but solver, order, cells and h
+    Settings settings{};  ///< all settings except solver, order, cells and h
     Cells fixed{};        ///< cells along each axis; 0: n cells, which fill 1 m
     double end{1};        ///< time of the comparison (s)
-    vec3 mean{};          ///< mean velocity, excluded from the norm of reference (m/s)
-    bool fades = false;   ///< true: the flow may decay to zero, so errors are relative to its start
-    std::function<vec3(vec3, double)> velocity{};  ///< exact velocity by place and time (m/s)
+    vec3 mean{};          ///< mean velocity (m/s), not included in the norm by which errors are divided
+    bool fades = false;  ///< true: the flow may decay to zero, so errors are relative to its initial velocity
+    /// Exact velocity as a function of position and time (m/s)
+    std::function<vec3(vec3, double)> velocity{};
 };
 
 struct Scheme {
@@ -87,7 +88,7 @@ inline double error_at(const Flow& flow, const Fluid& fluid, double time) {
         [&](vec3 place) { return flow.velocity(place, flow.fades ? 0 : time) - flow.mean; });
 }
 
-/// Whole steps until `end`, and a shorter last one.
+/// Whole steps until `end`, with a shorter last one if necessary (s).
 inline std::vector<double> steps_until(double end, double dt = step) {
     std::vector<double> result(static_cast<std::size_t>(end / dt + 1e-9), dt);
     const double rest = end - dt * static_cast<double>(result.size());
@@ -99,10 +100,9 @@ inline std::vector<double> steps_until(double end, double dt = step) {
 
 inline constexpr double vortex_viscosity = 1e-3;
 
-/// The vortices of Taylor and Green as a sum of two plane waves of equal length: sin(k1 . x) along d1
-/// and sin(k2 . x) along d2. Any two such waves in one plane solve eq. 1 exactly, because their
-/// vorticity is a function of their stream function. They decay as exp(-k^2 nu t) and drift with a mean
-/// flow.
+/// The vortices of Taylor and Green as a sum of two plane waves of equal length: sin(k1 . x) along d1 and
+/// sin(k2 . x) along d2. Any two such waves in one plane solve eq. 1 exactly, because their vorticity is a
+/// function of their stream function. The waves decay as exp(-k^2 nu t) and drift with a mean flow.
 struct Waves {
     vec3 k1, k2;  ///< wave vectors (1/m)
     vec3 d1, d2;  ///< amplitudes, perpendicular to k1 and k2 in one plane (m/s)
@@ -132,11 +132,11 @@ inline Flow taylor_green_moving() {
                                             .d2 = {0.5, 0.5, 0}});
 }
 
-/// Waves of the same length and speed in the plane across (-1, 1, 1), so that all components and
-/// directions of the grid take part. Waves at a right angle would need a period of 3 m, or half the
-/// wavelength in the same box, and could not be compared. These waves meet at 60 degrees. Among such
-/// pairs the mean flow crosses this one most nearly as fast as the straight vortices (root mean square
-/// of k . mean / 2 pi: 1.08 and 1.12 per s).
+/// Waves of the same length and speed in the plane perpendicular to (-1, 1, 1), so that all components and
+/// directions of the grid take part. Waves at right angles would need a period of 3 m, or half the wavelength
+/// in the same box, and would not be comparable. These waves cross at 60 degrees. For this pair, the mean
+/// flow crosses the waves about as fast as the straight vortices (root mean square of k . mean / 2 pi: 1.08
+/// and 1.12 per s).
 inline Flow taylor_green_oblique() {
     const vec3 across = vec3(-1, 1, 1) / std::sqrt(3.0);
     const vec3 a(1, 1, 0), b(0, 1, -1);
@@ -184,7 +184,7 @@ inline Flow couette_start() {
     return flow;
 }
 
-/// The vortex in the box with nu dt / h^2 = `ratio`; one step may remove all of it.
+/// The vortex in the box with nu dt / h^2 = `ratio`, so viscous that one step may stop it completely.
 inline Flow high_viscosity(double ratio, int n) {
     Flow flow = taylor_green_box(0);
     flow.name = "high_viscosity";
@@ -201,8 +201,8 @@ inline Flow high_viscosity(double ratio, int n) {
 
 // ---- the double shear layer -------------------------------------------------------------------------------------
 
-/// Two thin layers between streams in opposite directions, which roll up (Minion and Brown 1997). The box is one
-/// cell deep. Only the velocity at the start is known.
+/// Two thin layers between streams in opposite directions, which roll up (Minion and Brown 1997). The box is
+/// one cell deep. Only the velocity at the start is known.
 inline Flow double_shear() {
     Flow flow{.name = "double_shear", .fixed = {0, 0, 1}};
     flow.settings.edges = {Edge::periodic, Edge::periodic, Edge::periodic};
@@ -215,8 +215,8 @@ inline Flow double_shear() {
     return flow;
 }
 
-/// The end of double_shear on a grid three times as fine as n, so that each face lies on one of its faces. With whole
-/// steps it would need more sub-steps than there are.
+/// The end of double_shear on a grid three times as fine as n, so that each coarse face coincides with a fine
+/// one. With the full time step, the fine grid would need more sub-steps than allowed.
 inline Expected<Fluid> finer_double_shear(int n) {
     const Flow flow = double_shear();
     auto fluid = start(flow, {Solver::thaum, 4}, 3 * n);
@@ -257,7 +257,7 @@ inline Flow cavity_2d(std::size_t which) {
     return flow;
 }
 
-/// Cubic interpolation through the four nearest values. `places` must be increasing.
+/// Cubic interpolation through the four nearest values. `places` (positions) must be increasing.
 inline double cubic_between(const std::vector<double>& places, const std::vector<double>& values,
                             double place) {
     const auto above = std::ranges::upper_bound(places, place) - places.begin();
@@ -275,13 +275,13 @@ inline double cubic_between(const std::vector<double>& places, const std::vector
     return result;
 }
 
-/// Component `axis` of a cavity's velocity on a line along axis `along` (both 0 or 1), at `across` on
-/// the other axis, including the walls.
+/// Component `axis` of a cavity's velocity on a line along axis `along` (both 0 or 1) at the position
+/// `across` on the other axis, including the walls.
 struct Profile {
     std::vector<double> places, values;
 };
 
-/// Adds the values at the two walls. A row on faces has the lower one already.
+/// Adds the values at the two walls. A row of values on faces has the lower one already.
 inline Profile with_walls(const Profile& row, double low, double high) {
     Profile result = row;
     if (result.places.front() > 1e-9) {
@@ -337,14 +337,14 @@ inline double cavity_error(const Fluid& fluid, std::size_t which) {
 
 // ---- substances -------------------------------------------------------------------------------------------------
 
-/// Velocity of one revolution in 1 s about the axis (0.5, 0.5, z). Periodic, so that every row carries
-/// as much out of the box as into it. Each component is constant along its own direction, so the
-/// divergence is zero on any grid.
+/// Velocity of a rotation in 1 s about the axis (0.5, 0.5, z). The box is periodic, so that each row carries
+/// as much out as in. Each component is constant along its own direction, so the divergence is zero on any
+/// grid.
 inline vec3 turning(vec3 place) { return 2 * pi * vec3(0.5 - place.y, place.x - 0.5, 0); }
 /// Radius within which everything stays in the box (m).
 inline constexpr double turn_radius = 0.5;
-/// Radius within which nothing was ever near the edge of the box (m). The tail of the Gaussian, 0.04
-/// high, is cut there, and any scheme spreads the cut over a few cells.
+/// Radius within which nothing was ever near the edge of the box (m). At the edge the tail of the Gaussian,
+/// 0.04 high, is cut off, and any scheme spreads this cut over a few cells.
 inline constexpr double inner_radius = 0.4;
 
 inline Settings turning_settings(const Scheme& scheme, int n) {
@@ -367,8 +367,8 @@ inline double gaussian(vec3 place) {
     return det::exp(-glm::dot(off, off) / (2 * 0.1 * 0.1));
 }
 
-/// Sphere of radius 0.15 m with a slot 0.05 m wide, cut 0.25 m deep from the side of the axis (Enright,
-/// Fedkiw, Ferziger and Mitchell 2002, scaled).
+/// Sphere of radius 0.15 m with a slot 0.05 m wide, cut 0.25 m deep from the side that faces the axis
+/// (Enright, Fedkiw, Ferziger and Mitchell 2002, scaled).
 inline double slotted_sphere(vec3 place) {
     const vec3 off = place - vec3(0.5, 0.75, 0.5);
     const bool slot = std::abs(off.x) < 0.025 && off.y < 0.1;
@@ -376,7 +376,7 @@ inline double slotted_sphere(vec3 place) {
 }
 
 struct Densities {
-    double error{};  ///< relative L2 error within a radius of the axis
+    double error{};  ///< relative L2 error within a given radius of the axis
     double least{}, most{};
 };
 
@@ -406,11 +406,11 @@ inline Densities densities_of(const Fluid& fluid, std::size_t substance,
 
 // ---- the bowl ---------------------------------------------------------------------------------------------------
 
-/// Half a ball, open at the top of y, in a box half as high as wide.
+/// Radius of the bowl: half a ball, open at the top along y, in a box half as high as wide.
 inline constexpr double bowl_radius = 0.46;  ///< m
 inline constexpr double bowl_viscosity = 0.01, bowl_end = 1;
-/// Initial angular speed (rad/s). It is so small that advection is negligible; the fluid turns in
-/// circles and its wall brakes it.
+/// Initial angular speed (rad/s), so small that advection is negligible. The fluid rotates, and the wall
+/// slows it down.
 inline constexpr double bowl_turn = 0.005;
 inline const vec3 bowl_centre(0.5);
 
@@ -420,13 +420,13 @@ inline bool in_bowl(vec3 place, double part = 1) {
 
 inline double solid_beyond_bowl(vec3 place) { return in_bowl(place) ? 0 : 1; }
 
-/// Halves a box of n x n x n cells, n even, and makes everything outside the bowl solid.
+/// Halves the height of a box of n x n x n cells, n even, and makes everything outside of the bowl solid.
 inline void put_into_bowl(Settings& settings) {
     settings.cells[1] /= 2;
     settings.solid = solid_beyond_bowl;
 }
 
-/// A bowl that turns as a rigid body at the start, with a no-slip wall; n must be even.
+/// A fluid in a bowl that initially rotates as a rigid body, with a no-slip wall; n must be even.
 inline Expected<Fluid> turning_bowl(const Scheme& scheme, int n) {
     Settings settings = settings_of(Flow{}, scheme, n);
     put_into_bowl(settings);
@@ -448,13 +448,13 @@ inline std::array<double, 40> roots_of_tan() {
     return result;
 }
 
-/// Velocity of the spin-down (m/s). It is that in a ball, of which the bowl is half: a sum over
-/// spherical Bessel functions j1 that are zero on the wall.
+/// Velocity of the spin-down (m/s). The same as in a ball, of which the bowl is half: a sum over spherical
+/// Bessel functions j1 that are zero on the wall.
 inline vec3 bowl_spin_down(vec3 place, double time) {
     const vec3 off = place - bowl_centre;
     const double part = glm::length(off) / bowl_radius;
     static const std::array<double, 40> roots = roots_of_tan();
-    double speed = 0;  // divided by the distance from the axis
+    double speed = 0;  // speed divided by the distance from the axis (1/s)
     for (const double root : roots) {
         const double fade = det::exp(-root * root * bowl_viscosity * time / (bowl_radius * bowl_radius));
         const double x = std::max(root * part, 1e-3);
@@ -466,8 +466,8 @@ inline vec3 bowl_spin_down(vec3 place, double time) {
 
 // ---- the cauldron -----------------------------------------------------------------------------------------------
 
-/// Solid share of the cauldron, 0 or 1: a hemisphere below a cylinder that is open at the top, in the
-/// unit box.
+/// 1 in the solid part of the cauldron, 0 elsewhere: a hemisphere below a cylinder that is open at the top,
+/// in the unit box.
 inline double cauldron(vec3 place) {
     vec3 apart = place - vec3(0.5);
     if (place.y > 0.5) apart.y = 0;
@@ -493,7 +493,7 @@ inline Expected<Fluid> brew(int n, bool in_cauldron = true) {
     return fluid;
 }
 
-/// Two ladles opposite each other, each making a third of a revolution in a second.
+/// Pushes by two ladles on opposite sides, each making a third of a revolution in a second.
 inline void stir(Fluid& fluid, int steps_before) {
     const double angle = 2 * pi / 3 * step * steps_before;
     const vec3 out(det::cos(angle), 0, det::sin(angle)), along(-out.z, 0, out.x);
@@ -517,8 +517,8 @@ inline Expected<Fluid> resting(const Scheme& scheme, int n) {
     return fluid;
 }
 
-/// Upper bound of the energy after a step, from the current velocity and the queued pushes (m^5/s^2).
-/// Speeds add up.
+/// Upper bound on the energy after a step, from the current velocity and the queued pushes (m^5/s^2). Assumes
+/// that speeds add up.
 inline double energy_given(const Fluid& fluid) {
     double pushes = 0;
     for (const Samples& push : fluid.now.push) {
@@ -529,7 +529,7 @@ inline double energy_given(const Fluid& fluid) {
     return root * root;
 }
 
-/// A push that gives a cell up to `speed` (m/s) in any direction.
+/// A push in a random direction that gives a cell up to `speed` (m/s).
 inline Push random_push(const Settings& settings, double speed, Random& random) {
     Push result{.radius = settings.h};
     for (int axis = 0; axis < 3; ++axis) {

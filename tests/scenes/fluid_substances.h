@@ -22,7 +22,7 @@ inline constexpr std::string_view name_of(Weighing weighing) {
     return names[static_cast<std::size_t>(weighing)];
 }
 
-inline constexpr double weighing_share = 0.3;  ///< weight of the substance relative to the base fluid
+inline constexpr double weighing_share = 0.3;  ///< density excess of the substance relative to the base fluid
 
 inline double weighing_density(Weighing weighing, vec3 place, double top) {
     if (weighing == Weighing::sloshing) return place.y < top * (0.5 + 0.4 * (place.x - 0.5)) ? 1 : 0;
@@ -65,7 +65,7 @@ inline double potential_energy(const Fluid& fluid) {
     return sum * h * h * h;
 }
 
-/// Energy balance of a fluid that starts at rest and moves by weight alone.
+/// Energy balance of a fluid that starts at rest and is driven only by differences of density.
 struct EnergyBalance {
     double start{};     ///< initial potential energy (m^5/s^2)
     double released{};  ///< largest potential energy released so far (m^5/s^2)
@@ -84,23 +84,23 @@ inline void enter(const Fluid& fluid, const StepReport& report, EnergyBalance& b
 
 // ---- layers of viscosity ----------------------------------------------------------------------------------------
 
-/// A layer of a thick substance below a thin layer, between two plates 1 m apart, of which the upper one moves at 1
+/// A layer of a viscous substance below a thin one, between two plates 1 m apart. The upper plate moves at 1
 /// m/s.
 struct ThickLayer {
-    double ratio{};      ///< of the two viscosities
-    double viscosity{};  ///< of the thin layer (m^2/s)
+    double ratio{};      ///< ratio of the two viscosities
+    double viscosity{};  ///< kinematic viscosity of the thin layer (m^2/s)
 
     static bool is_thick(vec3 place) { return place.y < 0.5; }
-    /// Velocity of the steady flow (m/s): both layers feel the same stress.
+    /// Velocity of the steady flow (m/s). Both layers have the same shear stress.
     double speed(vec3 place) const {
-        const double below = 1 / (1 + ratio);  // speed where they meet
+        const double below = 1 / (1 + ratio);  // speed at the boundary of the layers
         return is_thick(place) ? 2 * place.y * below : below + (2 * place.y - 1) * (1 - below);
     }
 };
 
 inline constexpr double thick_layer_end = 20;  ///< s
 
-/// A fluid with that layer at rest, uniform along x and z; n must be even.
+/// A fluid with that layer, initially at rest, uniform along x and z; n must be even.
 inline Expected<Fluid> layered_couette(const ThickLayer& layer, int n) {
     Flow flow{.fixed = {8, 0, 8}};
     flow.settings.edges = {Edge::periodic, Edge::no_slip, Edge::periodic};
@@ -118,7 +118,7 @@ inline double layers_error(const Fluid& fluid, const ThickLayer& layer) {
     return relative_error(fluid, exact, exact);
 }
 
-/// Share of the thick substance that has left its layer.
+/// Share of the viscous substance that has left its layer.
 inline double crept_out(const Fluid& fluid) {
     double out = 0, all = 0;
     each_cell(fluid.lattice, [&](int, int j, int, std::size_t at) {
@@ -131,8 +131,8 @@ inline double crept_out(const Fluid& fluid) {
 
 // ---- reversed deformation ---------------------------------------------------------------------------------------
 
-/// LeVeque's flow (1996): it stretches its content into layers thinner than a cell, and back again,
-/// within `deformation_end`.
+/// LeVeque's flow (1996): it stretches its contents into layers thinner than a cell and back again within
+/// `deformation_end`.
 inline constexpr double deformation_end = 3;  ///< s
 
 /// Velocity of LeVeque's flow (m/s). It crosses no wall and is free of divergence on a staggered grid.

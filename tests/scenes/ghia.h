@@ -1,7 +1,7 @@
-// Reference velocities of the lid-driven cavity on the lines through its centre. Source: Ghia, Ghia and
-// Shin, "High-Re solutions for incompressible flow using the Navier-Stokes equations and a multigrid
-// method", J. Comput. Phys. 48 (1982), tables I and II, for Reynolds numbers 100, 400 and 1000. The
-// ends on the walls are left out.
+// Reference velocities of the lid-driven cavity on the lines through its centre. Source: Ghia, Ghia and Shin,
+// "High-Re solutions for incompressible flow using the Navier-Stokes equations and a multigrid method", J.
+// Comput. Phys. 48 (1982), tables I and II, for Reynolds numbers 100, 400 and 1000. The values at the walls
+// are left out.
 #pragma once
 #include <array>
 
@@ -12,7 +12,7 @@ struct GhiaPoint {
     std::array<double, 3> velocity;  ///< velocity at Re 100, 400, 1000; the lid has speed 1 along x at y = 1
 };
 
-/// Velocity u on x = 0.5, by y.
+/// Velocity u on the line x = 0.5, as a function of y.
 inline constexpr std::array ghia_u{
     GhiaPoint{0.9766, {0.84123, 0.75837, 0.65928}},    GhiaPoint{0.9688, {0.78871, 0.68439, 0.57492}},
     GhiaPoint{0.9609, {0.73722, 0.61756, 0.51117}},    GhiaPoint{0.9531, {0.68717, 0.55892, 0.46604}},
@@ -24,7 +24,8 @@ inline constexpr std::array ghia_u{
     GhiaPoint{0.0547, {-0.03717, -0.08186, -0.18109}},
 };
 
-/// Velocity v on y = 0.5, by x. At 0.9063 and Re 400 the printed value is wrong (ghia_misprint).
+/// Velocity v on the line y = 0.5, as a function of x. At 0.9063 and Re 400 the printed value is wrong
+/// (ghia_misprint).
 inline constexpr std::array ghia_v{
     GhiaPoint{0.9688, {-0.05906, -0.12146, -0.21388}}, GhiaPoint{0.9609, {-0.07391, -0.15663, -0.27669}},
     GhiaPoint{0.9531, {-0.08864, -0.19254, -0.33714}}, GhiaPoint{0.9453, {-0.10313, -0.22847, -0.39188}},

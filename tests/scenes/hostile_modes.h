@@ -1,9 +1,9 @@
-// tests/scenes/hostile_modes.h: haptic modes in fields with faults, felt through the servo by a simulated hand. Used by
-// the stress test and by tests.
+// tests/scenes/hostile_modes.h: haptic modes in fields with faults, felt through the servo by a simulated
+// hand. Used by the stress test and by tests.
 //
-// The fields have samples that are not finite, edges as hard as they get and jumps. Strengths reach 10^6 N with either
-// sign and jump with the data. The hand darts about, inside the volume and outside. The work that the forces do on
-// the hand is summed here, from the device's own motion, and not by the servo's observer.
+// The fields have samples that are not finite, edges as sharp as possible, and jumps. Strengths reach 10^6 N
+// with either sign and jump with the data. The hand makes sudden motions, inside the volume and outside. The
+// work of the forces on the hand is computed here from the device's own motion, not by the servo's observer.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -19,7 +19,8 @@
 
 namespace thaum::bench {
 
-/// A strength within what a device can render, or any (N). Forces beyond all bounds shut a device off.
+/// A random strength (N): within what a device can render if `bounded`, else of any size, which may shut a
+/// device off.
 inline double hostile_strength(Random& random, bool bounded) {
     switch (random.below(8)) {
         case 0: return bounded ? random.uniform(0, 8) : 1e6;
@@ -35,7 +36,8 @@ inline field::TransferFunction hostile_function(Random& random, double from, dou
     std::array<vec2, 8> points{};
     for (std::size_t i = 0; i < points.size(); ++i) {
         const double x =
-            from + (to - from) * std::floor(static_cast<double>(i) / 2) / 3;  // two points at each x
+            // Two points at each x make a jump.
+            from + (to - from) * std::floor(static_cast<double>(i) / 2) / 3;
         points[i] = {x, hostile_strength(random, bounded)};
     }
     return field::transfer_function(points).value_or(field::constant(1));
@@ -43,14 +45,14 @@ inline field::TransferFunction hostile_function(Random& random, double from, dou
 
 struct HostileFields {
     static constexpr int n = 32;
-    static constexpr double spacing = 0.0025;  // m; a cube of 8 cm
+    static constexpr double spacing = 0.0025;  // spacing of the samples (m), for a cube of 8 cm
 
     ScannedVolume density = scanned(haptics::Ball{{}, 0.025}, n, spacing);
     std::array<ScannedVolume, 3> flow{density, density, density};
     haptics::SmoothGrid smooth{};
     field::StaggeredGrid vectors{};
 
-    /// One sample in `faults_every` is NaN or infinite; 0: none.
+    /// One sample in `faults_every` is NaN or infinite; 0: all are finite.
     HostileFields(std::uint64_t seed, std::uint32_t faults_every) {
         Random random = random_stream(seed, 1);
         for (ScannedVolume& part : flow) {
@@ -77,25 +79,25 @@ private:
     }
 };
 
-/// What acts on the hand.
+/// Which forces act on the hand.
 enum class HostileFeel : std::uint8_t {
-    all,      ///< all modes at once
+    all,      ///< all modes act at once
     passive,  ///< all passive modes, and the walls and the resistance of a volume
     volume,   ///< a volume alone, with forces linked to its density
 };
 
-/// What a run found.
+/// Result of a run with hostile modes.
 struct HostileResult {
     std::uint64_t ticks{};
-    std::uint64_t not_finite{};  ///< ticks with a force that is not finite
-    double largest{};            ///< largest force (N)
-    /// Largest energy that the forces gave to the hand since spring and primitives last held none (J). A field that
-    /// pushes stores more, so this says nothing of a volume's forces.
+    std::uint64_t not_finite{};  ///< number of ticks with a force that is not finite
+    double largest{};            ///< largest force on the hand (N)
+    /// Largest energy that the forces gave to the hand since spring and primitives last stored none (J).
+    /// Meaningless for the forces of a volume, because a field that pushes can store more energy.
     double most_created{};
     double most_given{};       ///< largest energy that the forces gave to the hand since the start (J)
-    double felt{};             ///< share of the ticks with a force
-    double observed{};         ///< most energy created by the servo's own account (J)
-    std::uint64_t left_out{};  ///< modes that found no room, over all ticks
+    double felt{};             ///< share of the ticks in which a force acted
+    double observed{};         ///< largest energy created, according to the servo's observer (J)
+    std::uint64_t left_out{};  ///< number of modes that were left out for lack of room, summed over all ticks
 };
 
 /// A hand on a simulated device that feels modes.
@@ -108,7 +110,7 @@ public:
 
     double cap() const { return servo_.limits.cap; }
 
-    /// Chooses other settings, which is a switch.
+    /// Chooses other settings. The servo fades to the new forces.
     void choose_modes() {
         uses_.clear();
         const bool bounded = random_.below(2) == 0;
@@ -137,7 +139,7 @@ public:
     }
 
 private:
-    /// A wall and resistance, and for a volume alone the forces that push out of the solid.
+    /// Sets up a wall and resistance; for the feel `volume`, also forces that push out of the solid.
     void choose_volume(bool bounded) {
         const double largest = bounded ? 1 : 1e6, pushes = feel_ == HostileFeel::volume ? largest : 0;
         volume_ = {.density = field::field_of<field::Scalar>(fields_->smooth)};
@@ -153,7 +155,7 @@ private:
     void move_target() {
         if (random_.below(400) == 0)
             aim_ = {random_.uniform(-0.07, 0.07), random_.uniform(-0.07, 0.07), random_.uniform(-0.07, 0.07)};
-        const double rate = random_.below(400) == 0 ? 1.0 : 0.01;  // now and then a dash
+        const double rate = random_.below(400) == 0 ? 1.0 : 0.01;  // sometimes a sudden motion
         target_ += rate * (aim_ - target_);
     }
 
@@ -163,7 +165,8 @@ private:
                                        before_ - before_last_, model_.coupling.stiffness,
                                        before_ - before_last_};
         model_.primitives.clear();
-        model_.rearm = result.ticks % 40 < 20;  // forces beyond all bounds shut the device off
+        // Switches forces on again, because excessive forces shut the device off.
+        model_.rearm = result.ticks % 40 < 20;
         result.left_out += haptics::add_modes(uses_, input, model_.primitives);
         if (feel_ != HostileFeel::all)
             model_.viscosity = haptics::add_volume_feel(volume_, input, model_.primitives).viscosity;
@@ -173,10 +176,11 @@ private:
         move_target();
         const vec3 from = hand_.position;
         hand_ = haptics::step(device_, hand_, target_, force);
-        // What was dissipated earlier gives no right to create energy later.
+        // Energy that was dissipated earlier must not count in favour of the forces later.
         const double work = glm::dot(hand_.force, hand_.position - from);
         created_ += work;
-        // At rest nothing is stored. What was dissipated before gives no right to create energy later.
+        // At rest no energy is stored. Energy that was dissipated before must not count in favour of the
+        // forces later.
         if (stored() < 1e-3) created_ = std::max(created_, 0.0);
         given_ += work;
         ++result.ticks;
@@ -187,8 +191,8 @@ private:
         result.felt += force != vec3(0) ? 1 : 0;
     }
 
-    /// Energy of the spring between tip and proxy and of the primitives, of which the cap lets no more force
-    /// through (J).
+    /// Energy stored in the spring between tip and proxy and in the primitives, as far as the force limit
+    /// lets it act (J).
     double stored() const {
         const double stretch = glm::distance(state_.proxy, hand_.position), k = model_.coupling.stiffness;
         const double most = cap() / k;
@@ -211,7 +215,8 @@ private:
                 .sensed = 3,
                 .actuated = 3,
                 .peak_force = 3.3,
-                .continuous_force = 3.3,  // a warm motor weakens springs, which is not what is tested here
+                // High, because warm motors would weaken springs, which is not tested here.
+                .continuous_force = 3.3,
                 .max_stiffness = 400,
                 .max_damping = 3,
                 .workspace = vec3(0.16, 0.12, 0.12),
@@ -230,7 +235,7 @@ private:
     haptics::VolumeFeel volume_{};
     haptics::Servo servo_ = haptics::servo_of(spec(), 1);
     haptics::SimulatedDevice device_ = haptics::simulated_device(spec(), haptics::Hand{});
-    haptics::SimulatedState hand_ = haptics::resting_at({0.06, 0, 0});  ///< outside of the solid
+    haptics::SimulatedState hand_ = haptics::resting_at({0.06, 0, 0});  ///< starts outside of the solid
     haptics::ServoState state_{};
     haptics::HapticModel model_{};
     vec3 target_{0.06, 0, 0}, aim_{}, before_{}, before_last_{};

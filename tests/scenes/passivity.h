@@ -1,5 +1,5 @@
 // tests/scenes/passivity.h: energy that passive sources created, summed from a table of forces (`thaum replay
-// --forces`). It does not use the simulation's own passivity observer. Benchmark and test use it.
+// --forces`). The simulation's own passivity observer is not used. For the benchmark and the test.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -14,10 +14,12 @@ namespace thaum::bench {
 
 /// Energies from a table of forces.
 struct PassiveEnergy {
-    double created{};  ///< most energy that passive sources gave above what they got and held (J)
-    /// Energy that went through them at the hand in both directions (J); zero would prove nothing.
+    /// Most energy that passive sources gave beyond what they received and still stored (J)
+    double created{};
+    /// Energy that passed between sources and hand in both directions (J). If it is zero, the test proves
+    /// nothing.
     double moved{};
-    double held{};         ///< most energy that a tether held (J)
+    double held{};         ///< most energy that a tether stored (J)
     double most_booked{};  ///< largest value of the simulation's own observer (J), only for comparison
     std::size_t rows{};
 };
@@ -27,11 +29,11 @@ namespace detail {
 /// State of one hand in one tick.
 struct HandRow {
     vec3 at{};       ///< position of the device (m)
-    vec3 passive{};  ///< passive force (N)
+    vec3 passive{};  ///< force by passive sources (N)
     vec3 anchor{}, surface{};
     double stiffness{}, booked{};
     bool touches{}, real{};
-    bool cut{};  ///< the hand got less than the sources wanted
+    bool cut{};  ///< true: the hand got less force than the sources requested
 };
 
 /// Columns of a player in the table.
@@ -63,19 +65,20 @@ public:
     }
 
 private:
-    static constexpr std::size_t count = 16;  // number of the columns that are numbers
+    static constexpr std::size_t count = 16;  // number of columns with numbers
     std::array<std::size_t, count> places_{};
     std::size_t cause_{};
 };
 
-/// Sum for one hand. A force F acts while the hand moves by dx and the world's end of the spring moves by da.
-/// The energy F dx goes out at the hand, and F da comes in from the world.
+/// Energy balance of one hand. A force F acts while the hand moves by dx and the world's end of the spring
+/// moves by da. The energy F dx flows out to the hand, and F da flows in from the world.
 class HandSum {
 public:
     void add(const HandRow& now, PassiveEnergy& out) {
         out.most_booked = std::max(out.most_booked, now.booked);
         if (rows_ >= 2) {
-            // The force of the tick before, whose end and next surface are now known.
+            // The force of the previous tick, for which the position at its end and the next surface are now
+            // known.
             const HandRow &first = before_[0], &row = before_[1];
             const vec3 step = row.real ? now.at - row.at : row.at - first.at;
             const double out_at_hand = glm::dot(row.passive, step);
@@ -93,18 +96,19 @@ private:
         const vec3 end = hangs                        ? row.anchor - first.anchor
                          : row.touches && now.touches ? now.surface - row.surface
                                                       : vec3(0);
-        // A spring that appears already stretched did not create that energy itself.
+        // A spring that appears already stretched has not created that energy itself.
         const vec3 stretch = row.at - row.anchor;
         double held = row.stiffness * glm::dot(stretch, stretch) / 2;
         if (row.touches) {
             const vec3 pressed = row.surface - (row.real ? row.at : first.at);
-            // For a spring whose force is constant beyond some stretch: at most the whole rectangle.
+            // Upper bound on the stored energy of a spring whose force is constant beyond some stretch: the
+            // whole rectangle.
             held += std::max(0.0, glm::dot(row.passive, pressed)) / (row.cut ? 1 : 2);
         }
         if (row.stiffness > 0 && first.stiffness == 0) created_ = -held;
         if (row.stiffness == 0 && first.stiffness > 0) created_ = 0;
         created_ += out_at_hand - glm::dot(row.passive, end);
-        // Damping dissipated the rest; only held energy may come back.
+        // The rest was dissipated by damping; only stored energy may come back.
         created_ = std::max(created_, -held);
         out.created = std::max(out.created, created_);
         out.moved += std::abs(out_at_hand);

@@ -1,4 +1,4 @@
-// tests/scenes/primitive_sets.h: random sets of primitives for the tests and the benchmark.
+// tests/scenes/primitive_sets.h: random sets of haptic primitives, for tests and the benchmark.
 #pragma once
 #include <cstddef>
 
@@ -8,7 +8,7 @@
 namespace thaum::haptics::sets {
 
 struct Scale {
-    double strength = 3;     ///< largest strength (N)
+    double strength = 3;     ///< largest strength of a primitive (N)
     double size = 0.01;      ///< half the edge of the box that contains all positions (m)
     double stiffness = 300;  ///< stiffness of the spring (N/m)
 };
@@ -39,8 +39,8 @@ inline vec3 random_axis(Random& random) {
     return axis;
 }
 
-/// Makes a new primitive degenerate with an older one: zero, coincident, parallel, opposite, on it, along an
-/// axis.
+/// Makes a new primitive degenerate with respect to an older one: zero, coincident, parallel, opposite,
+/// incident, or along an axis.
 inline void degenerate(Random& random, const Scale& scale, const Primitive& older, Primitive& p) {
     switch (random.below(8)) {
         case 0: p.strength = 0; break;
@@ -57,7 +57,7 @@ inline void degenerate(Random& random, const Scale& scale, const Primitive& olde
     }
 }
 
-/// Random set. Every second set is degenerate, and its spring is often centred on a kink.
+/// A random set. Every second set is degenerate, often with the spring's centre on a kink.
 struct Case {
     PrimitiveSet set;
     Spring spring;

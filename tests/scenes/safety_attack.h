@@ -1,5 +1,6 @@
-// tests/scenes/safety_attack.h: hostile input for the safety stage, for the tests and the benchmark. It goes
-// through phases. Pure noise would keep the stage shut off or cut, and never meet it warm, fading or ramping.
+// tests/scenes/safety_attack.h: hostile input for the safety stage, for the tests and the benchmark. The
+// input goes through phases, because pure noise would keep the stage switched off or limiting, and never test
+// it while motors are warm or forces fade in and out.
 #pragma once
 #include <limits>
 
@@ -31,7 +32,7 @@ public:
                 .panic = once_in(panics_),
                 .rearm = once_in(1000)};
     }
-    /// Limits for the last input; the player changes the cap too.
+    /// Limits for the last input. The player changes the force limit, too.
     const haptics::SafetyLimits& limits() const { return limits_; }
 
 private:
@@ -67,7 +68,7 @@ private:
     }
     vec3 hostile_vector() { return {hostile_number(), hostile_number(), hostile_number()}; }
 
-    /// Spring force: none, all of the wanted force, or a random force.
+    /// Spring part of the force: none, all of the requested force, or a random force.
     vec3 spring_of(vec3 all) {
         if (kind_ == 0 && once_in(2)) return hostile_vector();
         return kind_ % 2 == 0 ? vec3(0) : all;
@@ -79,23 +80,27 @@ private:
         switch (kind_) {
             case 0: return hostile_vector();
             case 1: return once_in(60) ? hostile_vector() : peak * direction_;
-            case 2: return 2 * peak * direction_;                                 // hot
-            case 3: return (at_ / 40 % 2 == 0 ? 3.0 : -3.0) * peak * direction_;  // back and forth
-            case 4: return peak * (1 - std::abs(4 * phase - 2)) * direction_;     // a triangle
-            case 5: return at_ % 1500 < 300 ? peak * direction_ : vec3(0);        // held and released
+            case 2:
+                return 2 * peak * direction_;  // hot
+            // A force that alternates its direction.
+            case 3: return (at_ / 40 % 2 == 0 ? 3.0 : -3.0) * peak * direction_;
+            case 4:
+                return peak * (1 - std::abs(4 * phase - 2)) * direction_;  // a triangular pulse
+            // A force that is held and released.
+            case 5: return at_ % 1500 < 300 ? peak * direction_ : vec3(0);
             case 6: return {peak * random_.uniform(-1, 1), 0, peak * random_.uniform(-1, 1)};
             default: return once_in(50) ? vec3(-0.0) : 0.2 * peak * direction_;
         }
     }
 
-    /// Brake: none in most phases, else along the motion or against it, because the stage need not know
-    /// which.
+    /// Braking force: none in most phases, else along the motion or against it, because the stage need not
+    /// know which.
     vec3 brake() {
         if (lateness_ == 3 && once_in(100)) return hostile_vector();
         return haste_ == 4 && once_in(3) ? random_.uniform(-1, 1) * spec_.peak_force * direction_ : vec3(0);
     }
 
-    /// Position of the tip: back and forth along the force, oblique, far away, not finite.
+    /// Position of the tip: moving to and fro along the force, oblique, far away, or not finite.
     vec3 tip() {
         if (haste_ == 5 && once_in(200)) return hostile_vector();
         const double step = 1e-4 * (at_ / 300 % 2 == 0 ? 1.0 : -1.0);

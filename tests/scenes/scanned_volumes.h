@@ -1,7 +1,8 @@
-// tests/scenes/scanned_volumes.h: volumes as a scanner gives them, and a tip that touches them, for the bench and tests.
+// tests/scenes/scanned_volumes.h: volumes as a scanner would give them, and a tip that touches them, for
+// benchmarks and tests.
 //
-// A sample is the share of its voxel that the object covers, in 255 steps. The edge is as hard as partial volumes allow:
-// a real scanner blurs it further, which only helps.
+// A sample is the share of its voxel that the object covers, in 255 steps. So edges are as sharp as such
+// samples allow. A real scanner blurs them further, which makes rendering easier.
 #pragma once
 #include <cmath>
 #include <cstddef>
@@ -14,13 +15,14 @@
 
 namespace thaum::bench {
 
-/// A cube of samples in the middle of the device's space.
+/// A cube of samples in the middle of the device's workspace.
 struct ScannedVolume {
-    int n{};           ///< samples along each edge
+    int n{};           ///< number of samples along each edge
     double spacing{};  ///< distance between samples (m)
     std::vector<float> samples{};
 
-    /// Place of the first sample; the middle of the cube is a little off the origin, so that nothing is symmetrical.
+    /// Position of the first sample (m). The middle of the cube is slightly off the origin, so that nothing
+    /// is symmetrical.
     vec3 origin() const { return vec3(-spacing * (n - 1) / 2) + spacing * vec3(0.21, 0.37, -0.13); }
     field::Grid grid(field::Kernel kernel) const {
         const std::ptrdiff_t row = n;
@@ -29,7 +31,8 @@ struct ScannedVolume {
     haptics::SmoothGrid smooth() const { return {grid(field::Kernel::catmull_rom)}; }
 };
 
-/// Share of the voxel at a place that lies in the object, by 8 x 8 x 8 places. |f| is at most the distance.
+/// Share of the voxel at a position that lies in the object, from 8 x 8 x 8 points. |f| must not exceed the
+/// distance to the surface.
 template <class Object>
 double covered_share(const Object& object, vec3 place, double spacing) {
     const double here = object(place).value;
@@ -47,7 +50,8 @@ double covered_share(const Object& object, vec3 place, double spacing) {
     return inside / double{parts * parts * parts};
 }
 
-/// Scans an object with a potential that is negative inside and at most the distance to its surface.
+/// Scans an object given by a potential that is negative inside and, in absolute value, at most the distance
+/// to the surface.
 template <class Object>
 ScannedVolume scanned(const Object& object, int n, double spacing) {
     ScannedVolume volume{n, spacing, {}};
@@ -65,10 +69,10 @@ ScannedVolume scanned(const Object& object, int n, double spacing) {
     return volume;
 }
 
-/// A block turned against the axes.
+/// A block rotated relative to the axes.
 struct TurnedBlock {
     haptics::Block block{};
-    mat3 turn{1.0};  ///< block's frame to device frame
+    mat3 turn{1.0};  ///< rotation from the block's frame to the device frame
 
     field::Scalar operator()(vec3 place) const {
         field::Scalar here = block(place * turn);
@@ -77,7 +81,8 @@ struct TurnedBlock {
     }
 };
 
-/// A tip that a bench or test moves, with the modes that act on it. As in a match, modes know the tick before.
+/// A tip that a benchmark or test moves, with the modes that act on it. As in a match, the modes use the
+/// state of the previous tick.
 struct TouchedModes {
     std::vector<haptics::ModeUse> uses{};
     double stiffness{300};  ///< stiffness between tip and proxy (N/m)
@@ -101,7 +106,7 @@ struct TouchedModes {
     }
 };
 
-/// Direction i of n that cover the sphere evenly (unit).
+/// Direction i of n directions that cover the sphere evenly (unit).
 inline vec3 even_direction(int i, int n) {
     const double y = 1 - (2 * i + 1.0) / n, turn = i * pi * (3 - std::sqrt(5.0));
     const double across = std::sqrt(1 - y * y);

@@ -13,7 +13,7 @@ inline void place_at_the_orb(game::Simulation& match) {
     stand(match, 1, {middle.x, match.data().wizard.height / 2, middle.z + 1.4});
 }
 
-/// Input with which both players hold Stir, put two modes on and move their hands to and fro.
+/// Input with which both players hold Stir, switch two modes on and move their hands to and fro.
 inline input::InputFrame searching(Tick tick) {
     input::InputFrame frame;
     for (std::size_t player = 0; player < game::players; ++player) {

@@ -1,10 +1,10 @@
-// tests/scenes/standing.h: puts a wizard somewhere, for benchmarks and tests of a match.
+// tests/scenes/standing.h: moves a wizard to a position, for benchmarks and tests of a match.
 #pragma once
 #include "game/match/simulation.h"
 
 namespace thaum::bench {
 
-/// Puts a wizard with the body's middle at a place (m, world).
+/// Moves a wizard so that the body's middle is at a position (m, world).
 inline void stand(game::Simulation& match, std::uint32_t player, vec3 place) {
     auto& world = match.world_to_change();
     const auto wizard = game::wizard_of(world, player);

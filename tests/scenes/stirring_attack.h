@@ -1,6 +1,6 @@
-// tests/scenes/stirring_attack.h: a hostile stirring hand, for benchmark and test. The flow turns in
-// each fluid step, the surface is simulated, the bowl is narrow, and models arrive late. The energy
-// that the hand gains is computed independently of the servo's own accounts.
+// tests/scenes/stirring_attack.h: a hostile stirring hand, for benchmark and test. The flow changes its
+// direction in each fluid step, the surface is simulated, the bowl is narrow, and models arrive late. The
+// energy that the hand gains is computed independently of the servo's own energy observer.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 
 namespace thaum::bench {
 
-/// The same flow everywhere.
+/// A flow with the same velocity everywhere.
 inline haptics::FlowPatch uniform_flow(vec3 velocity, double viscosity, double density) {
     haptics::FlowPatch patch{.origin = vec3(-1), .spacing = 0.5};
     patch.nodes.fill({fvec3(velocity), static_cast<float>(viscosity), static_cast<float>(density)});
@@ -32,26 +32,27 @@ inline haptics::BowlWall round_bowl(double radius, double depth) {
 }
 
 struct StirredWorld {
-    haptics::FluidModes modes{};  ///< passive modes; viscosity only where the flow is at rest
+    haptics::FluidModes modes{};  ///< passive modes; viscosity only if the flow is at rest
     double flow{};                ///< largest velocity along each axis, random in each step (m/s)
-    bool waves{};                 ///< true: the surface is pushed and makes waves
-    std::uint32_t delay{};        ///< delay of each model (ticks)
+    bool waves{};                 ///< true: pushes on the surface make waves
+    std::uint32_t delay{};        ///< age of each model when the servo gets it (ticks)
 };
 
 struct StirredEnergy {
     /// Energy created: work on the hand minus energy given by the world and stored in springs (J).
     double created{};
     double most_created{};  ///< largest value of `created` (J)
-    double moved{};         ///< energy that passed through the hand in both directions; 0 proves nothing (J)
+    /// Energy that passed through the hand in both directions (J); if 0, the test proves nothing.
+    double moved{};
 };
 
 class StirringAttack {
 public:
-    /// The device must have no limits that it reaches, because a cap would remove force that the world
-    /// gave.
+    /// The device must never reach a limit, because a force limit would remove force that the world has
+    /// given.
     StirringAttack(const StirredWorld& world, const haptics::DeviceSpec& spec)
         : world_(world),
-          stiffness_(std::min(spec.max_stiffness, 1000.0)),  // the largest value in matches
+          stiffness_(std::min(spec.max_stiffness, 1000.0)),  // limited to the largest stiffness in matches
           device_(simulated_device(spec, haptics::Hand{})),
           servo_(servo_of(spec, 1)) {
         servo_.limits.max_speed = 1e9;
@@ -98,14 +99,14 @@ private:
         tip_ = haptics::step(device_, tip_, goal_, force);
         const double out = glm::dot(tip_.force, tip_.position - from);
         energy_.moved += std::abs(out);
-        // The newest flow carries the ladle, so it receives energy through the resistance, the only
-        // force in a flow.
+        // The newest flow carries the ladle along, which receives energy through resistance, the only force
+        // in a flow.
         const vec3 flow = flow_at(touch.newer, state_.fluid.place).velocity;
         last_ =
             out - glm::dot(touch.frame.turn * state_.fluid.force, flow) * (tick_seconds / metres_per_metre);
     }
 
-    /// Accounts for the last tick, after the surface has moved its end of the spring.
+    /// Accounts for the energy of the last tick, after the surface has moved its end of the spring.
     void count(const haptics::FluidTouch& touch, double height) {
         energy_.created += last_ - surface_force_ * (height - height_) / metres_per_metre;
         energy_.created = std::max(energy_.created, -held(touch, height));
@@ -114,8 +115,8 @@ private:
         height_ = height;
     }
 
-    /// Energy stored in the ladle and in the springs to wall and surface (J). Only this much may
-    /// return; damped energy is lost.
+    /// Energy stored in the ladle and in the springs to wall and surface (J). Only this much may return;
+    /// energy lost to damping may not.
     double held(const haptics::FluidTouch& touch, double height) const {
         const auto& fluid = state_.fluid;
         const vec3 place = to_bowl(touch.frame, tip_.position);
@@ -163,7 +164,7 @@ private:
     double last_{}, surface_force_{}, height_{};
 };
 
-/// Each passive mode alone, and all modes that can be combined.
+/// Cases: each passive mode alone, and all modes that can be combined.
 struct StirredCase {
     const char* name{};
     StirredWorld world{};

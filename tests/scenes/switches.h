@@ -1,11 +1,11 @@
-// tests/scenes/switches.h: the energy that a switch of passive sources creates at the hand, summed from the
-// positions of a simulated device and the forces on it. The servo's own energy observer is not used. Used
-// by benchmark and tests.
+// tests/scenes/switches.h: the energy at the hand that is created by switching from one passive source to
+// another, summed from the positions of a simulated device and the forces on it. The servo's own energy
+// observer is not used. Used by benchmark and tests.
 //
 // Every source here pulls towards a point or out of a plane with stiffness times distance, up to a largest
 // force, so its stored energy has a closed form. A new source may hold energy at the switch, because it
-// starts stretched, and it may give that energy. Energy beyond that and beyond the work done since the
-// switch counts as created.
+// starts stretched, and it may give that energy. Energy beyond that and beyond the work done since the switch
+// counts as created.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -19,11 +19,11 @@
 
 namespace thaum::bench {
 
-/// A simulated hand and how it moves its target.
+/// A simulated hand and the motion of its target.
 struct SwitchHand {
     const char* name{};
     haptics::Hand hand{};
-    double swing{};  ///< amplitude of the target about the middle (m)
+    double swing{};  ///< amplitude of the target around the middle (m)
 };
 inline constexpr std::array switch_hands{
     SwitchHand{"absent", haptics::no_hand, 0},
@@ -33,19 +33,19 @@ inline constexpr std::array switch_hands{
     SwitchHand{"moving_firm", {.mass = 0.3, .stiffness = 1500, .damping = 30}, 0.02},
 };
 
-/// Seeds of the random switches. With seven of them, a controller that waits until a spring has given back
-/// all its energy creates more than 0.02 J. Such a switch occurs once in ten thousand, so a single seed may
-/// miss it.
+/// Seeds of the random switches. With seven of these seeds, a controller that waits until a spring has given
+/// back all its energy creates more than 0.02 J. Such a switch occurs once in ten thousand, so a single seed
+/// may miss it.
 inline constexpr std::array<std::uint64_t, 8> switch_seeds{6, 11, 13, 16, 19, 26, 32, 38};
 
 /// A passive source with its exact potential.
 struct SwitchedSource {
     enum class Kind : std::uint8_t { none, tether, point, plane };
     Kind kind{};
-    vec3 place{};        ///< point that it pulls to, or a point of the plane (m)
+    vec3 place{};        ///< point towards which the source pulls, or a point of the plane (m)
     vec3 normal{};       ///< direction out of the plane (unit)
     double stiffness{};  ///< force per distance (N/m)
-    double most{};       ///< largest force (N)
+    double most{};       ///< largest force of the source (N)
 
     /// Stored energy with the tip at a position (J).
     double stored(vec3 tip) const {
@@ -59,8 +59,8 @@ struct SwitchedSource {
 
 /// Result of one run of random switches.
 struct SwitchRun {
-    double most_created{};  ///< energy created after the worst switch (J)
-    double mean_created{};  ///< mean over the switches (J)
+    double most_created{};  ///< energy created by the worst switch (J)
+    double mean_created{};  ///< mean energy created by a switch (J)
     double fastest{};       ///< largest speed of the tip (m/s)
     double largest_jump{};  ///< largest change of force in the tick of a switch (N)
     int switches{};
@@ -69,8 +69,8 @@ struct SwitchRun {
 /// A device, a hand and a servo, with one source at a time.
 class SwitchRig {
 public:
-    /// Motor heat is left out, because it weakens springs, and a weaker spring hides the energy created by
-    /// a switch.
+    /// Motor heat is left out, because hot motors weaken springs, and a weaker spring hides the energy
+    /// created by a switch.
     SwitchRig(haptics::DeviceSpec spec, const SwitchHand& hand, std::uint64_t seed)
         : spec_(std::move(spec)), hand_(hand), random_{seed} {
         spec_.continuous_force = 10 * spec_.peak_force;
@@ -151,7 +151,7 @@ private:
         const vec3 from = tip_.position;
         tip_ = haptics::step(device_, tip_, target, force);
         created_ += glm::dot(tip_.force, tip_.position - from);
-        // Only the stored energy can come back; damping has taken the rest.
+        // Only stored energy can come back; damping has dissipated the rest.
         created_ = worse(created_, -source_.stored(tip_.position));
         most_here_ = worse(most_here_, created_);
         run_.most_created = worse(run_.most_created, created_);

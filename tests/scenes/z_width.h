@@ -12,7 +12,7 @@
 namespace thaum::bench {
 
 /// The reference device of the Z-width: 0.1 kg, 0.5 N s/m, 1 ms, without friction and quantisation, and with
-/// limits that no wall reaches.
+/// limits that are never reached.
 inline haptics::DeviceSpec reference_device(double damping, int latency) {
     return {.name = "reference",
             .sensed = 3,
@@ -49,8 +49,9 @@ inline bool is_stable(std::vector<double> p) {
     return true;
 }
 
-/// Characteristic polynomial of a bare device (mass and damping > 0) at a wall of `stiffness`, with the
-/// mechanism under zero-order hold: z^latency (z - 1)(z - e) + stiffness (b1 (z - e) + a b2) = 0.
+/// Characteristic polynomial of a bare device (mass and damping > 0) at a wall of the given stiffness, with
+/// the force held constant between samples (zero-order hold): z^latency (z - 1)(z - e) + stiffness (b1 (z -
+/// e) + a b2) = 0.
 inline std::vector<double> wall_polynomial(const haptics::DeviceSpec& spec, double stiffness) {
     const double b = spec.damping, t = tick_seconds;
     const double lost = -std::expm1(-b * t / spec.mass), e = 1 - lost;
@@ -65,8 +66,8 @@ inline std::vector<double> wall_polynomial(const haptics::DeviceSpec& spec, doub
     return p;
 }
 
-/// Largest stiffness for which `stable` holds (N/m), by bisection. It must hold below that value and fail
-/// above.
+/// Largest stiffness for which `stable` is true (N/m), by bisection. It must be true below that value and
+/// false above.
 template <class Stable>
 double largest_stable(Stable stable) {
     double low = 1, high = 1e6;
@@ -77,13 +78,13 @@ double largest_stable(Stable stable) {
     return low;
 }
 
-/// Exact limit of the linear sampled loop (N/m).
+/// Exact stability limit of the linear sampled loop (N/m).
 inline double exact_limit(const haptics::DeviceSpec& spec) {
     return largest_stable([&spec](double k) { return is_stable(wall_polynomial(spec, k)); });
 }
 
-/// Presses a device into a wall with 0.5 N and kicks it. Returns true if the shaking dies away. The wall's
-/// force uses the measured position.
+/// Presses a device into a wall with 0.5 N and kicks it. Returns whether the oscillation dies away. The
+/// wall's force uses the measured position.
 inline bool wall_calms_down(const haptics::DeviceSpec& spec, double stiffness, double kick = 1e-4) {
     constexpr double preload = 0.5;
     constexpr int ticks = 10'000, window = 1'000;
@@ -103,7 +104,7 @@ inline bool wall_calms_down(const haptics::DeviceSpec& spec, double stiffness, d
     return last <= first;
 }
 
-/// Limit of the simulated device (N/m).
+/// Stability limit of the simulated device (N/m).
 inline double simulated_limit(const haptics::DeviceSpec& spec, double kick = 1e-4) {
     return largest_stable([&spec, kick](double k) { return wall_calms_down(spec, k, kick); });
 }
@@ -112,26 +113,26 @@ inline double simulated_limit(const haptics::DeviceSpec& spec, double kick = 1e-
 
 struct Wall {
     double stiffness{};  ///< stiffness of the wall (N/m)
-    double damping{};    ///< damping of the wall on the way in (N s/m)
+    double damping{};    ///< damping of the wall while the device moves inwards (N s/m)
     /// Largest damping that the passivity controller may add (N s/m); 0: controller off.
     double controller{};
 };
 
 /// Results of a device that lands on a wall and is then pressed into it.
 struct Pressed {
-    double depth{};    ///< mean depth of the last second (m)
-    double shake{};    ///< largest distance from that depth in the last second (m)
-    double settled{};  ///< time from which on the depth is within a tenth of force / stiffness (s)
+    double depth{};    ///< mean depth in the last second (m)
+    double shake{};    ///< largest deviation from the mean depth in the last second (m)
+    double settled{};  ///< time after which the depth stays within a tenth of force / stiffness (s)
     double
         /// Largest force beyond stiffness * depth before the last second (N): from damping, controller and
         /// shaking.
         added{};
-    double added_later{};  ///< the same in the last second (N)
-    double created{};      ///< largest energy that the wall gave beyond what it received (J)
+    double added_later{};  ///< largest force beyond stiffness * depth in the last second (N)
+    double created{};      ///< largest energy that the wall gave beyond what the wall received (J)
 };
 
-/// Lands on the wall at 0.1 m/s and is pressed with `newtons` (N) for ten seconds. Runs the whole servo
-/// step, safety stage included.
+/// Simulates a device that lands on the wall at 0.1 m/s and is pressed with `newtons` (N) for ten seconds.
+/// Runs the whole servo step, safety stage included.
 inline Pressed pressed(const haptics::DeviceSpec& spec, const Wall& wall, double newtons) {
     constexpr int ticks = 10'000, last_second = 9'000;
     const auto device = haptics::simulated_device(spec, haptics::no_hand);
@@ -166,8 +167,8 @@ inline Pressed pressed(const haptics::DeviceSpec& spec, const Wall& wall, double
     return result;
 }
 
-/// Largest stiffness of 50, 51.5, ... N/m, in steps of 3 %, at which the wall reaches its stiffness. The
-/// search stops at the first failure: the loop is not linear, and a stiffer wall may shake less.
+/// Largest of the stiffnesses 50, 51.5, ... N/m, in steps of 3 %, that the wall really renders. The search
+/// stops at the first failure: the loop is not linear, and a stiffer wall may oscillate less.
 inline double delivered_limit(const haptics::DeviceSpec& spec, Wall wall, double newtons) {
     double best = 0;
     for (wall.stiffness = 50; wall.stiffness < 1e4; wall.stiffness *= 1.03) {

@@ -1,4 +1,5 @@
-// Frames of random, often impossible values: the mixer's output stays within -1 to 1, and it recovers.
+// Gives the mixer frames of random, often impossible values: its output must stay within -1 to 1, and the
+// mixer must recover.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -90,7 +91,7 @@ TEST(MixerHostile, RandomFramesNeverClipAndNeverBreakTheMixer) {
     }
     EXPECT_GT(loudest, 0.9);
     EXPECT_GT(mixing.report().bad_values, 10'000U);
-    // After all that, a tone sounds as in a new mixer.
+    // After all that input, a tone must sound as in a new mixer.
     mixing.set({});
     Recorder recorder(mixing);
     recorder.play(frame_with({voice(hum, {1, 0, 0})}), 100);
@@ -107,7 +108,7 @@ TEST(Limiter, ItsGainMovesEvenlyAndKeepsEveryPeakBelowOne) {
     for (int i = 0; i < 500; ++i) {
         std::array<float, block_values> block{};
         for (std::size_t k = 0; k < block.size(); k += 2) {
-            block[k] = 0.01F;  // shows the gain
+            block[k] = 0.01F;  // a constant signal, in which the gain can be seen
             const bool peak = attacker.below(1000) == 0;
             block[k + 1] = peak ? 1.0F + 10.0F * static_cast<float>(attacker.below(3)) : 0.3F;
         }
@@ -116,7 +117,7 @@ TEST(Limiter, ItsGainMovesEvenlyAndKeepsEveryPeakBelowOne) {
             ASSERT_LE(std::abs(block[k + 1]), 1);
             const float gain = block[k] / 0.01F;
             if (i > 0) {
-                // All the way down takes the 96 samples of the delay, up 0.25 s.
+                // The gain may fall completely in the 96 samples of the delay, and rises in 0.25 s.
                 ASSERT_GT(gain - before, -1.01 / 96) << i;
                 ASSERT_LT(gain - before, 1e-3) << i;
             }

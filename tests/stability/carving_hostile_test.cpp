@@ -1,5 +1,5 @@
-// Hostile tests of carving: numbers that are not finite, huge extents, and long random sequences of edits, undo and
-// redo.
+// Hostile tests of carving: numbers that are not finite, huge extents, and long random sequences of edits,
+// undo and redo.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -17,7 +17,7 @@ TEST(CarvingHostile, UndoIsExactUnderTenThousandRandomEdits) {
     Voxels body = random_block({25, 17, 24}, 1);
     body.density[77] = std::numeric_limits<float>::quiet_NaN();
     CarvingHistory history = make_history(body.view(), std::size_t{1} << 30U);
-    std::vector<std::uint64_t> hashes{hash_of(body)};  // before the first step and after each step
+    std::vector<std::uint64_t> hashes{hash_of(body)};  // hashes before the first step and after each step
     const auto end = [&] {
         end_step(history, body.view());
         if (can_redo(history)) return;
@@ -54,7 +54,7 @@ TEST(CarvingHostile, UndoIsExactUnderTenThousandRandomEdits) {
 TEST(CarvingHostile, UndoIsExactWithLittleMemory) {
     Voxels body = random_block({25, 17, 24}, 2);
     CarvingHistory history = make_history(body.view(), 20 * sizeof(BrickCopy));
-    std::vector<std::uint64_t> seen{hash_of(body)};  // after each edit
+    std::vector<std::uint64_t> seen{hash_of(body)};  // hashes after each edit
     Random random = random_stream(24, 11);
     for (int i = 0; i < 3000; ++i) {
         const Tool tool = random_tool(random);
@@ -64,14 +64,14 @@ TEST(CarvingHostile, UndoIsExactWithLittleMemory) {
         if (random.below(10) != 0) continue;
         while (can_undo(history)) {
             undo(history, body.view());
-            // Whatever has been forgotten: the body is as it was after some edit, never a mixture.
+            // However much history was dropped, the body must be as after some edit, never a mixture.
             ASSERT_NE(std::ranges::find(seen, hash_of(body)), seen.end()) << i;
         }
         ASSERT_LE(history.ring.size(), 20U);
     }
 }
 
-/// Edits with this dab must leave the body as it is.
+/// Edits with these arguments must not change the body.
 void expect_nothing(const Tool& tool, const Dab& dab) {
     Voxels body = random_block({9, 10, 11}, 3);
     const std::uint64_t before = hash_of(body);
@@ -111,7 +111,8 @@ TEST(CarvingHostile, ExtentsWithoutASizeChangeNothing) {
             expect_nothing(density_constant(extent, 0), {});
         }
     }
-    expect_nothing(density_constant(round_extent(ExtentShape::stamp, 3), 0), {});  // a stamp without cells
+    // A stamp without cells must change nothing.
+    expect_nothing(density_constant(round_extent(ExtentShape::stamp, 3), 0), {});
 }
 
 TEST(CarvingHostile, HugeExtentsChangeTheWholeBody) {

@@ -160,7 +160,7 @@ Sized<N> sized(std::uint64_t value) {
 template <std::size_t... Ns>
 struct Sizes {
     static constexpr std::size_t count = sizeof...(Ns);
-    /// Calls f.operator()<N>() with the size at index `number`.
+    /// Calls f.operator()<N>(), where N is the size at index `number`.
     template <class F>
     static void with(std::size_t number, F&& f) {
         std::size_t i = 0;
@@ -176,8 +176,8 @@ struct Churned {
     bool frozen = false, burning = false;
 };
 
-/// Two Worlds that must stay equal to the byte. One is restored now and then and so loses its memory of
-/// neighbouring tables. One gets its changes as commands, the other directly.
+/// Two Worlds that must stay equal, byte for byte. One of them is restored sometimes, so that it loses its
+/// cached edges between tables. One gets changes as commands, the other directly.
 struct Twins {
     World lasting, restored;
     std::vector<Churned> all;
@@ -283,7 +283,7 @@ struct Twins {
         }
     }
 
-    /// Restores the World, so that its tables stay but everything outside its state is lost.
+    /// Restores the World, so that its tables are kept but everything outside its state is lost.
     void forget() {
         Bytes bytes;
         save(restored, bytes);

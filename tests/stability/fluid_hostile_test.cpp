@@ -1,5 +1,5 @@
-// The fluid under attack (tests/scenes/fluid_attack.h), short version; `thaum bench fluid --stress` is
-// the long one.
+// The fluid under attack (tests/scenes/fluid_attack.h) in a short run; `thaum bench fluid --stress` is the
+// long one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -62,8 +62,8 @@ double difference(const Fluid& one, const Fluid& other) {
     return std::sqrt(apart / square);
 }
 
-/// A push for which a step wants four or five sub-steps, more than it may have. Twenty steps later the
-/// flow is close to that of fine steps.
+/// A push for which a step would need four or five sub-steps, more than allowed. Twenty steps later the flow
+/// must be close to that with fine steps.
 TEST(FluidHostile, ASemiLagrangianStepIsCloseToFineSteps) {
     constexpr int fine = 16, steps = 20;
     flows::Flow flow = flows::taylor_green_box(0);
@@ -88,7 +88,7 @@ TEST(FluidHostile, ASemiLagrangianStepIsCloseToFineSteps) {
     EXPECT_LE(sum / pushes, 0.04);
 }
 
-/// Flow stopped by viscosity is exactly zero and does not fade into subnormal numbers. Diffusion
+/// A flow stopped by viscosity must be exactly zero, and not fade into subnormal numbers. Diffusion
 /// continues.
 TEST(FluidHostile, StoppedFlowIsExactlyZeroWhileASubstanceDiffuses) {
     Settings settings = flows::settings_of(flows::Flow{}, {Solver::thaum, 4}, 12);
@@ -129,7 +129,7 @@ Settings bowl_of(const Substance& substance, int n) {
     return settings;
 }
 
-/// A lump falls so fast in a bowl that each step needs many transport sub-steps. It then comes to rest
+/// A lump falls so fast in a bowl that each step needs many transport sub-steps. The fluid must come to rest
 /// without gaining energy.
 TEST(FluidHostile, AHeavyThickLumpComesToRest) {
     for (const double viscosity : {1.0, viscosity_most}) {
@@ -145,8 +145,8 @@ TEST(FluidHostile, AHeavyThickLumpComesToRest) {
     }
 }
 
-/// The pressure of a violent step never accelerates the flow, without viscosity or when it is almost at
-/// rest.
+/// The pressure of a violent step must never accelerate the flow, even without viscosity or when the flow is
+/// almost at rest.
 TEST(FluidHostile, ABowlLeftAloneGainsNoEnergy) {
     for (const double viscosity : {0.0, 1e-6, 1e-3, 0.1, 10.0}) {
         auto fluid = make_fluid(bowl_of({}, 16)).value();

@@ -1,5 +1,5 @@
-// The spring surface under hostile input: any stiffness and step, probes that jump or are not numbers.
-// Also its symmetry and its sleep.
+// The spring surface under hostile input: any stiffness and time step, probes that jump or are NaN. Also
+// tests the surface's symmetry and its sleep at rest.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -66,7 +66,7 @@ TEST(SpringSurfaceStability, EnergyNeverGrowsAtAnyStiffnessDampingAndStep) {
     }
 }
 
-/// A probe that is mostly close to the surface, sometimes far off, huge, or not a number.
+/// A random probe: mostly near the surface, sometimes far away, huge, or NaN.
 SurfaceProbe hostile_probe(Random& random) {
     SurfaceProbe probe{.place = {random.uniform(-1.2, 1.2), random.uniform(-1.2, 1.2)},
                        .height = random.uniform(-0.2, 0.2),
@@ -105,7 +105,7 @@ TEST(SpringSurfaceStability, JumpingProbesAddNoMoreEnergyThanTheirSpringsHold) {
                     ASSERT_GE(probe.force, -s.cling * (1 + 1e-12));
                     through += probe.inside ? 1 : 0;
                 }
-                // Energy that four springs can hold before they break.
+                // Energy that four springs can store before they break (J).
                 const double held = 4 * s.pop_through * s.pop_through / (2 * s.contact);
                 const double now = energy(surface);
                 ASSERT_LE(now, before + 1.02 * held) << i;
@@ -137,7 +137,7 @@ TEST(SpringSurfaceStability, ProbesThatAreNotFiniteAreAbsent) {
     EXPECT_TRUE(all_finite(surface));
 }
 
-/// Whether the surface equals its eight mirror images.
+/// Whether the surface is equal to its eight symmetric images.
 bool has_all_mirrors(const SpringSurface& surface) {
     const SpringSurfaceSettings& s = surface.settings;
     const std::size_t last = s.nodes - 1;
@@ -230,7 +230,7 @@ TEST(SpringSurface, PressedHardItGivesWayAndTheProbeThatLeavesPullsALastRipple) 
     EXPECT_GT(most, 0.95 * s.pop_through);
     for (int i = 0; i < 3000; ++i) {
         now = step();
-        ASSERT_EQ(now.force <= 0, true);  // inside the surface nothing pushes the probe up
+        ASSERT_EQ(now.force <= 0, true);  // while the probe is inside the surface, nothing may push it up
     }
     EXPECT_TRUE(now.inside);
     double least = 0, highest = 0;
@@ -259,7 +259,7 @@ TEST(SpringSurface, TwoProbesPressAsEachAlone) {
     const std::array probes{SurfaceProbe{{-0.7, -0.6}, -0.01, 0.1}, SurfaceProbe{{0.8, 0.5}, -0.02, 0.1}};
     const std::array only_second{SurfaceProbe{{none, none}, 0, 0}, probes[1]};
     SpringSurfaceStep a, b, c;
-    for (int i = 0; i < 40; ++i) {  // before either wave reaches the other probe
+    for (int i = 0; i < 40; ++i) {  // short enough that neither wave reaches the other probe
         a = advance(both, scratch, probes, 0.001);
         b = advance(first, scratch, {probes.data(), 1}, 0.001);
         c = advance(second, scratch, only_second, 0.001);

@@ -1,5 +1,5 @@
-// Stability of the fluid forces: a stirring hand creates no energy and stays unharmed, for any hand, fluid
-// and delay.
+// Stability of the fluid forces: they create no energy at a stirring hand and stay finite, for any hand,
+// fluid and delay.
 #include <gtest/gtest.h>
 
 #include "core/file.h"
@@ -21,8 +21,8 @@ vec3 vector_within(Random& random, double size) {
 
 // ---- the loop through the fluid ---------------------------------------------------------------------------
 
-/// A fluid reduced to one mass. It is pushed in the step after the hand moved it, and is read at the
-/// end of that step.
+/// A fluid reduced to one mass. The hand's push acts in the step after the motion, and the velocity is read
+/// at the end of that step.
 struct DelayedFluid {
     double mass{};  ///< mass of the fluid (kg)
     vec3 velocity{}, pushed{}, coming{};
@@ -35,8 +35,8 @@ struct DelayedFluid {
     }
 };
 
-/// Velocity of the flow after some steps, 1 at the start (m/s). hand_mass 0: the hand is held fast. `told`:
-/// mass that the model states.
+/// Velocity of the flow after some steps, 1 at the start (m/s). hand_mass 0: the hand is held fixed. `told`:
+/// fluid mass given in the model (kg).
 double flow_after(int steps, double told, double mass, double hand_mass) {
     StirringRig rig;
     rig.servo.most_damping = hand_mass > 0 ? 4 : 1e9;
@@ -64,7 +64,7 @@ TEST(FluidTouchHostile, TheLoopThroughTheFluidDoesNotRing) {
     for (const double mass : {0.1, 3.0, 200.0}) {
         EXPECT_LE(flow_after(60, mass, mass, 0), 1e-4) << mass;
         for (const double hand : {0.02, 0.1, 1.0}) EXPECT_LE(flow_after(300, mass, mass, hand), 1e-3);
-        // Purpose of the limit: the oscillation decays up to a gain of 0.83 and grows beyond.
+        // Reason for the limit: the oscillation decays up to a gain of 0.83 and grows beyond.
         EXPECT_LE(flow_after(400, mass * 0.80 / loop_gain, mass, 0), 0.2);
         EXPECT_GE(flow_after(400, mass * 0.86 / loop_gain, mass, 0), 5);
     }
@@ -72,7 +72,7 @@ TEST(FluidTouchHostile, TheLoopThroughTheFluidDoesNotRing) {
 
 // ---- energy -----------------------------------------------------------------------------------------------
 
-/// Limits so high that no cap takes energy that the world gave.
+/// A device with limits so high that no force limit removes energy that the world has given.
 DeviceSpec without_limits(DeviceSpec spec) {
     spec.peak_force = spec.continuous_force = 1000;
     return spec;
@@ -189,7 +189,8 @@ TEST(FluidTouchHostile, InvalidInputIsBlockedAndValidInputIsFeltAgain) {
                         std::isfinite(state.fluid.flow_work));
             ASSERT_TRUE(std::isfinite(state.energy.created));
         }
-        // Valid input again. Repeated excess may have shut the stage off, so it is re-armed.
+        // Valid input again. Repeated excess may have switched the safety stage off, so it is switched on
+        // again.
         model = {};
         model.fluid = some_fluid();
         model.fluid.number = 77;
@@ -199,7 +200,7 @@ TEST(FluidTouchHostile, InvalidInputIsBlockedAndValidInputIsFeltAgain) {
             model.rearm = tick == 1000;
             servo_step(servo, state, model, {vec3(1e-5 * tick, 0, 0), 0});
         }
-        // 0.01 m/s: 1/16 (2 4 + 1/2 8) of it; the mass follows by now.
+        // the force for 0.01 m/s, of which 1/16 (2 4 + 1/2 8) = 0.75 acts; the mass has followed by now
         EXPECT_NEAR(state.fluid.force.x, -0.01 * 0.75, 1e-6);
         EXPECT_NEAR(state.safety.output.x, -0.01 * 0.75, 1e-4) << run << " " << state.safety.cause;
     }

@@ -20,8 +20,9 @@ using input::Button;
 inline constexpr double wall = 20;            // distance from the middle of the arena to its walls (m)
 inline constexpr double fastest_wizard = 30;  // largest allowed speed (m/s); a fall of 12 m ends with 15 m/s
 inline constexpr double most_created = 0.02;  // largest energy that passive sources may create (J)
-inline constexpr double most_given = 1.0;     // largest energy of active sources in about a second (J)
-// Speed of a jump of 10 cm within a tick, against a force that follows later (m/s).
+// Largest energy that active sources may give in about a second (J)
+inline constexpr double most_given = 1.0;
+// Speed of a jump of 10 cm within a tick, averaged over the time in which the force follows (m/s).
 inline constexpr double jump_speed = 0.1 / 0.03;
 // Index of the arm of player 0 among the devices; the arm of player 1 is 3.
 inline constexpr std::uint32_t arm_device = 2;
@@ -56,8 +57,9 @@ struct Watch {
                 energy = std::max(energy, body.mass * glm::dot(m.velocity, m.velocity) / 2);
             });
     }
-    /// Expects all limits to hold. `speed` is the speed of a hand that reverses within a tick (m/s). The
-    /// measured velocity averages 8 ms, so for that long it has the wrong sign and damping drives the hand.
+    /// Expects that all limits have been kept. `speed`: speed of a hand that reverses within a tick (m/s).
+    /// The measured velocity is an average over 8 ms, so for that time it has the wrong sign and damping
+    /// drives the hand.
     void expect_tame(double speed = 0) const {
         for (const auto& audit : audits) {
             EXPECT_EQ(audit.violations(haptics::SafetyRule::finite), 0U);
@@ -70,7 +72,7 @@ struct Watch {
     }
 };
 
-/// An arena without props and with two scripted wizards, of whom each may hold an arm.
+/// An arena without props and with two scripted wizards, each of whom may hold an arm.
 struct HandsRig {
     Simulation match;
     Watch watch{};

@@ -1,7 +1,7 @@
 // Stress on hands that use lift and swing: invalid poses, jumps of position, hands that shake at 10 m/s,
-// springs of 10^6 N/m, things that are wedged, held by both or destroyed, devices that vanish, and a match
-// that stalls. Forces must stay finite and within the cap, energy bounded, things inside the walls, and no
-// wizard may be launched.
+// springs of 10^6 N/m, things that are wedged, held by both wizards or destroyed, devices that vanish, and a
+// match that stalls. Forces must stay finite and within the force limit, energy bounded, things inside the
+// walls, and wizards below a speed limit.
 #include <memory>
 
 #include "core/text.h"
@@ -19,7 +19,7 @@ std::int32_t anything(Random& random) {
     }
 }
 
-/// Start of a test with one wand, so that lift and swing share the tests.
+/// Start of a test with one of the wands, so that lift and swing share the tests.
 struct StressedWand {
     const char* name;
     void (*begin)(HandsRig&);
@@ -134,8 +134,8 @@ TEST(LiftStress, StaysBoundedForAnyStiffnessAndMass) {
             shake = true;
             rig.run(2500);
             rig.watch.expect_tame(0.4);
-            // Energy of a spring stretched by lost_m, or of a thing as fast as its hand, plus that of a
-            // fall.
+            // Bound: energy of a spring stretched by lost_m, or of a thing as fast as its hand, plus the
+            // energy of a fall.
             constexpr double lost = 2.5, hand = 20 * 0.4;
             const double most =
                 std::max(stiffness * lost * lost / 2, mass * hand * hand * 2) + mass * 9.81 * 3;
@@ -166,7 +166,7 @@ TEST(SwingStress, StaysBoundedForAnyStiffness) {
 
 // ---- held things ------------------------------------------------------------------------------------------
 
-/// The thing is wedged between two fixed blocks and the wall, and is pulled in all directions.
+/// A thing wedged between two fixed blocks and the wall is pulled in all directions.
 TEST(LiftStress, AWedgedThingGoesThroughNothing) {
     for (const double stiffness : {4000.0, 1e6}) {
         SCOPED_TRACE(stiffness);
@@ -190,7 +190,7 @@ TEST(LiftStress, AWedgedThingGoesThroughNothing) {
             const vec3 at = rig.match.world().get<Motion>(thing).position;
             ASSERT_LT(at.x, 19.6) << i;
             ASSERT_GT(at.y, 0.3) << i;
-            // The thing may pass above or in front of the blocks, but not into them.
+            // The thing may move above or in front of the blocks, but not into them.
             const bool between = at.x > 18.4 && at.y < 3;
             ASSERT_TRUE(!between || std::abs(at.z - 16) < 0.25) << i;
         }
@@ -253,7 +253,8 @@ TEST(LiftStress, ADestroyedThingIsNotHeld) {
         rig.run(300);
         EXPECT_GT(glm::length(rig.hand_state(0).servo.safety.output), 0.1);
         rig.match.world_to_change().destroy(thing);
-        const auto other = rig.box({1, 1, 1}, 60, {11, 0.5, 16});  // may reuse the freed entity's place
+        // This new entity may have the index of the destroyed one.
+        const auto other = rig.box({1, 1, 1}, 60, {11, 0.5, 16});
         rig.run(300);
         for (std::uint32_t p = 0; p < static_cast<std::uint32_t>(holders); ++p) {
             EXPECT_FALSE(rig.busy(p));
@@ -309,7 +310,7 @@ TEST_P(StressedHands, StayTameWhenAnArmVanishesAndComesBackElsewhere) {
         rig.run(300);
         there = false;
         rig.run(gone);
-        // After 250 ms the simulated hand takes over.
+        // For 250 ms forces are off, then the simulated hand takes over.
         EXPECT_TRUE(gone < 60 || gone > 250 || rig.hand_state(0).servo.safety.output == vec3(0));
         there = true;
         place = {0.06, 0.04, -0.03};
@@ -318,14 +319,14 @@ TEST_P(StressedHands, StayTameWhenAnArmVanishesAndComesBackElsewhere) {
     }
 }
 
-/// An arm that is shaken, with its servo. Its thread goes on while the match stalls.
+/// An arm that is shaken, with its servo. Its thread continues while the match stalls.
 class ShakenArm {
 public:
     explicit ShakenArm(HandsRig& rig) : rig_(rig), limits_(rig.match.haptic_setup().servos[0].limits) {}
     ShakenArm(const ShakenArm&) = delete;
     ShakenArm& operator=(const ShakenArm&) = delete;
 
-    /// Begins the test of a wand, whose own ticks move the arm, too.
+    /// Starts the test of a wand, whose own ticks also move the arm.
     void begin(const StressedWand& wand) {
         rig_.before = [this](input::InputFrame& frame) {
             step_unless_ahead();
@@ -344,8 +345,8 @@ public:
         }
     }
 
-    /// Plays ticks of the arm alone. The match can make up for 250 of them and skips the others. Returns the
-    /// largest force by a model older than 75 ms (N).
+    /// Plays ticks of the arm alone. The match can catch up with 250 of them and skips the others. Returns
+    /// the largest force by a model older than 75 ms (N).
     double stall(int ticks) {
         double strongest_late = 0;
         for (int i = 1; i <= ticks; ++i) {
@@ -361,7 +362,7 @@ public:
     std::uint64_t differing_forces() const { return servo_->faults().differing; }
 
 private:
-    /// Returns the size of the force (N).
+    /// Plays one tick. Returns the magnitude of the force (N).
     double step() {
         const double x = shaken(++tick_, 0.2, 0.04);
         input::ArmReading reading{.time_ns = now_ns_ += 1'000'000};
@@ -391,11 +392,11 @@ private:
     haptics::SafetyAudit audit_;
     Tick tick_ = 0;
     std::int64_t now_ns_ = 0;
-    int ahead_ = 0;  ///< ticks that the arm has played and the match has not
+    int ahead_ = 0;  ///< number of ticks that the arm has played and the match has not
     std::uint16_t skips_ = 0;
 };
 
-/// The arm's thread goes on while the match stalls. If the backlog exceeds 250 ms, samples are skipped.
+/// The arm's thread continues while the match stalls. If the backlog exceeds 250 ms, samples are skipped.
 TEST_P(StressedHands, StayTameWhileTheMatchStalls) {
     for (const int stalled : {1, 5, 20, 50, 79, 120, 250, 700, 2000}) {
         SCOPED_TRACE(stalled);
@@ -405,7 +406,7 @@ TEST_P(StressedHands, StayTameWhileTheMatchStalls) {
         arm.run(300);
         EXPECT_EQ(arm.stall(stalled), 0) << "no force by a model that old";
         arm.run(1000);
-        // The hand moves on for that long by an old model.
+        // For that time the hand moves while forces come from an old model.
         rig.watch.expect_tame(0.2 * std::min(stalled, 80) / 30);
         EXPECT_EQ(arm.audit().violations(haptics::SafetyRule::cap), 0U);
         EXPECT_EQ(arm.audit().violations(haptics::SafetyRule::finite), 0U);

@@ -9,7 +9,7 @@
 namespace thaum::game::test {
 namespace {
 
-/// Random integer, mostly large, sometimes an end of the range.
+/// A random integer, mostly large, sometimes one of the extreme values.
 std::int32_t wild(Random& random) {
     switch (random.below(6)) {
         case 0: return std::numeric_limits<std::int32_t>::min();
@@ -26,7 +26,7 @@ input::InputFrame wild_frame(Random& random) {
         for (auto& count : sample.counts) count = wild(random);
         sample.buttons = static_cast<std::uint32_t>(random.next());
         sample.wand = static_cast<std::uint8_t>(random.next());
-        // A match that is paused most of the time would test little.
+        // Pause is rarely pressed, because a match that is paused most of the time would test little.
         if (random.below(50) != 0) sample.buttons &= ~input::bit(input::Button::pause);
     }
     return frame;
@@ -187,7 +187,7 @@ TEST(GameHostile, ALogOfAnotherBuildIsReplayedWithAWarning) {
         << "format 1 does not say";
 }
 
-/// tests/scenario.cmake selects logs by the rules version in their names.
+/// Names must be right, because tests/scenario.cmake selects logs by the rules version in their names.
 TEST(ReplayCorpus, EveryNameSaysTheRulesVersionOfItsHeaderAndThisVersionIsAmongThem) {
     bool current = false;
     for (const auto& entry : std::filesystem::directory_iterator(THAUM_SOURCE_DIR "/tests/replays")) {
@@ -201,7 +201,7 @@ TEST(ReplayCorpus, EveryNameSaysTheRulesVersionOfItsHeaderAndThisVersionIsAmongT
     EXPECT_TRUE(current) << "record one: see tests/scenario.cmake";
 }
 
-/// A complete log of an older rules version. The header suffices to refuse it in one line.
+/// A complete log of an older rules version. Its header is enough to refuse it in one line.
 TEST(ReplayCorpus, ALogOfAnOlderRulesVersionIsRefusedByName) {
     const TemporaryFolder folder;
     const auto file = folder.path() / "older_rules.thaumlog";

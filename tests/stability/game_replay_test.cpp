@@ -1,5 +1,5 @@
-// Attacks on determinism (engine/ARCHITECTURE.md, "State and caches"): restored states, other Worlds at work at
-// the same time, dropped caches, and one value corrupted on purpose, which the hashes must show.
+// Attacks on determinism (engine/ARCHITECTURE.md, "State and caches"): restored states, other Worlds running
+// at the same time, dropped caches, and one value corrupted on purpose, which the hashes must reveal.
 #include <thread>
 
 #include "core/random.h"
@@ -54,7 +54,7 @@ TEST(GameReplay, RestoredAtAKeyframeInAnotherWorldItGoesOnToTheSameBits) {
     for (std::size_t k = 0; k < recorded().keyframes.size(); ++k) {
         const auto match = fresh();
         for (Tick t = 0; t < 777 * k; ++t)
-            match->tick(recorded().frames[t % 100]);  // gives the match another history first
+            match->tick(recorded().frames[t % 100]);  // gives the match another history before the restore
         ASSERT_TRUE(match->restore(recorded().keyframes[k], k * keyframe_interval).has_value());
         ASSERT_EQ(first_difference(*match, k * keyframe_interval), length) << "keyframe " << k;
     }
@@ -68,7 +68,7 @@ TEST(GameReplay, StoppedAndRestoredAtRandomTicks) {
         const Tick stop = at + 1 + random.below(length / 6);
         if (stop >= length) break;
         ASSERT_EQ(first_difference(*match, at, stop), length);
-        // Restores the last keyframe and plays on to the tick of the stop.
+        // Restores the last keyframe, then plays up to the tick of the stop.
         const Tick key = stop / keyframe_interval;
         ASSERT_TRUE(match->restore(recorded().keyframes[key], key * keyframe_interval).has_value());
         ASSERT_EQ(first_difference(*match, key * keyframe_interval, stop), length);
@@ -95,15 +95,15 @@ TEST(GameReplay, WorldsSideBySideOnThreadsDoNotDisturbEachOther) {
     std::array<Tick, 4> results{};
     std::vector<std::jthread> threads;
     for (auto& result : results) threads.emplace_back([&result] { result = first_difference(*fresh(), 0); });
-    threads.clear();  // waits for them
+    threads.clear();  // waits for all threads to end
     for (const auto result : results) EXPECT_EQ(result, length);
 }
 
 TEST(GameReplay, OneCorruptedValueIsDetected) {
     const auto match = fresh();
     ASSERT_EQ(first_difference(*match, 0, 1000), length);
-    // The gaze would not do: as the hand turns, rounding may remove a changed last bit before the next
-    // hash.
+    // A value of Gaze is unsuitable: when the view turns, rounding may remove a changed last bit before the
+    // next hash.
     auto& health = match->world_to_change().get<Health>(wizard_of(match->world(), 0));
     health.points = std::nextafter(health.points, 0.0);
     EXPECT_LT(first_difference(*match, 1000, 1100), length);

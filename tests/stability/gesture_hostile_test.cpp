@@ -1,4 +1,4 @@
-// Hostile strokes: each gives a correct "nothing" or an answer, in bounded time, from every method.
+// Hostile strokes: for each, every method must answer, or correctly refuse, in bounded time.
 #include <gtest/gtest.h>
 
 #include <limits>

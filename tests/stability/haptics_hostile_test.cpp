@@ -38,7 +38,7 @@ TEST(HapticsHostile, NothingMakesTheSimulatedDeviceLeaveItsLimits) {
             auto state = resting_at({});
             double fastest = 0;
             for (int tick = 0; tick < 60'000; ++tick) {
-                // Quiet at times, so that stops, holds and releases occur too.
+                // Quiet at times, so that the motion also stops, stays and starts again.
                 const bool quiet = (tick / 500) % 2 == 1;
                 state = step(device, state, quiet ? vec3(0) : hostile_vector(random),
                              quiet ? vec3(0) : hostile_vector(random));
@@ -49,7 +49,7 @@ TEST(HapticsHostile, NothingMakesTheSimulatedDeviceLeaveItsLimits) {
                 ASSERT_TRUE(is_finite(measured_position(device, state)));
                 fastest = std::max(fastest, glm::length(state.velocity));
             }
-            // m/s; the spring of the third hand alone reaches about 100.
+            // limit (m/s); the spring of the third hand alone reaches about 100 m/s
             EXPECT_LE(fastest, 200) << spec.name;
         }
     }
@@ -110,7 +110,7 @@ TEST(HapticsHostile, ACouplingToAStillHandNeverGainsEnergy) {
                         before = now;
                     }
                     if (ratio > 0) continue;
-                    EXPECT_NEAR(before, start, 1e-8 * start);  // the energy stays the same
+                    EXPECT_NEAR(before, start, 1e-8 * start);  // the energy must stay the same
                 }
             }
         }
@@ -118,7 +118,7 @@ TEST(HapticsHostile, ACouplingToAStillHandNeverGainsEnergy) {
 }
 
 TEST(HapticsHostile, WhateverTheHandDoesTheObjectStaysNearIt) {
-    // A hand that jumps within a box of 2 m. It rests in between, so that only the spring moves the object.
+    // A hand that jumps within a box of 2 m, and rests in between, so that only the spring moves the object.
     Random random{21};
     for (const double k : {10.0, 4e3, 1e6}) {
         for (const double m : {1e-3, 1.0, 1e3}) {

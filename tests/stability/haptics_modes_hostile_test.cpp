@@ -1,5 +1,5 @@
-// Haptic modes stay within the caps and passive in faulty fields, with any strengths and any motion. The long run of
-// the same is `thaum bench haptics --stress`.
+// Haptic modes must stay within force limits and passive in faulty fields, with any strengths and any motion.
+// `thaum bench haptics --stress` is a longer run of the same.
 #include <gtest/gtest.h>
 
 #include "tests/scenes/hostile_modes.h"
@@ -12,7 +12,7 @@ using bench::HostileFields;
 using bench::HostileHand;
 using bench::HostileResult;
 
-/// Energy that passive sources may create (engine/haptics/HAPTICS.md, "Energy and switches") (J).
+/// Largest energy that passive sources may create (engine/haptics/HAPTICS.md, "Energy and switches") (J).
 constexpr double most_created = 0.02;
 
 TEST(HapticModesHostile, AllModesTogetherStayWithinTheCaps) {
@@ -29,7 +29,8 @@ TEST(HapticModesHostile, AllModesTogetherStayWithinTheCaps) {
         EXPECT_EQ(result.left_out, 0U);
         EXPECT_LE(result.largest, hand.cap() * (1 + 1e-12));
         EXPECT_GT(result.felt, 0.2 * static_cast<double>(result.ticks));
-        // Modes that push are active sources with half a joule a second, and each choice of modes is a switch.
+        // Modes that push are active sources, which may give half a joule a second. Each choice of modes is a
+        // switch, which may give energy once.
         EXPECT_LE(result.most_given, active_budget + 2 * switch_energy);
     }
 }

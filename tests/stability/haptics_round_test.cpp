@@ -1,6 +1,6 @@
-// Stability of contact with round bodies, edges and grooves: a tip goes anywhere over and in them. While it
-// is inside, there is a force within Coulomb's cone, and the proxy enters nothing. Independent geometry
-// checks the places.
+// Stability of contact with round bodies, edges and grooves: a tip moves anywhere above and inside of them.
+// While the tip is inside, there must be a force within Coulomb's cone, and the proxy must not enter a body.
+// The check uses independent geometry.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,22 +20,22 @@ using namespace round_rig;
 
 // ---- every shape ------------------------------------------------------------------------------------------
 
-/// A convex body as the half-spaces and round solids that bound it. It checks a proxy without the code under
-/// test.
+/// A convex body, described by the half-spaces and round solids that bound it. Checks a proxy without the
+/// code under test.
 struct Scene {
     std::string name;
     SurfacePatch patch{};
-    vec3 start{};   ///< place of the tip before it enters (m)
-    vec3 middle{};  ///< place about which the tip wanders (m)
-    double size{};  ///< distance to which it wanders (m)
+    vec3 start{};   ///< position of the tip before it enters (m)
+    vec3 middle{};  ///< position around which the tip wanders (m)
+    double size{};  ///< distance up to which the tip wanders (m)
 };
 
 struct Judged {
-    double depth{};  ///< depth of a place beneath the surface, negative outside (m)
+    double depth{};  ///< depth of a point below the surface, negative outside (m)
     vec3 normal{};
 };
 
-/// Depth of p in one solid and the normal there. For a box and a cylinder, of the nearest face.
+/// Depth of p in one solid, and the normal there; for a box and a cylinder, those of the nearest face.
 std::vector<Judged> judged(const Surface& s, vec3 p) {
     const vec3 arm = p - s.a;
     const auto from_core = [&](vec3 out, double radius) {
@@ -73,7 +73,8 @@ double depth_in(const Surface& s, vec3 p) {
     return depth;
 }
 
-/// Smallest violation of Coulomb's law by the loads along the normals (m of pull); negative inside the cone.
+/// Smallest violation of Coulomb's law, over all ways to share the load among the normals (m of pull);
+/// negative inside the cone.
 double beyond_cone(const std::vector<vec3>& normals, vec3 pull, double friction) {
     double best = glm::length(pull);
     for (std::size_t i = 0; i < normals.size(); ++i) {
@@ -113,7 +114,8 @@ std::vector<Scene> convex_scenes() {
     return scenes;
 }
 
-/// Checks contact while inside, and Coulomb's cone, wherever the tip goes.
+/// Checks that there is contact while the tip is inside, and that the force is in Coulomb's cone, wherever
+/// the tip moves.
 void wander(const Scene& scene, double friction, double speed, std::uint64_t seed) {
     const std::string name =
         scene.name + " friction " + std::to_string(friction) + " speed " + std::to_string(speed);
@@ -176,7 +178,7 @@ SurfacePatch two_faces(double slope, double friction) {
     return patch;
 }
 
-/// Normals of the faces on which a proxy lies.
+/// Normals of the faces that a proxy touches.
 std::vector<vec3> faces_under(vec3 proxy, double slope) {
     std::vector<vec3> normals;
     for (const double side : {-1.0, 1.0}) {
@@ -186,7 +188,7 @@ std::vector<vec3> faces_under(vec3 proxy, double slope) {
     return normals;
 }
 
-/// Wanders under the edge, along it and across it.
+/// Moves the tip at random under the edge, along it and across it.
 void wander_at_edge(double slope, double friction, double speed) {
     const auto name = text("slope ", slope, ", friction ", friction, ", ", speed, " m/s");
     Probe probe{two_faces(slope, friction)};
@@ -267,7 +269,7 @@ TEST(RoundBodies, NoSpeedTakesTheProxyThroughRoundBodiesOrTheWallsBesideThem) {
     }
 }
 
-/// A rolling ball and a spinning barrel carry the proxy that sticks to them, and push the one that slides.
+/// A rolling ball and a spinning barrel carry a proxy that sticks to them, and push one that slides.
 TEST(RoundBodies, MovingBodiesCarryAndPushTheProxy) {
     for (const SurfaceKind kind : {SurfaceKind::sphere, SurfaceKind::capsule, SurfaceKind::cylinder}) {
         for (const double friction : {0.0, 0.35, 5.0}) {
@@ -337,11 +339,10 @@ SurfacePatch cylinder_in_box(Random& random) {
     return patch;
 }
 
-/// Without friction, only the surfaces hold the proxy: the sum of their pushes is the displacement from the
-/// tip. Where an edge of one body crosses the side of another, the proxy once hung on the rounding of the
-/// edge, with up to 5 N.
+/// Without friction, the normal forces alone must balance the pull towards the tip. A former fault: where an
+/// edge of one body crosses the side of another, the proxy got stuck on the rounded edge, with up to 5 N.
 TEST(RoundBodies, NothingButPushHoldsAProxyBetweenACylinderAndTheEdgesOfABox) {
-    constexpr double rest = 1e-8;  // m; 5e-6 N
+    constexpr double rest = 1e-8;  // tolerance (m), equal to 5e-6 N
     for (std::uint64_t seed = 0; seed < 150; ++seed) {
         Random random{seed};
         Probe probe{cylinder_in_box(random)};
@@ -349,7 +350,7 @@ TEST(RoundBodies, NothingButPushHoldsAProxyBetweenACylinderAndTheEdgesOfABox) {
         probe.at(tip.place);
         for (int tick = 0; tick < 600; ++tick) {
             vec3 place = tip.next(0.5);
-            if (glm::length(place) > 0.03) place *= 0.999;  // back to the bodies
+            if (glm::length(place) > 0.03) place *= 0.999;  // moves back towards the bodies
             tip.place = place;
             const ContactResult touched = probe.at(place);
             const vec3 spring = touched.proxy - place;
@@ -359,9 +360,9 @@ TEST(RoundBodies, NothingButPushHoldsAProxyBetweenACylinderAndTheEdgesOfABox) {
 }
 
 /// Friction 0.061 holds a proxy in the groove of a sphere and a capsule, a third of the way to where the next
-/// sphere would stop it. The exact place comes from integrating the descent in long double. Beyond that place
-/// the pull leaves the cone again. A check of the path's end alone let the proxy go on to the sphere, with
-/// 0.086 N of error in 0.22 N.
+/// sphere would stop it. The exact position comes from integrating the descent in long double. Beyond that
+/// position the pull leaves the cone again. A former fault: a check only at the path's end let the proxy
+/// continue to the sphere, with an error of 0.086 N in 0.22 N.
 TEST(RoundBodies, InAGrooveFrictionHoldsAtTheFirstPlaceOfALongPath) {
     SurfacePatch patch = rubbing_patch(0.061098345613583738);
     for (std::uint32_t i = 0; i < 3; ++i) {
@@ -392,7 +393,7 @@ TEST(RoundBodies, InAGrooveFrictionHoldsAtTheFirstPlaceOfALongPath) {
 
 // ---- downhill ---------------------------------------------------------------------------------------------
 
-/// A solid for the check: `shape` stands at its place, rotated about it.
+/// A solid for the check: `shape` at its position, with its rotation.
 struct Ground {
     Surface shape{};
     quat turned{1, 0, 0, 0};
@@ -407,11 +408,11 @@ struct Ground {
     }
 };
 
-/// Distance by which a free place within 0.1 um of the proxy is nearer to the tip (m). Tries random steps,
-/// moves them out of the solids, and takes the best.
+/// How much nearer to the tip a free point within 0.1 um of the proxy can be (m). Tries random steps, moves
+/// the points out of the solids, and takes the best.
 double downhill(const std::array<Ground, 2>& grounds, vec3 proxy, vec3 tip, Random& random) {
     constexpr double step = 1e-7, exact = 1e-13;  // m
-    std::array<double, 2> allowed{};  // the rounding of an edge lies beneath the gap over its faces
+    std::array<double, 2> allowed{};              // the rounded edge lies below the gap over its faces
     for (std::size_t i = 0; i < 2; ++i)
         allowed[i] = std::max(grounds[i].nearest_face(proxy).depth, -surface_gap);
     double best = 0;
@@ -432,8 +433,8 @@ double downhill(const std::array<Ground, 2>& grounds, vec3 proxy, vec3 tip, Rand
     return best;
 }
 
-/// A box of half extents `half`, rotated about the origin: one solid of the patch's first body, or a closed
-/// mesh.
+/// Adds a box with half edges `half`, rotated about the origin, to the patch's first body: as one solid, or
+/// as a closed mesh.
 void add_box(SurfacePatch& patch, vec3 half, quat turned, bool mesh) {
     patch.bodies[0].orientation = turned;
     if (!mesh) return add(patch, SurfaceKind::box, {}, half);
@@ -476,10 +477,11 @@ Crossing crossing(SurfaceKind kind, bool mesh, Random& random) {
     return made;
 }
 
-/// Without friction, the proxy moves as near to the tip as the bodies allow, whatever it passed before. The
-/// edge of a box and the seam of two triangles once held it beside a round solid, with up to 12 N.
+/// Without friction, the proxy must move as near to the tip as the bodies allow, whatever its earlier path. A
+/// former fault: the edge of a box and the seam of two triangles held the proxy beside a round solid, with up
+/// to 12 N.
 TEST(RoundBodies, NoProxyStaysWhereAWayDownhillIsFree) {
-    constexpr double rest = 2e-9;  // m; a pull of a fiftieth of the force
+    constexpr double rest = 2e-9;  // tolerance (m), a pull of a fiftieth of the force
     for (const SurfaceKind kind : {SurfaceKind::sphere, SurfaceKind::capsule, SurfaceKind::cylinder}) {
         for (const bool mesh : {false, true}) {
             int touched = 0, stuck = 0;
@@ -504,8 +506,8 @@ TEST(RoundBodies, NoProxyStaysWhereAWayDownhillIsFree) {
     }
 }
 
-/// A plane, two capsules and a sphere leave the proxy no room. The walls that held it last keep holding it.
-/// The force was once zero there, 15 mm from the tip.
+/// A plane, two capsules and a sphere leave no room for the proxy. The surfaces that held the proxy last must
+/// keep holding it. A former fault: the force was zero there, 15 mm from the tip.
 TEST(RoundBodies, WithoutRoomTheLastWallsKeepTheForce) {
     SurfacePatch patch = rubbing_patch(0);
     const auto body = [&](SurfaceKind kind, vec3 a, vec3 b, quat turned) {

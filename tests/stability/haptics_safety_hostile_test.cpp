@@ -1,5 +1,5 @@
-// Stability of the safety stage and the servo step: no input makes them break a safety rule, on any shipped
-// device.
+// Stability of the safety stage and the servo step: no input may make them break a safety rule, on any
+// shipped device.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,7 +37,7 @@ void attack_stage(const DeviceSpec& spec, std::uint64_t seed) {
     }
     const std::string rig = spec.name + ", seed " + std::to_string(seed);
     expect_none(audit, rig);
-    // An attack that never gets a force through proves nothing.
+    // An attack in which no force ever passes the stage would prove nothing.
     EXPECT_GT(felt, attack_ticks / 10) << rig;
     for (std::size_t cause = 0; cause < met.size(); ++cause) {
         const bool cannot =
@@ -50,13 +50,13 @@ TEST(HapticsSafetyHostile, NothingGetsThroughTheSafetyStage) {
     const auto devices = shipped_devices();
     EXPECT_EQ(devices.size(), 5U);
     for (const auto& spec : devices) {
-        // With seed 1, a brake acts while the force of a Touch returns from warm motors.
+        // With seed 1, a brake acts while the force of a Touch device returns after its motors were too warm.
         attack_stage(spec, 1);
         attack_stage(spec, 5);
     }
 }
 
-/// A random model at the tip, valid or not.
+/// Changes the model to a random one at the tip, valid or not.
 void change_patch(HapticModel& model, vec3 at, Random& random) {
     const auto nasty = [&random] {
         constexpr std::array values{0.0, 1e300, -1e-300, HUGE_VAL, std::numeric_limits<double>::quiet_NaN()};

@@ -1,6 +1,6 @@
-// A still hand feels a still force: at a fixed reading, in a field that stands still, the force changes by at most 1 mN a
-// tick after 300 ticks, in every mode, field and curve. A hand that creeps or trembles feels no chatter. A moving hand and
-// a moving field are still felt at once.
+// A resting hand must feel a constant force: at a fixed reading in a constant field, the force changes by at
+// most 1 mN per tick after 300 ticks, in every mode, field and curve. A hand that creeps or trembles must
+// feel no chatter. A moving hand and a moving field must still be felt at once.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ using field::Vector;
 
 constexpr double most_change = 1e-3;  // N a tick
 
-/// Speed of a flow, with its gradient: it has a ridge round each vortex.
+/// Speed of a flow, with its gradient, which has a ridge around each vortex.
 struct Speed {
     field::VortexFlow flow{};
 
@@ -50,7 +50,7 @@ struct FeltModes {
         model.coupling = {stiffness, damping};
     }
 
-    /// Feels one tick. Returns the change of the force (N).
+    /// Runs one tick. Returns the change of the force (N).
     double feel(vec3 tip) {
         model.primitives.clear();
         add_modes(uses, {state.primitives == 0 ? tip : state.proxy, tip, {}, model.coupling.stiffness},
@@ -61,7 +61,8 @@ struct FeltModes {
         return glm::distance(force, before);
     }
 
-    /// Moves the tip to a place in 40 ticks and rests there. Returns the largest change after 300 ticks of rest (N).
+    /// Moves the tip to a position in 40 ticks and lets it rest there. Returns the largest change of force
+    /// after 300 ticks of rest (N).
     double rest_at(vec3 place, vec3 from) {
         for (int tick = 0; tick < 40; ++tick) feel(glm::mix(from, place, tick / 40.0));
         for (int tick = 0; tick < 300; ++tick) feel(place);
@@ -76,11 +77,11 @@ vec3 random_place(Random& random, double half) {
     return {x, y, random.uniform(-half, half)};
 }
 
-/// A curve with jumps, of either sign (N).
+/// A curve with jumps and either sign (N).
 field::TransferFunction random_curve(Random& random, double from, double to) {
     std::array<vec2, 8> points{};
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const std::size_t place = i / 2;  // two points at each
+        const std::size_t place = i / 2;  // two points at each x make a jump
         points[i] = {from + (to - from) * static_cast<double>(place) / 3, random.uniform(-3, 3)};
     }
     return field::transfer_function(points).value_or(field::constant(1));
@@ -127,7 +128,7 @@ TEST(StillHand, FeelsAStillForceInModesTogether) {
     }
 }
 
-/// Larger values towards the plane y = 0 from both sides.
+/// Values that increase towards the plane y = 0 from both sides.
 Scalar ridge(vec3 place) { return {-std::abs(place.y), {0, place.y > 0 ? -1.0 : 1.0, 0}}; }
 
 TEST(StillHand, IsHeldOnARidgeWithTheForceThatTheSpringHasThere) {
@@ -136,16 +137,16 @@ TEST(StillHand, IsHeldOnARidgeWithTheForceThatTheSpringHasThere) {
     hand.uses[0].settings.strength = field::constant(1.4);
     EXPECT_LE(hand.rest_at({0, 0.002, 0}, {0, 0.02, 0}), most_change);
     EXPECT_NEAR(hand.force.y, -300 * 0.002, 0.002) << "it rests on the ridge";
-    // A hand that moves on the ridge, at 20 mm/s, feels no more than the spring at twice its way.
+    // A hand that moves on the ridge at 20 mm/s must feel no more than the spring at twice its displacement.
     double largest = 0;
     for (int tick = 0; tick < 500; ++tick) largest = std::max(largest, hand.feel({2e-5 * tick, 0.002, 0}));
     EXPECT_LE(largest, 2 * 300 * 2e-5 + 2e-3);
-    // Off the ridge the whole strength acts at once.
+    // Beside the ridge, the full strength must act at once.
     for (int tick = 0; tick < 100; ++tick) hand.feel({0.01, 0.002 + 1e-4 * tick, 0});
     EXPECT_NEAR(hand.force.y, -1.4, 1e-9);
 }
 
-/// Way along x of a hand that creeps or trembles (m), by the time (s).
+/// Displacement along x of a hand that creeps or trembles (m), as a function of time (s).
 using Motion = double (*)(double seconds);
 
 double tremor(double most, double frequency, double seconds) {
@@ -176,10 +177,10 @@ TEST(StillHand, AHandThatCreepsOrTremblesInTheCoreOfAVortexFeelsNoChatter) {
     }
 }
 
-/// A hand that feels modes through spring and damper, by a device that renders every force.
+/// A hand that feels modes through spring and damper, with a device that renders every force.
 struct FeltChange {
     FeltModes hand;
-    std::array<vec3, velocity_window + 1> tips{};  ///< the newest one first
+    std::array<vec3, velocity_window + 1> tips{};  ///< positions of the tip, the newest first
     vec3 velocity{};
 
     FeltChange(std::vector<ModeUse> modes, double stiffness, double damping)
@@ -187,7 +188,7 @@ struct FeltChange {
         hand.servo = servo_of({.peak_force = 100, .continuous_force = 100}, 1);
     }
 
-    /// Feels one tick. Returns the change of the force, less that by the hand's motion (N).
+    /// Runs one tick. Returns the change of the force, without the part due to the hand's motion (N).
     double feel(vec3 tip) {
         if (hand.state.samples == 0) tips.fill(tip);
         const vec3 before = hand.output, velocity_before = velocity;
@@ -229,11 +230,12 @@ TEST(StillHand, AHandThatCreepsOrTremblesInSeveralModesFeelsNoChatter) {
 
 TEST(StillHand, ADamperMakesNoJumpOfAWallThatIsMet) {
     const field::Plane ground{.through = {}, .normal = {0, 1, 0}};
-    for (const double speed : {0.03, 0.1, 0.3}) {  // an omega3 in the lab: 5,000 N/m and 15 N s/m
+    // With spring and damper of an omega.3 in the lab: 5,000 N/m and 15 N s/m.
+    for (const double speed : {0.03, 0.1, 0.3}) {
         FeltChange felt({{find_mode("isosurface"), any_field(field_of<Scalar>(ground)), {}}}, 5000, 15);
         felt.hand.uses[0].settings.strength = field::constant(9);
         double largest = 0;
-        for (int tick = 0; tick < 150; ++tick) {  // it presses in by 1 mm
+        for (int tick = 0; tick < 150; ++tick) {  // the hand moves in by 1 mm
             const double y = std::max(speed * tick_seconds * (70.4 - tick), -0.001);
             const double change = felt.feel({0, y, 0});
             if (tick > 20) largest = std::max(largest, change);
@@ -265,7 +267,7 @@ TEST(StillHand, AHandAtUsualSpeedFeelsTheForceThatAModeHasThere) {
         };
         FeltModes settles = feel_force(), jumps = feel_force();
         const vec3 place = random_place(random, 0.05);
-        for (int tick = 0; tick < 1000; ++tick) {  // a circle of 20 mm at 100 mm/s
+        for (int tick = 0; tick < 1000; ++tick) {  // the hand moves on a circle of 20 mm at 100 mm/s
             const double angle = 5 * tick * tick_seconds;
             const vec3 tip = place + 0.02 * vec3(det::cos(angle), det::sin(angle), 0);
             settles.feel(tip);
@@ -279,7 +281,7 @@ TEST(StillHand, AHandAtUsualSpeedFeelsTheForceThatAModeHasThere) {
     EXPECT_GE(felt, 1000);
 }
 
-/// A wall of 1 mm about the plane y = 0.
+/// A wall 1 mm thick around the plane y = 0.
 Scalar thin_wall(vec3 place) { return {5e-4 - std::abs(place.y), {0, place.y > 0 ? -1.0 : 1.0, 0}}; }
 
 TEST(StillHand, AWallThinnerThanItsReachLetsGoWithoutAJump) {
@@ -288,7 +290,7 @@ TEST(StillHand, AWallThinnerThanItsReachLetsGoWithoutAJump) {
     hand.uses[0].settings.strength = field::constant(9);
     hand.uses[0].settings.reach = 0.004;
     double before = 0, pressed = 0;
-    for (int tick = 0; tick < 4000; ++tick) {  // through the wall and back, at 5 mm/s
+    for (int tick = 0; tick < 4000; ++tick) {  // moves through the wall and back, at 5 mm/s
         const double y = 0.005 - 5e-6 * std::min(tick, 4000 - tick);
         const double change = hand.feel({0, y, 0});
         if (tick > 20) EXPECT_LE(change, 0.5 + 3 * 5000 * std::abs(y - before) + 1e-9) << tick;
@@ -308,7 +310,7 @@ TEST(StillHand, AMovingHandMeetsAWallAtOnceAndGetsThroughAtOnce) {
     for (int tick = 0; tick < 2; ++tick) hand.feel({0, y -= 5e-4, 0});
     for (; y > -0.0019; y -= 1e-4) hand.feel({0, y, 0});
     EXPECT_NEAR(hand.force.y, -300 * (y + 1e-4), 1e-3);
-    // It gives way at 0.6 N: the proxy sinks and is free as soon as it is deeper than the reach.
+    // The wall gives way at 0.6 N: the proxy sinks in, and is free once it is deeper than the reach.
     int ticks = 0;
     for (; ticks < 100 && (ticks < 5 || hand.force.y > 1e-6); ++ticks) hand.feel({0, y -= 1e-4, 0});
     EXPECT_LE(ticks, 40);
@@ -349,7 +351,7 @@ TEST(Settling, TakesTheWholeWayUnlessItTurnsBackAndCalmsDownAtRest) {
     EXPECT_EQ(go({0.01, 0, 0}, {0.012, 0, 0}), vec3(0.012, 0, 0));
     EXPECT_LE(go({0.012, 0, 0}, {}).x, 0.012 - 0.001);
     EXPECT_GT(go({0.011, 0, 0}, {}).x, 0);
-    // However the balance jumps, a tick at rest moves the proxy by less and less.
+    // However the balance jumps, the proxy must move less and less in each tick at rest.
     Random random{3};
     vec3 proxy(0);
     for (int tick = 0; tick < 600; ++tick) {
@@ -357,7 +359,7 @@ TEST(Settling, TakesTheWholeWayUnlessItTurnsBackAndCalmsDownAtRest) {
         proxy = go(before, random_place(random, 1e3));
         if (tick > 300) EXPECT_LE(300 * glm::distance(proxy, before), least_pace * (1 + 1e-9));
     }
-    // Places that are huge or tiny do no harm, nor do motions that cannot be.
+    // Positions that are huge or tiny, and impossible motions, must do no harm.
     for (const double far : {1e6, 1e-300, 0.0}) EXPECT_TRUE(is_finite(go({}, vec3(far))));
     for (const double motion : {-1.0, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
         EXPECT_TRUE(is_finite(go({}, {0.01, 0, 0}, motion)));

@@ -1,5 +1,5 @@
-// Stability of switches: switching passive sources creates hardly any energy at the hand, for every device
-// and hand.
+// Stability of switches: switching passive sources must create hardly any energy at the hand, for every
+// device and hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace thaum::haptics {
 namespace {
 
-constexpr double most_per_switch = 0.02;  // largest energy of a switch (J); HAPTICS.md
+constexpr double most_per_switch = 0.02;  // largest energy that a switch may create (J); see HAPTICS.md
 
 TEST(HapticsSwitches, AStretchedSpringThatComesIsNotChased) {
     for (const auto& spec : shipped_devices()) {
@@ -29,7 +29,7 @@ TEST(HapticsSwitches, AStretchedSpringThatComesIsNotChased) {
 }
 
 TEST(HapticsSwitches, TenThousandRandomSwitchesOfEachDeviceCreateNextToNothing) {
-    // For each of five devices: five hands and eight seeds.
+    // Number of switches for each of five devices, with five hands and eight seeds.
     constexpr int switches = 250;
     for (const auto& spec : shipped_devices()) {
         for (const auto& hand : bench::switch_hands) {
@@ -51,7 +51,8 @@ TEST(HapticsSwitches, AWorldThatChangesAgainAndAgainPushesNoHandAway) {
                     const auto which = static_cast<int>(change);
                     EXPECT_LE(world.most_created(), most_per_switch)
                         << spec.name << ", " << hand.stiffness << ", " << which << ", " << surface;
-                    // A hand that falls onto a surface that came back meets it as any wall.
+                    // Skipped, because a hand that falls onto a surface that has come back meets an ordinary
+                    // wall.
                     if (surface && change == bench::WorldChange::spring) continue;
                     EXPECT_LE(world.largest_jump(), 0.75)
                         << spec.name << ", " << hand.stiffness << ", " << which << ", " << surface;
@@ -131,7 +132,7 @@ TEST(HapticsSwitches, AThingThatVanishesFadesOut) {
         for (int i = 0; i <= 100; ++i)
             before = servo_step(servo, state, model, {vec3(0, 1e-4 - (depth + 1e-4) * i / 100, 0), 0});
         ASSERT_NEAR(before.y, 0.5 * spec.peak_force, 0.02 * spec.peak_force) << spec.name;
-        model.patch.count = model.patch.body_count = 1;  // the ball is gone, the floor stays
+        model.patch.count = model.patch.body_count = 1;  // the ball is removed, the floor stays
         for (int i = 0; i < 400; ++i) {
             const vec3 force = servo_step(servo, state, model, {vec3(0, -depth, 0), 0});
             EXPECT_LE(glm::length(force - before), 0.04 + 1e-9) << spec.name << ", " << i;
@@ -169,7 +170,8 @@ TEST(HapticsSwitches, TheBrakeBeginsSlowlyAndPullsNoHandIntoAWall) {
         const double depth = 0.8 * spec.peak_force / spec.max_stiffness, step = depth / 20;
         double height = 1e-4, before = 0;
         for (int tick = 0; tick < 80; ++tick) {
-            // Sinks, waits, and leaves with a debt that a source has left behind meanwhile.
+            // The hand moves in, waits, and moves out, while a source that has ended meanwhile has left an
+            // energy debt.
             const double way = tick < 30 ? -step : tick < 40 ? 0 : step;
             height = std::max(height + way, -depth);
             if (tick == 42) state.energy.created = 0.02;
@@ -182,10 +184,11 @@ TEST(HapticsSwitches, TheBrakeBeginsSlowlyAndPullsNoHandIntoAWall) {
     }
 }
 
-/// Energy that a wall which moves by 4 mm every `period` ticks creates at a firm hand that sweeps in and out (J).
+/// Energy that a wall, moved by 4 mm every `period` ticks, creates at a firm hand that moves in and out (J).
 double created_by_edits(const DeviceSpec& spec, int period) {
     auto device_spec = spec;
-    device_spec.continuous_force = 10 * spec.peak_force;  // warm motors hide created energy
+    // High, because warm motors would hide created energy.
+    device_spec.continuous_force = 10 * spec.peak_force;
     const auto device = simulated_device(device_spec, {.mass = 0.4, .stiffness = 1500, .damping = 40});
     const Servo servo = servo_of(device_spec, 1);
     ServoState state;

@@ -1,4 +1,4 @@
-// Z-width: the simulated device against the theory of sampled walls, and against published simulations of it.
+// Z-width: compares the simulated device with the theory of sampled walls, and with published simulations.
 #include "tests/scenes/z_width.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ TEST(HapticsZWidth, EigenvaluesAreOnTheUnitCircleAtTheLimit) {
         const auto spec = reference_device(0.5, latency);
         const double k = exact_limit(spec);
         EXPECT_TRUE(is_stable(wall_polynomial(spec, 0.999 * k)));
-        // The growth factor of the loop per tick, found by iteration, is 1.
+        // At the limit, the growth factor of the loop per tick, found by iteration, is 1.
         const auto p = wall_polynomial(spec, k);
         std::vector<double> y(p.size() - 1, 0.0);
         y.back() = 1;
@@ -59,8 +59,7 @@ struct Published {
     double stiffness;
 };
 
-/// The first unstable stiffness of 50, 51.5, ... N/m in steps of 3 %, which is how the published figures were
-/// found.
+/// The first unstable stiffness among 50, 51.5, ... N/m in steps of 3 %, as in the published simulations.
 double first_that_shakes(const haptics::DeviceSpec& spec) {
     double k = 50;
     while (wall_calms_down(spec, k)) k *= 1.03;
@@ -69,8 +68,8 @@ double first_that_shakes(const haptics::DeviceSpec& spec) {
 
 TEST(HapticsZWidth, PublishedSimulationsAgree) {
     // With latency, the figures agree on the same step. Without it, the published ones are two or three steps
-    // (up to 10 %) above the loop's own limit. Just above the limit the oscillation grows so slowly that they
-    // did not see it. Ours is the first step above the limit.
+    // (up to 10 %) above the loop's own limit. Just above the limit the oscillation grows so slowly that the
+    // published simulations missed it. Our figure is the first step above the limit.
     for (const auto& p : {Published{0.2, 0, 433}, Published{0.5, 0, 1082}, Published{0.5, 1, 341},
                           Published{1.0, 0, 2199}, Published{1.0, 1, 674}}) {
         const auto spec = reference_device(p.damping, p.latency);
@@ -103,23 +102,24 @@ TEST(HapticsZWidth, WithDampingAndControllerAWallOf1000IsDeliveredAtOneTickOfDel
     const auto spec = reference_device(0.5, 1);
     constexpr double newtons = 2;
     EXPECT_LE(delivered_limit(spec, {}, newtons),
-              exact_limit(spec));  // bare: 334, and less after a landing
+              exact_limit(spec));  // without damping and controller: 334 N/m, and less after a landing
     EXPECT_GE(delivered_limit(spec, {.damping = 2, .controller = 5}, newtons), 2000);
-    EXPECT_GE(delivered_limit(spec, {.controller = 5}, newtons), 1500);  // the controller alone
+    EXPECT_GE(delivered_limit(spec, {.controller = 5}, newtons), 1500);  // with the controller only
     for (const double stiffness : {1000.0, 1500.0, 2000.0}) {
         const Pressed at = pressed(spec, {stiffness, 2, 5}, newtons);
         EXPECT_LE(at.depth + at.shake, 1.1 * newtons / stiffness) << stiffness;
         EXPECT_NEAR(at.depth, newtons / stiffness, 1e-3 * newtons / stiffness)
-            << stiffness;                              // the hand pushes no deeper
-        EXPECT_LE(at.added_later, 0.05) << stiffness;  // N; after settling, only the wall acts
+            << stiffness;  // the depth is not larger than that of the pushing hand
+        EXPECT_LE(at.added_later, 0.05) << stiffness;  // (N) after settling, only the wall acts
         EXPECT_LE(at.created, 0.02) << stiffness;
     }
-    // Without either, the same wall throws the hand off.
+    // Without damping and controller, the same wall throws the hand off.
     EXPECT_GT(pressed(spec, {.stiffness = 1000}, newtons).shake, 0.5 * newtons / 1000);
 }
 
 TEST(HapticsZWidth, AFalconsEncoderKeepsAWallOf1000AtOneTickOfDelay) {
-    // Its controller may add 20 N s/m, with which one count of 53 um in a tick would be worth 1 N.
+    // The controller may add up to 20 N s/m here, at which one encoder count of 53 um per tick would mean 1
+    // N.
     auto spec = reference_device(0.5, 1);
     spec.position_quantum = 5.3e-5;
     constexpr double newtons = 2;
@@ -133,8 +133,8 @@ TEST(HapticsZWidth, AFalconsEncoderKeepsAWallOf1000AtOneTickOfDelay) {
 }
 
 TEST(HapticsZWidth, AControllerOfMoreThanTheLoopBearsShakesByItself) {
-    // Its damping acts on a velocity over some ticks, which is late. So the device's own limit counts, not
-    // the largest number.
+    // The wall's damping uses a velocity averaged over some ticks, which is late. So the limit of the
+    // device's own damping counts, not the largest number that may be set.
     const auto spec = reference_device(0.5, 1);
     EXPECT_LT(delivered_limit(spec, {.damping = 2, .controller = 1000}, 2),
               delivered_limit(spec, {.damping = 2, .controller = 5}, 2) / 2);

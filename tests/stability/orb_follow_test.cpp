@@ -1,5 +1,6 @@
-// The follow mode guides the blind: a bot that knows only its own places and the force finds the core of 30 orbs at least
-// twice as fast as the same bot without forces, in the median. The bot is the scenario follow_mode_guides_blind.
+// The follow mode guides without sight: a bot that knows only its own positions and the force finds the
+// hidden core of 30 orbs at least twice as fast as the same bot without forces, in the median. The bot is the
+// scenario follow_mode_guides_blind.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,12 +14,12 @@ namespace thaum::game::test {
 namespace {
 
 constexpr int seeds = 30;
-/// Time after which a bot gives up (s). The focus of a wizard lasts for 50 s.
+/// Time after which a bot gives up (s). A wizard's focus is enough for 50 s.
 constexpr double limit = 45;
 
 const std::filesystem::path root = THAUM_SOURCE_DIR;
 
-/// Time that a bot needs with so many percent of the force (s); `limit` if it finds nothing.
+/// Time that a bot needs with `percent` of the force (s); `limit` if it does not find the core.
 double search(const std::string& script, int seed, int percent) {
     const std::string_view values = "local seed, percent, limit = 1, 100, 20\n";
     auto source = script;

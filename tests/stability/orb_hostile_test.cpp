@@ -1,4 +1,5 @@
-// Hostile curves at the orb: strengths up to 10^6 N of either sign that jump, all pairs of modes, both players at once.
+// Hostile curves at the orb: strengths up to 10^6 N of either sign that jump, all pairs of modes, both
+// players at once.
 #include <cmath>
 
 #include "core/random.h"
@@ -17,19 +18,20 @@ field::TransferFunction hostile_curve(Random& random, double most_property) {
     return field::transfer_function(points).value_or(field::constant(1e6));
 }
 
-/// Energy that the forces gave to one hand, from the device's own motion.
+/// Energy that the forces have given to one hand, computed from the device's own motion.
 class GivenEnergy {
 public:
     void add(const HandState& before, const HandState& now, const haptics::HapticModel& model, double cap) {
         created_ += glm::dot(now.device.force, now.device.position - before.device.position);
-        // What was dissipated earlier gives no right to create energy later.
+        // Energy that was dissipated earlier must not count in favour of the forces later.
         if (stored(now, model, cap) < 1e-3) created_ = std::max(created_, 0.0);
         most_ = std::max(most_, created_);
     }
     double most() const { return most_; }
 
 private:
-    /// Energy of the spring between tip and proxy and of the primitives, of which the cap lets no more force through (J).
+    /// Energy stored in the spring between tip and proxy and in the primitives, as far as the force limit
+    /// lets it act (J).
     static double stored(const HandState& hand, const haptics::HapticModel& model, double cap) {
         const double stretch = glm::distance(hand.servo.proxy, hand.device.position);
         const double stiffness = model.coupling.stiffness, most = cap / stiffness;
@@ -55,7 +57,7 @@ struct Outcome {
     bool finite{true};
 };
 
-/// A player whose hand darts about while the curves of the modes change.
+/// A player whose hand makes sudden motions while the curves of the modes change.
 struct Darting {
     std::uint32_t player{};
     Random& random;
@@ -72,7 +74,7 @@ struct Darting {
         }
         if (t % 300 == 0)
             aim = {random.uniform(-0.07, 0.07), random.uniform(-0.05, 0.05), random.uniform(-0.03, 0.03)};
-        // Forces beyond all bounds shut a device off; a press of the panic key arms it again.
+        // Excessive forces shut a device off; a press of the panic key switches forces on again.
         auto& hand = seance.change().get<HandState>(seance.wizard(player));
         hand.home += (t % 300 < 10 ? 0.1 : 0.01) * (aim - hand.home);
         if (hand.servo.safety.latched != 0 && t % 40 < 20)
@@ -82,7 +84,7 @@ struct Darting {
     }
 };
 
-/// Both players wear two modes while their hands dart about and their curves change.
+/// Both players switch two modes on, make sudden motions, and change their curves.
 Outcome dart_about(std::array<std::uint32_t, 2> worn, Tick length, std::uint64_t seed) {
     Seance seance(seed);
     seance.begin(0);

@@ -1,4 +1,4 @@
-// Hostile scenes: all bodies stay finite, within the limits of Settings, and above the floor.
+// Hostile scenes: all bodies must stay finite, within the limits in physics::Settings, and above the floor.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -74,7 +74,7 @@ TEST(PhysicsStability, TwentyBoxesInOnePlaceComeApartGently) {
         if (HasFatalFailure()) return;
         for (const Key key : keys) fastest = std::max(fastest, glm::length(physics.velocity(key)));
     }
-    EXPECT_LT(fastest, 15);  // no explosion
+    EXPECT_LT(fastest, 15);  // larger speeds would be an explosion of the solver
     for (const Key key : keys) EXPECT_GT(physics.state(key).position.y, 0.2) << key;
 }
 

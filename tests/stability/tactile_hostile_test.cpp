@@ -1,4 +1,4 @@
-// Hostile values, times and rates: frames keep their limits, and every bad value is counted.
+// Hostile values, times and rates: frames must keep their limits, and every invalid value must be counted.
 #include <cmath>
 #include <limits>
 

@@ -1,4 +1,4 @@
-// Tests that each rule reports faults in small trees that break it, and none in correct trees.
+// Tests that each rule reports faults in small source trees that break it, and none in correct ones.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -26,7 +26,7 @@ protected:
         std::ofstream(root_ / path) << text;
     }
 
-    /// Faults of one file in engine/ or game/ with one include in its second line.
+    /// Faults that are reported for one file in engine/ or game/ with the given include in its second line.
     Faults arrow(const fs::path& from, const std::string& include) const {
         add(from, "// what it is for\n#include " + include + "\n");
         auto faults = upward_includes(root_);

@@ -1,5 +1,5 @@
-// Components that padding.sh tries to compile: Tight must compile, and with -DPADDED each of the others must be an error in
-// its line below.
+// Components that padding.sh tries to compile: Tight must compile, and with -DPADDED each of the others must
+// cause an error in its line.
 #include "ecs/component.h"
 
 namespace {
@@ -14,14 +14,14 @@ struct Tight {
     THAUM_COMPONENT(Tight, pair, count, place);
 };
 
-/// Seven bytes between the fields.
+/// Seven bytes of padding between the fields.
 struct PaddedInside {
     std::uint8_t kind{};
     double value{};
     THAUM_COMPONENT(PaddedInside, kind, value);
 };
 
-/// Three bytes after the last field.
+/// Three bytes of padding after the last field.
 struct PaddedAtTheEnd {
     std::uint32_t value{};
     std::uint8_t kind{};
@@ -34,7 +34,7 @@ struct HoldsPadded {
     THAUM_COMPONENT(HoldsPadded, both);
 };
 
-/// A field without an entry in the list.
+/// A field that is missing in the list of fields.
 struct UnlistedField {
     float listed{};
     float unlisted{};
@@ -56,7 +56,7 @@ struct LongDouble {
 
 }  // namespace
 
-// World::declare asks for the same description.
+// World::declare uses the same description.
 const auto tight = ecs::component_info<Tight>();
 #ifdef PADDED
 const auto padded_inside = ecs::component_info<PaddedInside>();

@@ -15,28 +15,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Floor of each part of the tree. A part may include itself and parts on lower floors.
+/// Floor (level) of each part of the tree. A part may include itself and parts on lower floors.
 const std::map<std::string, int, std::less<>> floors = {
     {"core", 0},    {"ecs", 1},     {"field", 1}, {"physics", 2}, {"fluid", 2}, {"haptics", 2},  {"audio", 2},
     {"tactile", 2}, {"gesture", 2}, {"input", 2}, {"render", 2},  {"game", 3},  {"examples", 3},
 };
 
-/// Floor of each room of the game, a folder with those in it. A room may include itself and rooms on lower floors.
+/// Floor of each room of the game; a room is a folder with its subfolders. A room may include itself and
+/// rooms on lower floors.
 const std::map<std::string, int, std::less<>> game_floors = {
     {"components", 0},                      // plain data of the World
     {"arena", 1},                           // shape of the arena
-    {"data", 2},                            // contents of data files, and words made of them
-    {"brew", 3},          {"context", 3},   // the cauldron's liquid; what all systems share
+    {"data", 2},                            // contents of data files, and texts made from them
+    {"brew", 3},          {"context", 3},   // fluid of the cauldron; data that all systems share
     {"stations", 4},      {"wands", 4},     // cauldron, crystal and orb; wands
     {"spells", 4},        {"potions", 4},   // spells; what potions do to their wizards
     {"casting", 5},                         // strokes that are drawn and read
     {"match", 6},                           // players, hands, order of the systems, logs, results
-    {"senses", 7},        {"bots", 7},      // sounds and touches of a match; opponents
-    {"jackets", 7},                         // jackets of each maker
-    {"picture", 8},       {"scenario", 8},  // what a frame shows, as plain data; Lua scenarios
+    {"senses", 7},        {"bots", 7},      // what is heard and felt of a match; opponents
+    {"jackets", 7},                         // drivers of tactile jackets
+    {"picture", 8},       {"scenario", 8},  // plain data for drawing; Lua scenarios
     {"settings", 8},                        // the settings file, and folders of profiles and gestures
     {"scene", 9},                           // meshes of the arena, wizards, brew, crystals and orb
-    {"hud", 10},                            // words, cards and menus over the scene
+    {"hud", 10},                            // texts, cards and menus over the scene
     {"range", 11},                          // the practice range: dummy, lessons, gesture wall
     {"menu", 12},                           // start screen, pause and pages of settings
     {"live", 13},                           // a match in real time: windows, devices, threads, sound
@@ -45,7 +46,7 @@ const std::map<std::string, int, std::less<>> game_floors = {
     {"app", 15},                            // the program and its commands
 };
 
-/// Allowed includes between parts on the same floor: from, to.
+/// Includes that are allowed between parts on the same floor: from, to.
 const std::set<std::pair<std::string, std::string>> level_includes = {{"input", "haptics"},
                                                                       {"input", "tactile"}};
 
@@ -105,7 +106,7 @@ std::vector<std::string> folders_of(const std::string& path) {
 
 // ---- includes ---------------------------------------------------------------------------------------------
 
-/// Place of a file in the tree: ("ecs", "ecs") or ("game", "game/components").
+/// Position of a file in the tree: for example ("ecs", "ecs") or ("game", "game/components").
 struct Place {
     std::string part;    ///< key of `floors`; empty for files outside engine/ and game/
     std::string folder;  ///< folder whose detail/ the file may include
@@ -134,7 +135,7 @@ std::string included_file(const fs::path& root, const fs::path& from, const std:
     return quoted ? "engine/" + name : "";
 }
 
-/// Name of the folder of a place in game/; empty for places elsewhere.
+/// Name of the folder in game/; empty for files elsewhere.
 std::string game_folder_of(const Place& place) {
     const std::string_view game = "game/";
     return place.folder.starts_with(game) ? place.folder.substr(game.size()) : "";
@@ -204,7 +205,7 @@ bool is_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '}' || c == '-';
 }
 
-/// Position of `path` in the text. A match that is the tail of a longer path does not count.
+/// Position of `path` in the text. A match that is only the end of a longer path does not count.
 std::size_t find_path(const std::string& text, const std::string& path) {
     auto at = text.find(path);
     while (at != std::string::npos && at > 0 && is_word(text[at - 1])) at = text.find(path, at + 1);
@@ -213,7 +214,7 @@ std::size_t find_path(const std::string& text, const std::string& path) {
 
 // ---- opened files ------------------------------------------------------------------------------------------
 
-/// Files that may open files themselves, and why.
+/// Files that may open other files directly, each with the reason.
 const std::map<std::string, std::string_view, std::less<>> may_open = {
     {"engine/core/file.cpp", "the reader of all others"},
     {"engine/core/file_writer.cpp", "the writer of all others"},
@@ -229,7 +230,7 @@ const std::map<std::string, std::string_view, std::less<>> may_open = {
     {"tools/suite/mutant_switch.h", "is no part of the program"},
 };
 
-/// Files that may read what the program owns: settings, profiles and own gestures.
+/// Files that may read what belongs to the program: settings, profiles and recorded gestures.
 const std::set<std::string, std::less<>> may_read_own = {
     "engine/core/file.cpp",           "engine/core/file.h",
     "game/settings/settings.cpp",     "game/settings/settings_edit.cpp",
@@ -237,11 +238,11 @@ const std::set<std::string, std::less<>> may_read_own = {
     "game/settings/own_pads.cpp",
 };
 
-/// Files that may read environment variables themselves.
+/// Files that may read environment variables directly.
 const std::set<std::string, std::less<>> may_read_environment = {"engine/core/environment.cpp",
                                                                  "tools/suite/mutant_switch.h"};
 
-/// Beginnings of code that opens a file.
+/// Strings with which code that opens a file begins.
 constexpr std::array<std::string_view, 16> openers = {
     "::open(",     "::openat(",    "::creat(",   "fopen(",     "freopen(", "fdopen(",
     "popen(",      "mkstemp(",     "ifstream",   "ofstream",   "fstream",  "luaL_loadfil",
@@ -310,10 +311,11 @@ Faults upward_includes(const fs::path& root) {
 }
 
 Faults machine_paths(const fs::path& root) {
-    // The strings are put together here, so that this file does not contain them itself.
+    // The strings are assembled here, so that this source file does not contain them.
     std::vector<std::string> forbidden = {std::string("/ho") + "me/", std::string("/ro") + "ot/"};
     const auto here = fs::canonical(root).generic_string();
-    // The name of a single folder may be any word.
+    // The path of this tree is only forbidden if it has several folders, because a single folder name may be
+    // any word.
     if (folders_of(here).size() > 2) forbidden.push_back(here);
     Faults faults;
     for (const auto& file : files_under(root)) {

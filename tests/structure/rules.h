@@ -12,7 +12,7 @@ using Faults = std::vector<std::string>;
 /// Every #include in engine/ and game/ must point to a lower floor (see `floors` in rules.cpp).
 Faults upward_includes(const std::filesystem::path& root);
 
-/// No file may name a folder of one machine, such as a home folder or the place of this tree.
+/// No file may contain a path of one machine, such as a home folder or the path of this tree.
 Faults machine_paths(const std::filesystem::path& root);
 
 /// Every tests/**/*.cpp must be named in a CMake file of tests/, so that it is built.

@@ -1,5 +1,5 @@
-// Tests of the help with aiming: how far it turns a shot, where it slows the view, when it does nothing, and what it
-// is worth to a player with the keypad.
+// Tests of the aim assist: how far it turns a shot, where it slows the view, when it does nothing, and how
+// many more hits it gives a player with keys alone.
 #include "game/context/aim_assist.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 
 namespace hand = input::hand;
 
-/// A match of a helped player, who looks along -z at a foe 12 m away, and that foe.
+/// A match between a player with aim assist, who looks along -z, and a foe 12 m away.
 class AimAssist : public testing::Test {
 protected:
     explicit AimAssist(int percent = 100, std::vector<std::string> overrides = {},
@@ -50,7 +50,7 @@ protected:
     void look(double yaw, double pitch) { match_->world_to_change().get<Gaze>(wizard(0)) = {yaw, pitch}; }
     vec3 centre(std::uint32_t player) const { return match_->physics().state(wizard(player).index).position; }
     vec3 eye() const { return eye_of(match_->data().wizard, centre(0)); }
-    /// Direction beside the foe's middle axis, on the horizon, by an angle to the left.
+    /// Direction that lies to the left of the foe's vertical axis by `angle`, on the horizon.
     static vec3 beside(double angle) { return look_rotation(angle, 0) * vec3(0, 0, -1); }
     vec3 helped(vec3 aim, double speed = 1e6) const {
         return helped_aim(match_->context(), wizard(0), eye(), aim, speed);
@@ -163,16 +163,17 @@ TEST_F(AimAssistClassic, ChangesNothing) {
     EXPECT_EQ(view_help(match_->context(), wizard(0)).turn_share, 1);
 }
 
-// ---- a player with the keypad -----------------------------------------------------------------------------
+// ---- a player with keys alone -----------------------------------------------------------------------------
 
-/// Codes for the keys of default_bindings, which a test may number as it likes.
+/// Invented key codes for the names in default_bindings.
 std::optional<int> numbered(std::string_view name) {
     const auto names = input::default_key_names();
     const auto found = std::find(names.begin(), names.end(), name);
     return found == names.end() ? std::nullopt : std::optional<int>(static_cast<int>(found - names.begin()));
 }
 
-/// A player of a bot's first level who turns by the arrow keys: sees late, errs by some degrees, fires in bursts.
+/// A simulated player as good as a bot of the first level, who turns by the arrow keys: reacts late, errs by
+/// some degrees, fires in bursts.
 class KeypadPlayer {
 public:
     KeypadPlayer() : hands_(input::default_bindings(input::DeviceKind::keyboard_half, numbered)) {
@@ -197,7 +198,8 @@ private:
 
     void hold(std::string_view key, bool held) { hands_.key(*numbered(key), held); }
 
-    /// Holds the arrow keys towards where the foe was and will be, as far as the player can tell.
+    /// Holds the arrow keys towards the expected position of the foe, from what the player could see some
+    /// time ago.
     void look(const Simulation& match, Tick now) {
         const auto& world = match.world();
         const auto self = wizard_of(world, practising), foe = wizard_of(world, dummys);

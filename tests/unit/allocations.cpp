@@ -1,5 +1,5 @@
-// Counts every `new` of the test program. It is a file of its own because the compiler warns of the `free` if it sees
-// both sides of a `new`.
+// Counts every `new` of the test program. It is a separate file because the compiler warns of the `free` if
+// it sees operator new and operator delete together.
 #include "unit/allocations.h"
 
 #include <atomic>

@@ -1,5 +1,5 @@
-// A scripted player does the whole Apprentice. The player acts by device samples alone, as a person does, and each
-// step must be open until its deed is done.
+// A scripted player completes all lessons of the Apprentice. The player acts only by device samples, as a
+// person does. Each lesson's step must stay open until the player has done what it asks.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -21,10 +21,10 @@ namespace hand = input::hand;
 
 const std::filesystem::path assets_folder = THAUM_SOURCE_DIR "/assets";
 
-/// What the player sees, and the sample that the player gives.
+/// What the player perceives, and the device sample with which the player answers.
 struct Player {
     Practice& practice;
-    Tick tick;  ///< ticks since the player began with the step
+    Tick tick;  ///< ticks since the player began the step
     DeviceSample sample{};
 
     const game::Simulation& match() const { return practice.match(); }
@@ -39,7 +39,7 @@ struct Player {
         ADD_FAILURE() << "no wand " << name;
         return 0;
     }
-    /// Turns the view towards a direction. Returns whether it is reached.
+    /// Turns the view towards a direction. Returns whether the view has reached it.
     bool look(game::Aim aim) {
         const auto me = self();
         const double left = game::angle_between(me.yaw, aim.yaw), up = aim.pitch - me.pitch;
@@ -60,7 +60,7 @@ struct Player {
         sample.press(Button::fire);
         sample.counts[hand::trigger] = 255;
     }
-    /// Presses the key of a wand until it is in hand. Returns whether it is.
+    /// Presses the key of a wand until the wand is in hand. Returns whether it is.
     bool take(std::string_view wand) {
         const auto slot = slot_of(wand);
         if (self().wand == slot) return true;
@@ -86,7 +86,7 @@ void ready_and_shoot(Player& p, std::string_view wand, double readiness) {
     if (me.readiness < readiness || !aims) p.hold_fire();
 }
 
-/// Takes the small crate up and keeps it before the dummy.
+/// Lifts the small crate and holds it in front of the dummy.
 void lift_and_block(Player& p) {
     if (!p.take("lift")) return;
     const auto me = p.self();
@@ -118,7 +118,7 @@ void brew(Player& p) {
     if (world.has<game::Pouch>(wizard) && p.tick % 200 < 100) p.hold_fire();
 }
 
-/// Draws a circle with Trace held, in a second.
+/// Draws a circle within a second, with Trace held.
 void draw_circle(Player& p) {
     constexpr Tick begin = 100, length = 1000;
     constexpr double radius = 350;  // counts
@@ -165,7 +165,7 @@ protected:
     void wait(Tick duration) {
         for (Tick t = 0; t < duration; ++t) tick({});
     }
-    /// Skips to a step, and lets it begin.
+    /// Skips to a step and starts it.
     void begin_step(std::string_view name) {
         while (step_name() != name) course().skip();
         wait(16);
@@ -191,7 +191,7 @@ protected:
                 return wand.rules->readiness(practice_.match().world(), wizard()).value_or(0);
         return 0;
     }
-    /// Plays until the step is done. Returns the ticks that it took; at most `limit`.
+    /// Plays until the step is done. Returns the number of ticks that it took, at most `limit`.
     Tick do_step(void (*way)(Player&), Tick limit) {
         Tick t = 0;
         for (; t < limit && !course().is_done(); ++t) {
@@ -399,7 +399,7 @@ TEST_F(ApprenticeCourse, TheAnchorIsInTheFirstPictureOfTheSwing) {
     }
     const auto me = Player{practice_, 0}.self();
     const auto to_anchor = game::aim_at(me.eye, {-4, 7, 9});
-    const double least_half_view = 20 * radians_per_degree;  // from top to bottom
+    const double least_half_view = 20 * radians_per_degree;  // half of the least vertical field of view
     EXPECT_LT(std::abs(to_anchor.pitch - me.pitch), least_half_view);
     EXPECT_LT(std::abs(game::angle_between(to_anchor.yaw, me.yaw)), 0.05);
     auto picture = game::make_picture();

@@ -1,4 +1,5 @@
-// Tests of the Apprentice: its file of lessons, and a scripted player who does the whole course with device samples.
+// Tests of the Apprentice: its file of lessons, and a scripted player who completes all lessons with device
+// samples.
 #include "game/range/apprentice.h"
 
 #include <gtest/gtest.h>
@@ -11,9 +12,9 @@
 namespace thaum::game::test {
 namespace {
 
-// The file ------------------------------------------------------------------------------------------------------
+// File of lessons -----------------------------------------------------------------------------------------------
 
-/// A sound file of one step, with other lines for the step's keys.
+/// A correct file with one step, in which the given lines replace the step's keys.
 std::string file_with(std::string_view text_line, std::string_view goal, std::string_view more = "") {
     return thaum::text(
         "version = 1\narena = \"boiling_court\"\nend = \"Done\"\n"

@@ -1,4 +1,5 @@
-// Arenas: what their files say, that they are fair, that bots find every way, and that another one needs no code.
+// Tests of arenas: the faults in their files, fairness to both sides, paths for bots, and that a new arena
+// needs no code.
 #include "game/arena/arena.h"
 
 #include "core/file.h"
@@ -46,7 +47,7 @@ turned_player = 1
 turned = true
 )";
 
-/// The first fault of an arena's file; empty: none.
+/// The first fault in an arena's file; empty: none.
 std::string fault_of(std::string_view source) {
     const auto file = Config::parse(source, "least.toml", 1);
     if (!file) return file.error().message;
@@ -55,7 +56,7 @@ std::string fault_of(std::string_view source) {
     return message_of(file->check());
 }
 
-/// The first fault of the least arena with more entries at its end.
+/// The first fault in the smallest valid arena after more entries were added at its end.
 std::string fault_with(std::string_view more) { return fault_of(text(least_arena, more)); }
 
 Arena arena_with(std::string_view more) {
@@ -171,7 +172,7 @@ double slope_at(const physics::TriangleMesh& mesh, vec2 at) {
     vec3 half(0), high(0);
     for (const auto& v : mesh.vertices) half = glm::max(half, glm::abs(v));
     for (const auto& v : mesh.vertices) {
-        if (v.y > 0) high += v / 2.0;  // the middle of the high edge
+        if (v.y > 0) high += v / 2.0;  // adds up to the middle of the upper edge
     }
     return half.y * (high.x * at.x / (half.x * half.x) + high.z * at.y / (half.z * half.z));
 }
@@ -267,9 +268,9 @@ TEST(TheWell, IsTheSameForBothPlayers) {
     }
 }
 
-// Ways ------------------------------------------------------------------------------------------------------
+// Paths for bots --------------------------------------------------------------------------------------------
 
-/// Checks that bots can walk from both starts to every power-up and niche and to the cauldron's rim.
+/// Checks that bots can walk from both starts to every power-up, to every niche and to the cauldron's rim.
 void expect_ways_everywhere(const std::shared_ptr<const MatchData>& data) {
     const Simulation match(data, {1, {bot_device(0, 1), bot_device(1, 1)}});
     const auto& arena = data->arena;
@@ -361,12 +362,12 @@ TEST(ArenaWays, ABotInTheWellSwingsOverTheGapOfItsGallery) {
 
 struct MatchReport {
     int kills{};
-    double longest_rest{};            ///< longest time in which a living bot moved less than 1 m (s)
+    double longest_rest{};            ///< longest time for which a living bot moved less than 1 m (s)
     std::array<double, 2> heights{};  ///< lowest and highest feet of a living bot (m, world)
     Ending ending{};
 };
 
-/// Plays one round to its end and watches where the bots are.
+/// Plays one round to its end and records where the bots are.
 MatchReport play_round(const std::filesystem::path& folder, std::shared_ptr<const MatchData> data, int level,
                        std::uint64_t seed) {
     auto duel = make_bot_duel(folder, std::move(data), {level, level}, seed).value();

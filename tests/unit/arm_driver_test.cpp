@@ -1,5 +1,5 @@
-// Opening arms by any driver: what the engine does for a driver that only reads and writes
-// (tests/drivers/fake_arm), and for drivers that hang, fail or lie.
+// Tests of opening arms with any driver: what the engine adds to a driver that only reads and writes
+// (tests/drivers/fake_arm), and what it does if drivers hang, fail or return wrong values.
 #include "input/arm_driver.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ bool eventually(F holds) {
 
 bool says(const std::string& line, std::string_view part) { return line.find(part) != std::string::npos; }
 
-/// Arm `number` of a driver. FAKE_ARMS is read when places are listed and when an arm is opened.
+/// Opens arm `number` of a driver. FAKE_ARMS is read when places are listed and when an arm is opened.
 Expected<std::unique_ptr<OpenArm>> open_of(std::string_view driver, std::size_t number = 0,
                                            const ArmPatience& patience = {}) {
     for (const auto& place : arm_places())
@@ -46,7 +46,7 @@ Expected<std::unique_ptr<OpenArm>> open_of(std::string_view driver, std::size_t 
     return fail("no such arm");
 }
 
-/// A file in which a fake arm shows its state.
+/// A file into which a fake arm writes its state.
 struct Live {
     const TemporaryFolder folder{};
     const std::filesystem::path file = folder.path() / "live";
@@ -63,7 +63,7 @@ struct Live {
 
 void plug_in(const std::string& scripts) { ::setenv("FAKE_ARMS", scripts.c_str(), 1); }
 
-/// A user who pushes along z.
+/// A user of an arm who applies a constant force along z.
 struct Pusher {
     std::atomic<double> newton{1};
     std::atomic<std::uint64_t> ticks{0};
@@ -77,14 +77,14 @@ struct Pusher {
     }
 };
 
-// ---- a driver of the test, whose calls go wrong on demand -------------------------------------------------
+// ---- a test driver whose calls fail on demand -------------------------------------------------------------
 
 std::atomic<bool> open_hangs{false}, close_hangs{false}, start_fails{false}, read_hangs{false},
     write_hangs{false};
 std::atomic<double> told_peak{1};
 std::atomic<int> opened{0}, closed{0}, given_up{0};
 std::atomic<double> last_force{0};
-std::atomic<double> greatest_change{0};  ///< largest rise of the force in a tick (N)
+std::atomic<double> greatest_change{0};  ///< largest increase of the force from one tick to the next (N)
 
 void wait_while(const std::atomic<bool>& hangs) {
     while (hangs) std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -134,7 +134,7 @@ std::vector<std::string> find_one() { return {"one"}; }
 std::unique_ptr<ArmDriver> make_fickle(const std::string&) { return std::make_unique<Fickle>(false); }
 std::unique_ptr<ArmDriver> make_hanging(const std::string&) { return std::make_unique<Fickle>(true); }
 
-// Registered against the alphabet: the list is sorted all the same.
+// Registered out of alphabetical order; the list must be sorted all the same.
 const ArmDriverRegistration last_driver(
     {.name = "zz", .about = "", .find = find_one, .make = make_hanging, .at_hang = AtHang::write_zero});
 const ArmDriverRegistration first_driver(
@@ -144,7 +144,7 @@ const ArmDriverRegistration deaf_driver(
 const ArmDriverRegistration lost_driver(
     {.name = "lets go", .about = "", .find = find_one, .make = make_fickle, .at_hang = AtHang::give_up});
 
-// ---- the list ---------------------------------------------------------------------------------------------
+// ---- the list of drivers ----------------------------------------------------------------------------------
 
 TEST(ArmDrivers, AreSortedByNameWhateverTheLinkerDid) {
     std::vector<std::string_view> names;
@@ -274,7 +274,7 @@ TEST(ArmDrivers, AnAbsentArmIsSaidToBe) {
     EXPECT_TRUE(says(message_of(open_of("fake")), "plug it in again"));
 }
 
-// ---- drivers that hang, fail or lie -----------------------------------------------------------------------
+// ---- drivers that hang, fail or return wrong values -------------------------------------------------------
 
 TEST(ArmDrivers, FactsAreChecked) {
     told_peak = 1;
@@ -308,7 +308,8 @@ TEST(ArmDrivers, AStartThatFailsIsALine) {
     EXPECT_EQ(pusher.ticks, 0U);
 }
 
-/// An open that hangs is given up, the driver is refused until it returns, and then the arm is closed.
+/// A call of `open` that hangs is given up. The driver is refused until the call returns, and the arm is then
+/// closed.
 TEST(ArmDrivers, AnOpenThatHangsIsGivenUp) {
     open_hangs = true;
     const int before = closed;
@@ -334,8 +335,8 @@ TEST(ArmDrivers, ACloseThatHangsIsGivenUpWithoutForce) {
     EXPECT_TRUE(eventually([&] { return !arms_hang(); }));
 }
 
-/// A read that never returns: the arm is lost after 0.5 s, and closing it waits no longer than it must. The
-/// process cannot use the driver again, so it is another one.
+/// A read never returns. The arm is lost after 0.5 s, and closing it waits no longer than necessary. The test
+/// runs in a process of its own, because the process can never use the driver again.
 TEST(ArmDrivers, AReadThatHangsIsALostArm) {
     ::testing::FLAGS_gtest_death_test_style = "fast";
     plug_in("hang=50");
@@ -355,7 +356,7 @@ TEST(ArmDrivers, AReadThatHangsIsALostArm) {
 
 // ---- the watchdog -----------------------------------------------------------------------------------------
 
-/// An arm that is pushed with 1 N.
+/// An open arm on which a force of 1 N acts.
 struct Pushed {
     Pusher pusher{};
     std::unique_ptr<OpenArm> arm{};
@@ -367,8 +368,8 @@ struct Pushed {
     }
 };
 
-/// Nobody closes the arm: the watchdog alone ends the force of a read or a write that hangs. Ticks that come after all
-/// push again, not at once.
+/// Nothing closes the arm: the watchdog alone ends the force while a read or a write hangs. If ticks come
+/// again after all, the force returns, but gradually.
 TEST(ArmDrivers, ACallThatHangsLeavesNoForce) {
     for (auto* hangs : {&read_hangs, &write_hangs}) {
         const Pushed pushed("aa");
@@ -382,7 +383,7 @@ TEST(ArmDrivers, ACallThatHangsLeavesNoForce) {
     }
 }
 
-/// A force that arrives late, from a write which then hangs again, does not stay either.
+/// A force that a delayed write sets, before the driver hangs again, must be ended too.
 TEST(ArmDrivers, AForceThatComesLateIsEndedAgain) {
     const Pushed pushed("aa");
     write_hangs = true;
@@ -403,7 +404,8 @@ TEST(ArmDrivers, AnArmIsGivenUpWhereThatIsAllItsLibraryAllows) {
     read_hangs = false;
 }
 
-/// A library that takes no second thread gets none: the arm's force stays, as its driver says.
+/// With a library that does not allow calls from a second thread, none are made: the arm's force stays, as
+/// its driver says.
 TEST(ArmDrivers, ALibraryThatTakesNoSecondThreadGetsNone) {
     const Pushed pushed("keeps");
     const int before = given_up;
@@ -414,7 +416,7 @@ TEST(ArmDrivers, ALibraryThatTakesNoSecondThreadGetsNone) {
     read_hangs = false;
 }
 
-/// An arm without force is not touched: its library may well be silent for a while.
+/// An arm without force is not given up: its library may be silent for a while.
 TEST(ArmDrivers, AnArmThatRestsIsNotGivenUp) {
     Pushed pushed("lets go");
     pushed.pusher.newton = 0;
@@ -428,9 +430,9 @@ TEST(ArmDrivers, AnArmThatRestsIsNotGivenUp) {
     EXPECT_EQ(given_up, before);
 }
 
-// ---- ends -------------------------------------------------------------------------------------------------
+// ---- ends of the program ----------------------------------------------------------------------------------
 
-/// Two arms are pushed while the program ends.
+/// Two open arms that exert forces while the program ends.
 struct TwoPushed {
     Pusher left{}, right{};
     std::unique_ptr<OpenArm> first{}, second{};
@@ -443,7 +445,7 @@ struct TwoPushed {
     }
 };
 
-/// Runs a program that pushes with two arms and is ended by a signal. Neither arm may keep its force.
+/// Runs a program that exerts forces with two arms and is ended by a signal. Neither arm may keep its force.
 void expect_end(const std::function<void(const Live&, const Live&)>& program, int signal) {
     ::testing::FLAGS_gtest_death_test_style = "fast";
     const Live one, two;
@@ -474,7 +476,7 @@ TEST(ArmEnds, EveryArmIsWithoutForceAfterAFaultOfTheMainThread) {
     expect_end([](auto& one, auto& two) { push_and_get(SIGSEGV, one, two); }, SIGSEGV);
 }
 
-/// The servo thread of one arm fails. The other arm's thread still has to end its force.
+/// The servo thread of one arm crashes. The other arm's thread must still end the force of its arm.
 TEST(ArmEnds, EveryArmIsWithoutForceAfterAFaultOfOneArmsThread) {
     const auto fail_in_a_tick = [](const Live&, const Live&) {
         static Pusher pusher;

@@ -1,6 +1,6 @@
-// Tests a program with an arm whose library misbehaves in every way of tests/drivers/fake_hd/modes.h, and
-// one that ends in every way. It must print one line or play on, must neither hang nor die, and the last
-// force must be zero. Each case runs in a process of its own.
+// Tests a program with an arm whose library misbehaves in every way of tests/drivers/fake_hd/modes.h, and a
+// program that is ended in every possible way. It must print one line or go on, must neither hang nor crash,
+// and the last force must be zero. Each case runs in a process of its own.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -34,7 +34,7 @@ constexpr std::int64_t hangs_after_ns =
 /// A process that runs arm_probe.
 struct Probe {
     std::string words{}, end{};
-    bool opens = true;  ///< false: opening the arm must fail, so a call that hangs gets little time
+    bool opens = true;  ///< false: opening the arm must fail; a call that hangs then gets little time
     pid_t pid = -1;
     std::optional<int> status{};  ///< status of waitpid; std::nullopt: the process hangs
     std::string line{};           ///< line that the process printed
@@ -96,7 +96,7 @@ void run_all(std::vector<Probe>& probes) {
 
 void expect_no_force(const Probe& p) {
     for (const double newton : p.arm.force) EXPECT_EQ(newton, 0) << "the arm goes on pushing";
-    // If a call never returns, or keeps failing, no last force can be sent to the arm.
+    // If a call never returns, or fails every time, no last force can be sent to the arm.
     const auto is_told = [&](const char* word) { return p.words.find(word) != std::string::npos; };
     if (is_told("blocks") || (is_told("from=") && !is_told("until="))) return;
     for (const double newton : p.arm.left) EXPECT_EQ(newton, 0) << "the arm was let go of with a force";
@@ -152,9 +152,9 @@ TEST(ArmModes, SaysHowLongItHasWaited) {
     EXPECT_NE(probes[0].line.find("has not returned for 0."), std::string::npos) << probes[0].line;
 }
 
-// ---- ends -------------------------------------------------------------------------------------------------
+// ---- ends of the program ----------------------------------------------------------------------------------
 
-/// How a program that holds 1 N ends. Signal 0: it exits.
+/// A way in which a program that exerts 1 N ends. Signal 0: it calls exit.
 struct WayToEnd {
     std::string end;
     int signal;
@@ -205,7 +205,7 @@ TEST(ArmEnds, HoweverItEndsTheLastForceIsZero) {
     expect_ends(ways);
 }
 
-/// All signals that end a program without a handler, except SIGKILL.
+/// Every signal that ends a program without a handler, except SIGKILL.
 TEST(ArmEnds, NoSignalEndsItWithAForce) {
     std::vector<WayToEnd> ways;
     for (const int signal :
@@ -216,7 +216,7 @@ TEST(ArmEnds, NoSignalEndsItWithAForce) {
     expect_ends(ways);
 }
 
-/// A program that waits to be killed.
+/// A program that waits until it is killed.
 struct Waiting {
     TemporaryFolder folder{};
     Probe p{};
@@ -262,7 +262,7 @@ TEST(ArmEnds, ASignalThatEndsItLeavesNoForce) {
     program.expect_ends_without_force();
 }
 
-/// A call of the library hangs, or its thread stops calling, and nobody closes the arm.
+/// A call of the library hangs, or the library's thread stops calling, and nothing closes the arm.
 TEST(ArmHangs, TheWatchdogEndsTheForce) {
     for (const char* words : {"felt,hdBeginFrame=blocks,from=400", "felt,hdGetDoublev=blocks,from=800",
                               "hdEndFrame=blocks,from=400", "hdGetError=blocks,from=800", "felt,stop=200"}) {

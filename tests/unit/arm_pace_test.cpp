@@ -1,4 +1,4 @@
-// Tests how a match follows the clock of a real arm. Time is computed; no clock of the machine is read.
+// Tests how a match follows the clock of a real arm. Time is simulated; the machine's clock is not read.
 #include "game/live/arm_pace.h"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,9 @@ constexpr std::int64_t ns_per_tick = 1'000'000;
 struct Rig {
     double arm_ticks_per_s = 1000;
     bool follows = true;
-    std::int64_t stall_at = -1, stall_ns = 0;  ///< time for which the match gets no processor (ns)
-    double jitter = 0;                         ///< largest delay of a sample, as a share of a tick
+    /// Start and length of a time in which the match gets no processor (ns).
+    std::int64_t stall_at = -1, stall_ns = 0;
+    double jitter = 0;  ///< largest delay of a sample, as a share of a tick
 
     std::size_t most_waiting = 0;  ///< largest number of waiting samples in the last second
     int without_sample = 0;        ///< ticks of the last second without a sample
@@ -60,7 +61,8 @@ TEST(ArmPace, AFasterArmsSamplesDoNotPileUp) {
     for (const double rate : {1001.0, 1008.0, 1030.0}) {
         Rig rig{.arm_ticks_per_s = rate};
         rig.run(20);
-        EXPECT_LE(rig.most_waiting, 12U) << rate;  // a model counts as fresh up to an age of 20 ticks
+        // The bound of 12 keeps models fresh: they count as fresh up to an age of 20 ticks.
+        EXPECT_LE(rig.most_waiting, 12U) << rate;
         EXPECT_EQ(rig.without_sample, 0) << rate;
     }
     Rig alone{.arm_ticks_per_s = 1008, .follows = false};

@@ -23,7 +23,7 @@ haptics::DeviceSpec touch() {
             .max_damping = 4};
 }
 
-/// An arm at rest, or moved along x.
+/// A hand that rests, or is moved along x.
 struct Hand {
     ArmPlayback playback{haptics::servo_of(touch(), 0.5)};
     std::int64_t now_ns = 1'000'000;
@@ -52,7 +52,7 @@ TEST(ArmPlayback, EachForceActsForATick) {
     for (int t = 0; t < 1000; ++t) {
         const vec3 force(0.3 * std::sin(t * 0.02), 0.1, t % 100 == 50 ? 1.2 : 0);
         const vec3 told = hand.play(force);
-        if (t < 20) continue;  // the safety gate limits the growth of the first forces
+        if (t < 20) continue;  // at first the safety stage limits the growth of the force
         ASSERT_EQ(told, force) << t;
         strongest = std::max(strongest, glm::length(force));
     }
@@ -102,11 +102,11 @@ TEST(ArmPlayback, GivesNoForceAfterAStop) {
 
 TEST(ArmPlayback, EnergyGivenToTheHandIsLimited) {
     Hand hand;
-    hand.step_um = 1000;  // 1 m/s in the direction of the force
+    hand.step_um = 1000;  // the hand moves at 1 m/s in the direction of the force
     double work = 0;
     for (int t = 0; t < 3000; ++t) work += hand.play({1, 0, 0}).x * 1e-3;
     EXPECT_LT(work,
-              // The table's forces would give 3 J. One budget per second is allowed.
+              // Without the limit, 1 N over 3 m would give 3 J. One energy budget per second is allowed.
               3 * haptics::active_budget);
     EXPECT_GT(work, haptics::active_budget);
     hand.step_um = -1000;
@@ -139,7 +139,8 @@ TEST(ArmPlayback, ForcesStayWithinTheLimitsWhateverIsRecorded) {
     Random random = random_stream(11, 1);
     const auto any = [&] { return wild[static_cast<std::size_t>(random.uniform() * std::size(wild))]; };
     for (int t = 0; t < 100'000; ++t) {
-        const auto phase = t % 4000;  // wild hand and forces, then wild forces, then tame ones
+        // cycle: hand and forces random, then only forces random, then both moderate.
+        const auto phase = t % 4000;
         hand.step_um = phase < 1000 ? static_cast<std::int32_t>(20'000 * random.uniform()) : 0;
         const vec3 wanted = phase < 3000 ? vec3(any(), any(), any()) : vec3(2, 0, 0);
         const vec3 told = hand.play(wanted, random.uniform() < 0.01);

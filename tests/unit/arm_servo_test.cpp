@@ -25,7 +25,7 @@ struct Arm {
     ArmServo& servo;
     std::int32_t ticks = 0;
     std::int64_t now_ns = 5 * ms;
-    std::vector<vec3> forces{vec3(0)};  // by position (um)
+    std::vector<vec3> forces{vec3(0)};  // forces; the index is the position in um
 
     void step() {
         now_ns += ms;
@@ -37,13 +37,13 @@ struct Arm {
     }
 };
 
-/// A simulation that makes a new model in each tick.
+/// A simulation that makes a new haptic model in each tick.
 struct Mirror {
     ArmServo& servo;
     ArmState arm{};
     std::vector<RememberedModel> kept = std::vector<RememberedModel>(remembered_models);
     Random random = random_stream(7, 1);
-    std::map<std::int32_t, vec3> forces{};  // by position (um)
+    std::map<std::int32_t, vec3> forces{};  // forces by position in um
     std::uint32_t pulses = 0;
     bool panic = false, rearm = false;
     double push = 1;
@@ -300,7 +300,7 @@ TEST_F(ArmServoTest, PanicAndItsEndReachTheArm) {
     mirror.panic = false;
     both(1);
     EXPECT_EQ(arm.forces.back(), vec3(0));
-    // A latch stays in the next epoch.
+    // After a panic stop, the force stays zero in the next epoch, too, until the player rearms.
     mirror.tick(true);
     const auto then = arm.forces.size();
     both(200);
@@ -319,7 +319,7 @@ TEST_F(ArmServoTest, TwoThreadsAgree) {
             arm.step();
             if (servo.waiting() > 20 || arm.ticks % 50 == 0) std::this_thread::yield();
         }
-        // Without it the other thread could wait for ever, if it got no processor until all ticks were over.
+        // Without this the other thread could wait for ever if it got no processor until all ticks were over.
         stop = true;
     });
     for (int i = 0; i < 20'000; ++i) {

@@ -34,7 +34,7 @@ TEST(Arm, HalfATurnIsEitherWayRound) {
     EXPECT_NEAR(std::abs(v.y), pi, 1e-9);
 }
 
-// ---- times ------------------------------------------------------------------------------------------------
+// ---- tick times -------------------------------------------------------------------------------------------
 
 constexpr std::int64_t us = 1000, ms = 1'000'000;
 
@@ -83,7 +83,7 @@ TEST(TickTimes, CountUnevenTicks) {
     EXPECT_EQ(report.ticks, 1000U);
     EXPECT_EQ(report.missed, 3U);
     EXPECT_EQ(report.jitter_median, 0);
-    EXPECT_EQ(report.jitter_p99, 90);  // ten of 999 gaps, and the one that is worse
+    EXPECT_EQ(report.jitter_p99, 90);  // this is the value of ten of the 999 gaps, and one gap is larger
     EXPECT_EQ(report.jitter_worst, 3000);
     EXPECT_EQ(report.answer_median, 20);
     EXPECT_EQ(report.answer_p99, 20);

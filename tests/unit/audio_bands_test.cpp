@@ -1,4 +1,5 @@
-// The course of a sound in bands of frequencies: known tones, a known envelope, loops without a seam.
+// Tests of the levels of a sound in frequency bands over time: known tones, a known envelope, loops without a
+// seam.
 #include "audio/bands.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +49,7 @@ TEST(BandCourse, TonesAboveAllBandsDoNotComeBackAsLowOnes) {
 }
 
 TEST(BandCourse, FollowsTheEnvelopeOfATone) {
-    // A tone that swells for half a second and falls for half a second.
+    // A tone that grows for half a second and decays for half a second.
     for (const auto& [hz, band, late] : {std::tuple(40.0, 0U, 0.03), {141, 1, 0.01}, {500, 2, 0.004}}) {
         auto samples = sine(hz, 1, 1);
         const auto shape = [](double s) { return s < 0.5 ? 2 * s : std::max(0.0, 2 - 2 * s); };
@@ -67,7 +68,7 @@ TEST(BandCourse, FollowsTheEnvelopeOfATone) {
 }
 
 TEST(BandCourse, ALoopHasNoSeam) {
-    // 40 whole periods in a length that is no multiple of a block.
+    // 40 whole periods in a length that is not a multiple of a block.
     const double seconds = 40.0 / 41;
     const auto course = band_course(sound_of(sine(41, seconds, 0.5), true), bands);
     for (const auto& levels : course.levels) EXPECT_NEAR(levels[0], 0.5, 0.04);

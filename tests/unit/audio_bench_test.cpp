@@ -1,4 +1,5 @@
-// The benchmark of the mixer, short: its rows keep their invariants. The time of a block is not tested here.
+// Runs the benchmark of the mixer in its short form: its rows must meet their invariants. The time of a block
+// is not tested here.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Fakes of a sound device, by a clock that the test moves.
+// Fake sound devices, driven by a clock that the test sets.
 #pragma once
 #include <deque>
 #include <vector>
@@ -8,18 +8,18 @@
 
 namespace thaum::audio::rig {
 
-/// Facts and decisions about a fake device, for the test. It outlives the device.
+/// State and settings of a fake device, shared with the test. Must outlive the device.
 struct FakeCard {
-    double now_s{};        ///< the card's clock
-    double speed{1};       ///< of the card's clock, to the test's
-    std::size_t queue{2};  ///< blocks that it takes ahead
-    std::size_t lie{};     ///< if not 0, what it says that it wants
-    bool present{true};    ///< false: it cannot be opened
-    bool connected{true};  ///< false: it is gone
-    bool deaf{};           ///< true: it wants nothing
+    double now_s{};        ///< time of the card's clock (s)
+    double speed{1};       ///< speed of the card's clock relative to the test's
+    std::size_t queue{2};  ///< number of blocks that the card queues
+    std::size_t lie{};     ///< if not 0, the number of blocks that the card claims to want
+    bool present{true};    ///< false: the card cannot be opened
+    bool connected{true};  ///< false: the card has been unplugged
+    bool deaf{};           ///< true: the card never wants a block
     int opened{}, closed{};
     std::size_t gaps{};
-    std::vector<float> played;        ///< everything that has sounded
+    std::vector<float> played;        ///< all samples that have been heard
     std::vector<double> played_at_s;  ///< the time at which each block began to sound
     std::deque<std::vector<float>> waiting;
     bool playing{};

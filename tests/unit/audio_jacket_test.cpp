@@ -24,7 +24,7 @@ using audio::frame_samples;
 using audio::sample_rate;
 using input::rig::jacket_frame;
 
-/// Samples of one channel of interleaved ones.
+/// Samples of one channel, taken from interleaved samples.
 std::vector<double> channel_of(const std::vector<float>& heard, std::size_t channels, std::size_t channel) {
     std::vector<double> samples;
     for (std::size_t i = channel; i < heard.size(); i += channels)
@@ -32,7 +32,7 @@ std::vector<double> channel_of(const std::vector<float>& heard, std::size_t chan
     return samples;
 }
 
-/// Amplitude of the part of a signal with one frequency.
+/// Amplitude of the component of a signal at one frequency.
 double amplitude_at(const std::vector<double>& samples, double hz) {
     std::complex<double> sum{};
     for (std::size_t i = 0; i < samples.size(); ++i)
@@ -50,7 +50,7 @@ double peak_of(const std::vector<double>& samples) {
 TEST(ChannelTones, ABlockHoldsTheTonesAlone) {
     audio::ChannelTones tones(2);
     tones.set(1, {.amplitude = 0.5, .hz = 250});
-    tones.set(1, {.amplitude = 0.5, .hz = 0});  // no frequency: that of before stays
+    tones.set(1, {.amplitude = 0.5, .hz = 0});  // without a frequency the previous one is kept
     std::vector<float> block(2 * frame_samples), heard;
     for (int i = 0; i < 20; ++i) {
         std::fill(block.begin(), block.end(), 9.0F);
@@ -61,7 +61,7 @@ TEST(ChannelTones, ABlockHoldsTheTonesAlone) {
     EXPECT_NEAR(amplitude_at(channel_of(heard, 2, 1), 250), 0.5, 0.01);
 }
 
-/// A sound card with some channels, whose time passes when the test says so.
+/// A sound card with some channels, whose time advances when the test says so.
 class CardDevice final : public audio::SoundDevice {
 public:
     explicit CardDevice(std::size_t channels) : channels_(channels), card_(sample_rate, channels) {}
@@ -85,7 +85,7 @@ public:
         if (stream_) stream_->destroy();
         stream_.reset();
     }
-    /// Eight milliseconds.
+    /// Plays for eight milliseconds.
     void play(std::vector<float>& heard) { card_.render(heard, frame_samples); }
 
 private:
@@ -108,7 +108,7 @@ TEST(AudioJacket, EachOfEightActuatorsHasItsChannelAndFrequencyOnTheCard) {
             jacket->is_connected();
             card.play(heard);
         }
-        // The first 32 ms are on their way.
+        // The first 32 ms are still in the queue.
         heard.erase(heard.begin(), heard.begin() + 8 * 4 * static_cast<std::ptrdiff_t>(frame_samples));
         for (std::size_t channel = 0; channel < 8; ++channel) {
             const auto samples = channel_of(heard, 8, channel);
@@ -137,14 +137,14 @@ TEST(AudioJacket, AfterItsTimeToLiveTheCardIsSilent) {
     const auto right = channel_of(heard, 2, 1);
     const auto last = std::find_if(right.rbegin(), right.rend(), [](double s) { return s != 0; });
     const auto sounding = static_cast<std::size_t>(right.rend() - last);
-    // 80 ms, the block in which it ends, and the two that wait in the queue.
+    // 80 ms, plus the block in which the wave ends, plus the two blocks that wait in the queue.
     EXPECT_GE(sounding, 10 * frame_samples);
     EXPECT_LE(sounding, 13 * frame_samples);
     EXPECT_NEAR(peak_of(right), 1, 0.01);
     EXPECT_EQ(peak_of(channel_of(heard, 2, 0)), 0);
 }
 
-/// A device that keeps its blocks.
+/// A device that stores the blocks that it gets.
 struct Kept {
     std::vector<float> samples{};
     std::size_t wanted{1};
@@ -180,7 +180,8 @@ TEST(AudioJacket, NothingClicksWhenFramesJumpStopAndChangeTheirFrequency) {
         jacket->write(frame, 0);
     }
     jacket.reset();  // closing ends the wave, too
-    // A wave of 200 Hz and full size moves by 2 pi 200 / 48000 between two samples, a rise of 8 ms adds 1 / 384.
+    // A wave of 200 Hz and full amplitude changes by at most 2 pi 200 / 48000 between two samples, and a rise
+    // over 8 ms adds 1 / 384.
     const double steepest = 2 * std::numbers::pi * 200 / sample_rate + 1.0 / frame_samples;
     for (const std::size_t channel : {0U, 1U}) {
         const auto samples = channel_of(kept.samples, 2, channel);
@@ -226,7 +227,7 @@ TEST(AudioJacket, ADeviceThatIsGoneOrTakesNothingIsToldAndClosed) {
     EXPECT_FALSE(jacket->is_connected());
     EXPECT_EQ(jacket->fault(), "the sound device is gone");
     jacket->close();
-    jacket->write(jacket_frame(2, {{0, 1.0F}}), 1);  // a closed jacket takes all calls
+    jacket->write(jacket_frame(2, {{0, 1.0F}}), 1);  // a closed jacket ignores calls
     jacket->silence();
     kept = {.wanted = 0};
     ASSERT_TRUE(jacket->open());

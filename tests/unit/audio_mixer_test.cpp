@@ -1,4 +1,4 @@
-// The mixer: place, distance, damping, faders, two listeners, and no clicks.
+// Tests of the mixer: place, distance, damping, faders, two listeners, and no clicks.
 #include "audio/mixer.h"
 
 #include <gtest/gtest.h>
@@ -34,9 +34,9 @@ TEST_F(MixerTest, ASoundAtOneSideIsLouderThere) {
 TEST_F(MixerTest, TheSideFollowsWhereTheListenerLooks) {
     auto frame = frame_with({voice(hum, {10, 5, -7})});
     frame.listeners[0] = {.position = {10, 5, -10}, .forward = {1, 0, 0}};
-    recorder.play(frame, second);  // the sound is south of one who looks east
+    recorder.play(frame, second);  // the listener looks east, so the sound is to the south
     EXPECT_GT(recorder.levels(100).right, 10 * recorder.levels(100).left);
-    frame.listeners[0].up = {0, -1, 0};  // on the head, right is left
+    frame.listeners[0].up = {0, -1, 0};  // the listener is upside down, so right and left are exchanged
     recorder.play(frame, second);
     EXPECT_GT(recorder.levels(100).left, 10 * recorder.levels(100).right);
 }
@@ -83,7 +83,7 @@ TEST(Mixer, WallsTakeHighTonesAway) {
     EXPECT_LT(half.second, 0.5 * open.second);
     EXPECT_LT(walled.second, 0.1 * open.second);
     EXPECT_LT(walled.second, half.second);
-    // Low tones get through better than high ones.
+    // Walls let low tones through better than high ones.
     EXPECT_GT(walled.first / open.first, 4 * walled.second / open.second);
 }
 
@@ -118,7 +118,7 @@ TEST_F(MixerTest, HrtfTurnsOnAndOffWithoutAClickAndOnlyForOneListener) {
     EXPECT_LT(recorder.largest_step(), smooth_step(0.75));
 }
 
-// ---- begin, last, end -------------------------------------------------------------------------------------------
+// ---- beginning, lasting and ending voices -----------------------------------------------------------------------
 
 TEST_F(MixerTest, ASoundThatBeginsPlaysOnceToItsEnd) {
     recorder.play(frame_with({}, {voice(bell, {2, 0, 0})}));
@@ -136,7 +136,8 @@ TEST_F(MixerTest, ASoundThatBeginsPlaysOnceToItsEnd) {
 
 TEST_F(MixerTest, ALastingVoiceEndsWithinTheFrameThatLacksIt) {
     recorder.play(frame_with({voice(loud, {1, 0, 0})}), 20);
-    recorder.play({}, 3);  // the limiter's delay reaches into the second
+    // More than one block, because the limiter's delay shifts samples into the second one.
+    recorder.play({}, 3);
     EXPECT_EQ(mixing.report().voices, 0U);
     recorder.clear();
     recorder.play({}, 5);
@@ -200,7 +201,7 @@ TEST_F(MixerTest, TheQuietestVoicesAreLeftOutAndCounted) {
     EXPECT_EQ(mixing.report().voices, 64U);
     EXPECT_EQ(mixing.report().left_out, 136U);
     recorder.play({}, 10);
-    // Only the louder ones play: 64 of 0.002.
+    // Only the 64 loudest voices play, each with 0.002.
     EXPECT_NEAR(recorder.levels(5).right, 64 * 0.002 * 0.5, 0.002);
 }
 
@@ -227,7 +228,7 @@ TEST_F(MixerTest, ALouderVoiceTakesASourceAndTheOtherFades) {
     recorder.play(frame, 10);
     EXPECT_EQ(mixing.report().stolen, 10U);
     EXPECT_EQ(mixing.report().begun, 74U);
-    // A voice that the frame lacks was not stolen.
+    // A voice that is missing from the frame was not stolen.
     frame.lasts.count = 20;
     recorder.play(frame, 5);
     EXPECT_EQ(mixing.report().stolen, 10U);
@@ -331,7 +332,7 @@ TEST_F(MixerTest, OneQuietVoiceIsNotTouchedByTheLimiter) {
     recorder.play({}, 40);
     EXPECT_EQ(mixing.report().limited_blocks, 0U);
     const auto original = bank().sounds[bell].samples;
-    constexpr std::size_t late = 95;  // the limiter's delay
+    constexpr std::size_t late = 95;  // delay of the limiter (samples)
     double error = 0;
     for (std::size_t i = 0; i < original.size(); ++i)
         error = std::max(error,
@@ -351,13 +352,13 @@ TEST_F(MixerTest, ManyFullVoicesNeverClip) {
     EXPECT_LE(recorder.largest(), 1);
     EXPECT_GT(recorder.largest(), 0.5);
     EXPECT_GT(mixing.report().limited_blocks, 150U);
-    // A voice that follows the noise is as loud as ever again after 0.3 s.
+    // A voice that follows the noise has its full loudness again after 0.3 s.
     recorder.play({}, 40);
     recorder.play(frame_with({voice(hum, {1, 0, 0})}), 20);
     EXPECT_NEAR(recorder.levels(10).right, 0.5, 2e-3);
 }
 
-// ---- bad input --------------------------------------------------------------------------------------------------
+// ---- invalid input ----------------------------------------------------------------------------------------------
 
 TEST(Mixer, BadValuesAreClippedAndCounted) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -413,9 +414,9 @@ TEST(Mixer, SoundsThatAreNotNumbersAreSilent) {
     EXPECT_EQ(empty.largest(), 0);
 }
 
-// ---- the same again ---------------------------------------------------------------------------------------------
+// ---- repeatability ----------------------------------------------------------------------------------------------
 
-/// A lively second: voices come, move and go, two listeners turn.
+/// A busy second: voices begin, move and end, and two listeners turn.
 std::vector<float> lively_second(const MixSettings& settings) {
     auto mixing = mixer(settings);
     Recorder recorder(mixing);
@@ -440,7 +441,7 @@ TEST(Mixer, EqualFramesGiveEqualSamples) {
     for (const auto& settings : {MixSettings{}, MixSettings{.headphones = true, .ears = Ears::left_right}}) {
         const auto first = lively_second(settings);
         EXPECT_EQ(first, lively_second(settings));
-        // A mixer beside it changes nothing.
+        // Another mixer in the same process must not change anything.
         auto other = mixer();
         Recorder recorder(other);
         recorder.play(frame_with({voice(hiss, {1, 0, 0})}), 30);

@@ -1,4 +1,4 @@
-// Feeding of a device: frames that come early, late or not at all, and devices that fail.
+// Tests of feeding a sound device: frames that come early, late or not at all, and devices that fail.
 #include "audio/playback.h"
 
 #include <gtest/gtest.h>
@@ -10,13 +10,13 @@ namespace {
 
 using namespace rig;
 
-/// A playback, its card, and the test's clock. Steps come when the playback asks for them.
+/// A playback, its card, and the test's clock. Steps run when the playback asks for them.
 struct Room {
     FakeCard card;
     Playback playback{mixer(), std::make_unique<FakeDevice>(card)};
     double now_s{};
     double next_step_s{};
-    bool heard_all = true;  ///< false once a frame found the queue full
+    bool heard_all = true;  ///< false after a frame found the queue full
 
     void run_until(double until_s) {
         while (next_step_s <= until_s) {
@@ -34,7 +34,7 @@ struct Room {
             run_until(now_s + 0.008);
         }
     }
-    /// Time at which the first sample that can be heard sounded (s), or -1.
+    /// Time at which the first audible sample was heard (s), or -1.
     double first_sound_s(std::size_t from_value = 0) const {
         for (std::size_t i = from_value; i < card.played.size(); ++i) {
             if (std::abs(card.played[i]) <= 1e-5F) continue;
@@ -53,7 +53,8 @@ TEST(Playback, AnEventIsHeardWithin30MsWhateverTheClocksDo) {
         room.run_until(room.now_s + 0.0005 * phase);
         room.play({}, 0.2);
         const auto before = room.card.played.size();
-        const double event_s = room.now_s;  // in the first tick of the frame that now fills
+        // The event is in the first tick of the frame that is being filled.
+        const double event_s = room.now_s;
         room.run_until(room.now_s + 0.008);
         ASSERT_TRUE(room.playback.hear(frame_with({}, {at_ear(bell)})));
         room.run_until(room.now_s + 0.1);
@@ -165,7 +166,7 @@ TEST(Playback, ADeviceThatIsPulledOutAndPutBackPlaysOn) {
 
 TEST(Playback, AStateIsNotToldBeforeItsCounts) {
     Room room;
-    room.card.deaf = true;  // nothing is written after the opening
+    room.card.deaf = true;  // nothing is written after the device was opened
     room.playback.step(0);
     EXPECT_EQ(room.playback.status(), "sound plays");
     EXPECT_EQ(room.playback.report().times_opened, 1U);
@@ -189,7 +190,7 @@ TEST(Playback, WhatWasPlayedBeforeALossIsNotHeardAfterIt) {
 TEST(Playback, ADeviceThatChangesIsOpenedAgainAtOnce) {
     Room room;
     room.play({}, 1);
-    room.card.connected = false;  // headphones are pulled, the speakers are there
+    room.card.connected = false;  // headphones are pulled out; the loudspeakers are available
     room.play({}, 0.3);
     EXPECT_EQ(room.playback.status(), "sound plays");
     EXPECT_EQ(room.playback.report().times_opened, 2U);

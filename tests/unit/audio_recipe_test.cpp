@@ -1,4 +1,4 @@
-// Recipes: what is refused, and with which words; equal recipes give equal samples.
+// Tests of recipes: which are refused, and with which messages; equal recipes give equal samples.
 #include <cmath>
 
 #include "audio/analysis.h"
@@ -67,7 +67,7 @@ TEST(AudioRecipe, WorkIsAtLeastTheSamplesAdded) {
     EXPECT_EQ(work_of(recipe), 3 * 48'000);
 }
 
-/// A sound of all kinds of parts.
+/// A recipe with all kinds of parts.
 std::string everything(bool loops) {
     return head(0.6, loops) + "drive = 2\necho_s = 0.1\necho = 0.4\n" +
            part("tone",
@@ -120,7 +120,7 @@ TEST(AudioRecipe, LoopsOfEveryPartHaveNoSeam) {
             auto samples = made(head(seconds, true) + keys).samples;
             const auto whole = steps_of(samples);
             EXPECT_LE(whole.seam, 1.01 * whole.inside) << keys << seconds;
-            // The curve has no kink at the seam either.
+            // The slope of the curve does not jump at the seam either.
             const auto kink = [&](std::size_t i) {
                 const std::size_t n = samples.size();
                 return std::abs(static_cast<double>(samples[(i + n - 1) % n]) -
@@ -132,7 +132,7 @@ TEST(AudioRecipe, LoopsOfEveryPartHaveNoSeam) {
             EXPECT_LE(std::max(kink(0), kink(samples.size() - 1)), 1.05 * inside) << keys << seconds;
         }
     }
-    // The measure sees a seam: a tone of 333.3 Hz that is cut in the middle of a period.
+    // The measure detects a seam: a tone of 333.3 Hz that is cut in the middle of a period.
     auto cut = made(head(0.5, true) + lasting[0]).samples;
     cut.resize(cut.size() - 61);
     EXPECT_GT(steps_of(cut).seam, 2 * steps_of(cut).inside);

@@ -25,7 +25,7 @@ inline std::vector<float> sine(double frequency, double seconds_long, double siz
     return samples;
 }
 
-/// Lets a sound begin and end at zero over 10 ms.
+/// Fades a sound in and out over 10 ms.
 inline std::vector<float> with_ends(std::vector<float> samples) {
     constexpr std::size_t ramp = 480;
     for (std::size_t i = 0; i < ramp; ++i) {
@@ -76,12 +76,12 @@ inline Mixer mixer(const MixSettings& settings = {}) {
     return std::move(*made);
 }
 
-/// Level of each channel (root mean square, times the square root of two: the size of a sine).
+/// Level of each channel: root mean square times the square root of two, which is the amplitude of a sine.
 struct Levels {
     double left{}, right{};
 };
 
-/// All samples of some blocks.
+/// Collects all samples of some blocks.
 class Recorder {
 public:
     explicit Recorder(Mixer& mixer) : mixer_(mixer) {}
@@ -94,7 +94,7 @@ public:
     }
     void clear() { samples.clear(); }
 
-    /// Levels of the last blocks.
+    /// Levels of the last `blocks` blocks.
     Levels levels(std::size_t blocks) const {
         Levels sum;
         const auto last = std::min(samples.size(), blocks * block_values);
@@ -110,7 +110,7 @@ public:
         for (const float s : samples) most = std::max(most, std::abs(s));
         return most;
     }
-    /// Largest difference between neighbouring samples of one channel: a click is a large one.
+    /// Largest difference between neighbouring samples of one channel. A click shows as a large difference.
     double largest_step() const {
         float most = 0;
         for (std::size_t i = 2; i < samples.size(); ++i)
@@ -146,7 +146,7 @@ private:
     Mixer& mixer_;
 };
 
-/// A voice at a place; by its key a lasting one.
+/// A voice at a place. The key identifies it if it is a lasting voice.
 inline Voice voice(std::uint32_t sound, vec3 position, std::uint32_t key = 1) {
     return {.sound = sound, .key = key, .position = position};
 }
@@ -162,7 +162,8 @@ inline AudioFrame frame_with(std::initializer_list<Voice> lasts, std::initialize
     return frame;
 }
 
-/// Largest step of a 200 Hz sine of this size, with a margin for changes of its gain.
+/// Largest difference between neighbouring samples of a 200 Hz sine with this amplitude, with a margin for
+/// changes of its gain.
 inline double smooth_step(double size) { return 1.6 * size * 2 * pi * 200 / sample_rate; }
 
 }  // namespace thaum::audio::rig

@@ -1,4 +1,5 @@
-// The sounds of the game: complete, within their levels, without clicks, and told from each other.
+// Tests of the game's sounds: complete, within their levels, without clicks, and distinguishable from each
+// other.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -86,7 +87,7 @@ TEST(GameSounds, BeginAndEndWithoutAClick) {
         }
         EXPECT_EQ(sample_of(sound, 0), 0) << sound.name;
         EXPECT_EQ(sample_of(sound, n - 1), 0) << sound.name;
-        // The end is silent. The start may be as sharp as the sound itself, no sharper.
+        // The end is silent. The start may be as sharp as other parts of the sound, but no sharper.
         EXPECT_LE(largest_step(sound, n - edge, n), 0.002) << sound.name;
         EXPECT_LE(largest_step(sound, 0, 8), largest_step(sound, 8, n)) << sound.name;
     }
@@ -104,7 +105,7 @@ TEST(GameSounds, AreHeardAtOnce) {
 }
 
 TEST(GameSounds, LoudnessIsInTheRangeOfItsGroup) {
-    // Loudest 50 ms (dB). Steps are the quietest effects, explosions the loudest.
+    // Level of the loudest 50 ms (dB). Steps are the quietest effects, explosions the loudest.
     const std::map<SoundGroup, std::pair<double, double>> ranges{{SoundGroup::effects, {-25, -6}},
                                                                  {SoundGroup::music, {-23, -18}},
                                                                  {SoundGroup::interface, {-23, -13}}};
@@ -129,7 +130,7 @@ TEST(GameSounds, ReachesAreSensible) {
         EXPECT_LE(sound.reach_m, 100) << sound.name;
     }
     const auto reach = [](std::string_view name) { return bank().sounds[*bank().find(name)].reach_m; };
-    EXPECT_GT(reach("blast_burst"), 57);  // the diagonal of the court
+    EXPECT_GT(reach("blast_burst"), 57);  // length of the court's diagonal (m)
     EXPECT_LT(reach("step_stone"), 20);
 }
 
@@ -147,7 +148,7 @@ TEST(GameSounds, LayersOfTheMusicFitTogether) {
     EXPECT_LT(peak, 0.9);
 }
 
-/// A sound as the game may play it: faster or slower, quieter, with noise at -20 dB.
+/// The sound with variations as they may occur in the game: faster or slower, quieter, with noise at -20 dB.
 std::vector<float> varied(const Sound& sound, Random& random) {
     const double pitch = random.uniform(0.9, 1.1), gain = random.uniform(0.3, 1);
     double power = 0;

@@ -1,4 +1,5 @@
-// The thread of the speakers. The devices here let the test wait for what they did; no test waits for a time.
+// Tests of the speakers' thread. The fake devices let a test wait until they have done something, so no test
+// waits for a fixed time.
 #include "audio/speakers.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@ namespace {
 
 using namespace rig;
 
-/// Shared by a test and the devices that it gives away.
+/// State that a test shares with devices that it has given to the speakers.
 struct Watched {
     std::mutex mutex;
     std::condition_variable changed;
@@ -122,7 +123,7 @@ TEST(Speakers, ADeviceThatBlocksInItsOpeningHoldsNobodyUp) {
         EXPECT_EQ(taken, 64) << "a full queue drops frames";
         EXPECT_EQ(speakers.status(), "");
         EXPECT_EQ(speakers.report().blocks_written, 0U);
-    }  // the thread is left behind
+    }  // here the thread is abandoned
     watched->change([&] { watched->blocks_open = false; });
     watched->wait([&] { return watched->opened == 1; });
     EXPECT_EQ(watched->get(&Watched::written), 0U) << "the device is not used any more";
@@ -135,7 +136,7 @@ TEST(Speakers, ADeviceThatBlocksInItsClosingHoldsNobodyUp) {
     {
         Speakers speakers(mixer(), std::make_unique<WatchedDevice>(watched), 0);
         watched->wait([&] { return watched->written > 3; });
-        watched->change([&] { watched->connected = false; });  // a device that is gone is closed
+        watched->change([&] { watched->connected = false; });  // a device that is unplugged is closed
         watched->wait([&] { return watched->in_close; });
     }
     EXPECT_FALSE(watched->get(&Watched::destroyed));

@@ -1,4 +1,4 @@
-// The queue of blocks at OpenAL, with devices of many rates that render into memory.
+// Tests of OpenAL's queue of blocks, with devices of many rates that render into memory.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 using namespace rig;
 
-/// A sine on the left, nothing on the right, in blocks.
+/// A sine on the left and silence on the right, in blocks.
 class Tone {
 public:
     explicit Tone(double frequency) : frequency_(frequency) {}
@@ -73,7 +73,7 @@ TEST(BlockStream, AGapStartsAgainWithOneBlockMore) {
     };
     play(10);
     EXPECT_EQ(stream.queued(), 2U);
-    card.render(heard, 10 * frame_samples);  // nobody writes for a while
+    card.render(heard, 10 * frame_samples);  // nothing is written for a while
     EXPECT_EQ(stream.wanted(), 3U);
     stream.write(tone.next());
     EXPECT_EQ(stream.wanted(), 2U) << "a block that waits has not been played";
@@ -94,7 +94,7 @@ TEST(BlockStream, TheQueueIsLongEnoughForTheDevicesPeriod) {
     for (const double odd : {0.0, -1.0, std::nan("")}) EXPECT_EQ(detail::blocks_to_queue(odd), 2U);
     EXPECT_EQ(detail::blocks_to_queue(std::numeric_limits<double>::infinity()),
               detail::BlockStream::most_queued);
-    // A device that takes periods of other lengths finds each in the queue.
+    // A device that takes periods of other lengths finds enough samples in the queue each time.
     for (const std::size_t period : {100U, 441U, 1024U, 1500U, 2048U}) {
         Card card(48'000);
         const auto scope = card.enter();

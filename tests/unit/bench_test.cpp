@@ -28,8 +28,8 @@ Row row(std::string name, std::int64_t n, double us, double error) {
     return r;
 }
 
-/// A report with two cases. In case "a" the third row is slower and less accurate than the second, and the
-/// fourth is as accurate as the first but slower.
+/// An invented report with two cases. In case "a" the third row is slower and less accurate than the second,
+/// and the fourth is as accurate as the first but slower.
 Report made_up() {
     auto report = empty_report();
     report.rows = {row("a", 16, 10, 0.1), row("a", 32, 20, 0.01), row("a", 33, 30, 0.02),
@@ -223,7 +223,7 @@ TEST(BenchRun, AnUnknownAreaIsRefused) {
     EXPECT_NE(message.find("ecs"), std::string::npos);
 }
 
-// ---- physics ----------------------------------------------------------------------------------------------
+// ---- physics rows -----------------------------------------------------------------------------------------
 
 template <class T>
 T setting(const Row& row, std::string_view name) {
@@ -239,7 +239,7 @@ double metric(const Row& row, std::string_view name) {
     return std::nan("");
 }
 
-/// Expects `row` not to be better than `ours`. Errors of single solutions are compared directly. Errors of
+/// Expects that `row` does not beat `ours`. Errors of single solutions are compared directly. Errors of
 /// stacks are random, so the confidence intervals of their medians are compared.
 void expect_not_beaten(const Row& ours, const Row& row, const std::string& name) {
     if (row.name != "stack") {
@@ -247,7 +247,7 @@ void expect_not_beaten(const Row& ours, const Row& row, const std::string& name)
         return;
     }
     EXPECT_LE(metric(ours, "error_low_m"), metric(row, "error_high_m")) << name;
-    // The intervals are narrow enough to detect that a step of twice the length is worse.
+    // The intervals are narrow enough to detect that twice the time step is worse.
     if (setting<std::int64_t>(row, "dt_ms") > setting<std::int64_t>(ours, "dt_ms")) {
         EXPECT_LT(metric(ours, "error_high_m"), metric(row, "error_low_m")) << name;
     }

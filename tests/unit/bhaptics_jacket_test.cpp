@@ -25,7 +25,7 @@ using rig::Manner;
 std::string text_trace(const std::string& name) {
     auto words =
         read_text_file(std::filesystem::path(THAUM_SOURCE_DIR) / "tests/tactile" / name, 1U << 16U).value();
-    words.pop_back();  // the line's end
+    words.pop_back();  // removes the line break
     return words;
 }
 const std::string& silent() {
@@ -226,7 +226,7 @@ TEST(BhapticsJacketThreads, APlayerThatTakesNothingIsDisconnected) {
     FakeBhaptics player(Manner::never_reads);
     const auto jacket = jacket_for(player);
     ASSERT_TRUE(jacket->open());
-    // Ever other frames, until the system's queues are full and the wait is too long.
+    // Sends frames that always differ, until the system's queues are full and the wait is too long.
     for (std::size_t i = 0; jacket->is_connected(); ++i)
         jacket->write(jacket_frame(40, {{i % 40, 1.0F}, {(i / 40) % 40, 0.5F}}), 1);
     jacket->close();
@@ -249,7 +249,7 @@ Settings settings_for(const FakeBhaptics& first, const FakeBhaptics& second) {
     return settings;
 }
 
-/// Passes frames until the Player has a certain request that comes after the first `before` ones.
+/// Passes frames until the Player has got a certain request after its first `before` requests.
 void reach(LiveTactile& tactile, std::uint32_t player, FakeBhaptics& fake, const tactile::TactileFrame& frame,
            std::size_t before = 0) {
     const auto wanted = bhaptics_request(frame);

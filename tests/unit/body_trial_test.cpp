@@ -1,4 +1,5 @@
-// Tests of effects that are tried on the mixer's page: which cells they light, faders, and their end.
+// Tests of the effects that players can try on the mixer's page: which cells light up, the faders, and the
+// end.
 #include "game/live/body_trial.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@ class BodyTrialTest : public testing::Test {
 protected:
     BodyTrialTest() { body_.emplace(LiveBody::load(THAUM_SOURCE_DIR "/assets").value()); }
 
-    /// Plays a trial to its end. Returns the strongest value of each cell, and its length.
+    /// Plays a tried effect to its end. Returns the strongest value of each cell, and the length.
     std::pair<BodyTrial::Figure, std::int64_t> played(tactile::Purpose purpose, double share) {
         tactile::Faders faders;
         faders.of(purpose) = share;

@@ -1,4 +1,5 @@
-// Tests of bots: each skill has the effect that its number says, and the results of many matches.
+// Tests of bots: each value of a bot's skill has the effect that it stands for, and the results of many
+// matches are right.
 #include <cmath>
 
 #include "game/bots/aim.h"
@@ -69,7 +70,7 @@ struct Scene {
 
     Simulation match;
     Bots bots;
-    Tick held = 0, longest_held = 0;  ///< ticks for which player 0 holds fire
+    Tick held = 0, longest_held = 0;  ///< longest time for which player 0 has held fire so far (ticks)
 };
 
 void stands_still(Tick, input::DeviceSample&) {}
@@ -112,14 +113,14 @@ TEST(Bot, FetchesHealthWhenHurtAndEnergyWhenDry) {
     }
 }
 
-/// Bolts of a bot in 40 s, 10 m from a foe who walks to and fro.
+/// Hits and misses of a bot's bolts in 40 s, 10 m from a foe who walks to and fro.
 MatchStats shots_at_a_walker(double lead) {
     auto skill = skill_of(3);
     skill.lead = lead;
     skill.aim_error = skill.variety = 0;
     skill.reserve = skill.vial_below = skill.spark_below = 0;
     Scene scene(skill, {"bolt.energy.regain_per_s=100", "bolt.shot.damage=0.01", "bolt.shot.spread_deg=0"});
-    scene.put(0, {-14, 0, 18.5}, -90);  // a place without a table between the two
+    scene.put(0, {-14, 0, 18.5}, -90);  // a place with no table between bot and foe
     scene.put(1, {-14, 0, 8.5}, 180);
     scene.run(40, [](Tick t, input::DeviceSample& foe) {
         foe.counts[input::hand::strafe] = t / 1500 % 2 == 0 ? 127 : -127;
@@ -137,7 +138,7 @@ TEST(Bot, LeadingTheFoeHitsMore) {
                                    << leading.shots;
 }
 
-/// Shots of a bot in 45 s by cause, 9 m from a foe who stands still.
+/// Number of shots of a bot in 45 s by kind, 9 m from a foe who stands still.
 std::array<std::uint32_t, most_causes> shots_of(int level) {
     auto skill = skill_of(level);
     skill.variety = 0.9;
@@ -177,7 +178,7 @@ TEST(Bot, AShotInAnArcComesDownOnTheTarget) {
     EXPECT_NEAR(aim_of_shot(self, {1, 1.2, -100}).pitch, pi / 4, 1e-12) << "beyond the largest range";
 }
 
-/// Hits in 30 s on a bot that stands 28 m from a foe. The foe shoots straight at the bot's first position.
+/// Hits in 30 s on a bot 28 m from a foe who shoots straight at the bot's first position.
 std::uint32_t hits_on_a_target(std::uint32_t dodges) {
     auto skill = skill_of(3);
     skill.dodges = dodges;
@@ -211,7 +212,7 @@ TEST(Bot, EveryWayLeadsOn) {
 }
 
 TEST(Bot, WaitsNowhereWhileItsFoeStandsInACorner) {
-    // A bot without any other errand starts at every place where the way along the pit's edge is narrow.
+    // A bot with nothing else to do starts at every place where the path along the edge of the pit is narrow.
     auto skill = skill_of(3);
     skill.lift = {};
     skill.stir = {};
@@ -270,8 +271,8 @@ TEST(Bot, KeepsItsReserveForANearFoe) {
     EXPECT_LT(scene.match.world().get<WandBelt>(wizard_of(scene.match.world(), 0)).energy[0], 25);
 }
 
-/// Results of the things that the bot throws in 12 s. A stone of 120 kg lies between the bot and a foe who
-/// stands still 10 m away.
+/// Statistics of the objects that the bot throws in 12 s. A stone of 120 kg lies between the bot and a foe
+/// who stands still 10 m away.
 MatchStats throws_of(int level) {
     auto skill = skill_of(level);
     if (skill.lift.share > 0) skill.lift.share = 1;
@@ -327,7 +328,7 @@ TEST(Bot, KnowsTheGapsThatAnAnchorSpans) {
     }
 }
 
-/// Lowest height of the wizard's feet in that time (m).
+/// Lowest height of the wizard's feet during that time (m).
 template <class Foe>
 double lowest_feet(Scene& scene, std::uint32_t player, double duration, Foe&& foe) {
     double lowest = 100;
@@ -367,7 +368,7 @@ struct Trip {
     double health{};   ///< health at the end (HP)
 };
 
-/// Sends a bot without bolts to the only spark of the arena, beyond the pit.
+/// Sends a bot without bolts to the only spark of the arena, on the other side of the pit.
 Trip errand_over_the_pit(double swing_gain) {
     auto skill = skill_of(3);
     skill.swing_gain = swing_gain;
@@ -439,7 +440,7 @@ TEST(League, TheResultOfAMatchIsReported) {
 TEST(League, TheSummaryCountsBySidesAndLevels) {
     std::vector<LeagueMatch> matches(4);
     for (auto& m : matches) m.levels = {1, 2};
-    matches[1].levels = {2, 1};  // sides swapped
+    matches[1].levels = {2, 1};  // the two players have exchanged sides
     matches[0].winner = 1;       // level 2 wins
     matches[1].winner = 0;       // level 2 wins
     matches[2].winner = 0;       // level 1 wins

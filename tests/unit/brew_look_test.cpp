@@ -1,4 +1,5 @@
-// Tests of the brew's look as numbers: colours, layers that follow the surface, arrows and streamlines.
+// Tests of the values from which the brew is drawn: colours, layers that follow the surface, arrows and
+// streamlines.
 #include "game/scene/brew_look.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +42,7 @@ protected:
         return out;
     }
 
-    /// Texel at a position (brew's frame).
+    /// Texel at a position in the brew's frame.
     render::Texel texel_at(const std::vector<render::Texel>& all, vec3 at) const {
         const auto& l = brew.fluid.lattice;
         const vec3 cell = (at - brew.corner) / l.h;
@@ -130,7 +131,8 @@ TEST_F(BrewLookTest, ASideThatFacesUpIsLighter) {
 }
 
 TEST_F(BrewLookTest, LayersFollowTheSurfaceLessTheDeeperTheyAre) {
-    // The density grows linearly with depth, so the density in a layer shows how far the layer was lifted.
+    // The density grows linearly with depth. The density found in a layer therefore shows how far the layer
+    // was lifted.
     const double depth = place.basin.depth;
     const auto ramp = [&](vec3 p) { return std::clamp(-p.y / depth, 0.0, 1.0); };
     fill(0, ramp);
@@ -139,7 +141,7 @@ TEST_F(BrewLookTest, LayersFollowTheSurfaceLessTheDeeperTheyAre) {
     for (auto& height : brew.surface.height) height = lift;
     fluid::refresh_after_edit(brew.surface);
     const auto lifted = texels();
-    // Cover is linear in density, so it gives the density of each layer.
+    // The cover is linear in the density, so the density of each layer follows from it.
     const auto density = [&](const std::vector<render::Texel>& all, double y) {
         return static_cast<double>(texel_at(all, {0.02, y, 0.02}).a) / 255;
     };
@@ -166,7 +168,7 @@ TEST_F(BrewLookTest, TheSkinFollowsTheSurfaceAndFoamsWhereItIsSteep) {
             EXPECT_EQ(v.foam, 0);
         }
     }
-    // A slope of 1/2 along x.
+    // The surface gets a slope of 1/2 along x.
     const auto& s = brew.surface.settings;
     for (std::size_t z = 0; z < s.nodes; ++z) {
         for (std::size_t x = 0; x < s.nodes; ++x)
@@ -217,7 +219,7 @@ TEST_F(BrewLookTest, AStreamlinesErrorGoesWithTheFourthPowerOfItsStep) {
         EXPECT_EQ(line.size(), static_cast<std::size_t>(steps) + 1);
         return glm::distance(line.back() + brew.corner, on_circle(2));
     };
-    // Smaller steps would have errors near the rounding of the flow's samples.
+    // With smaller steps, the errors would be close to the rounding errors of the flow's samples.
     for (const int steps : {4, 8})
         EXPECT_NEAR(std::log2(error(steps) / error(2 * steps)), 4, 0.25)
             << steps << " steps: " << error(steps);

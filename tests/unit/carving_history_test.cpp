@@ -17,7 +17,7 @@ struct Rig {
 
     explicit Rig(std::size_t copies = 1000) : history(make_history(body.view(), copies * copy_bytes)) {}
 
-    /// Changes the middle of a brick and nothing else.
+    /// Changes the middle voxel of a brick and nothing else.
     Edit carve(int i, int j, int k, double density = 0) {
         const Tool tool = density_constant(round_extent(ExtentShape::sphere, 1.5), density);
         return edit(body.view(), tool, {.place = place_of(body, 8.0 * vec3(i, j, k) + 3.5)}, history);
@@ -63,7 +63,7 @@ TEST(CarvingHistory, WithoutAStepNothingHappens) {
 TEST(CarvingHistory, AStrokeThatChangesNothingIsNoStep) {
     Rig rig;
     rig.carve_step(0, 0, 0);
-    rig.carve_step(0, 0, 0);  // the same constant again
+    rig.carve_step(0, 0, 0);  // carves with the same constant again, which changes nothing
     rig.carve_step(9, 9, 9);  // outside
     EXPECT_EQ(rig.history.steps.size(), 1U);
     EXPECT_EQ(rig.history.next, 1U);
@@ -96,7 +96,7 @@ TEST(CarvingHistory, AStrokeInTheAirKeepsWhatCanBeRedone) {
     rig.carve_step(1, 0, 0);
     const std::uint64_t carved = hash_of(rig.body);
     undo(rig.history, rig.body.view());
-    rig.carve(0, 0, 0);  // there is nothing left to carve
+    rig.carve(0, 0, 0);  // nothing is left to carve here
     EXPECT_TRUE(can_redo(rig.history));
     end_step(rig.history, rig.body.view());
     rig.carve_step(0, 0, 0);
@@ -163,7 +163,7 @@ TEST(CarvingHistory, AnEditLargerThanTheMemoryCannotBeUndone) {
     const std::uint64_t now = hash_of(rig.body);
     EXPECT_TRUE(undo(rig.history, rig.body.view()).empty());
     EXPECT_EQ(hash_of(rig.body), now);
-    rig.carve_step(1, 0, 0);  // the history goes on afterwards
+    rig.carve_step(1, 0, 0);  // the history can still be used afterwards
     undo(rig.history, rig.body.view());
     EXPECT_EQ(hash_of(rig.body), now);
 }

@@ -12,7 +12,7 @@ inline Extent round_extent(ExtentShape shape, double radius) {
     return {.shape = shape, .half = vec3(radius)};
 }
 
-/// A tool of one filter of density.
+/// A tool with one filter for the density.
 inline Tool density_filter(double radius, double constant, double rate = 12) {
     return {"filter",
             {{.method = Method::filter,
@@ -22,19 +22,19 @@ inline Tool density_filter(double radius, double constant, double rate = 12) {
               .density = constant}}};
 }
 
-/// A tool that sets the density within an extent.
+/// A tool that sets the density within an extent to a constant.
 inline Tool density_constant(const Extent& extent, double constant) {
     return {"constant", {{.extent = extent, .changes = {.density = true}, .density = constant}}};
 }
 
-/// A body of one density with cubic voxels.
+/// A body of uniform density with cubic voxels.
 inline Voxels block(std::array<int, 3> count, float density, double spacing = 0.01) {
     Voxels body = make_voxels(count, vec3(spacing));
     std::ranges::fill(body.density, density);
     return body;
 }
 
-/// Random densities, colours and materials.
+/// A body with random densities, colours and materials.
 inline Voxels random_block(std::array<int, 3> count, std::uint64_t seed) {
     Voxels body = block(count, 0);
     Random random = random_stream(seed, 7);
@@ -48,7 +48,7 @@ inline Voxels random_block(std::array<int, 3> count, std::uint64_t seed) {
     return body;
 }
 
-/// Place of a voxel, also between voxels (m).
+/// Place of a voxel, or of a point between voxels (m).
 inline vec3 place_of(Voxels& body, vec3 voxel) { return body.view().first_place() + voxel * body.spacing; }
 
 inline std::uint64_t hash_of(Voxels& body) {
@@ -56,7 +56,7 @@ inline std::uint64_t hash_of(Voxels& body) {
     return voxel_hash(body.view(), none);
 }
 
-/// Returns true if a bit of this voxel differs.
+/// Returns true if any bit of this voxel differs.
 inline bool differs(const Voxels& a, const Voxels& b, std::size_t voxel) {
     const auto bits = [voxel](const Voxels& body) {
         return std::bit_cast<std::uint32_t>(body.density[voxel]);
@@ -71,7 +71,7 @@ inline double mass_of(Voxels& body) {
     return sum * body.view().voxel_volume();
 }
 
-/// One to three operations with random values.
+/// A tool with one to three random operations.
 inline Tool random_tool(Random& random) {
     Tool tool{"random", {}};
     for (int property = 0; property < 3; ++property) {

@@ -9,7 +9,7 @@
 namespace thaum::field {
 namespace {
 
-/// Compares the result of an edit with the voxels that really differ from the body before it.
+/// Compares the result that an edit reports with the voxels that really differ from the body before the edit.
 void expect_exact(const Edit& e, Voxels& before, Voxels& after) {
     VoxelBox box;
     std::size_t voxels = 0, bricks = 0;
@@ -131,7 +131,7 @@ TEST(Carving, AnAnnotationStaysOnTheSurface) {
     EXPECT_EQ(body.material[body.view().at(8, 8, 7)], 3);
     EXPECT_EQ(body.colour[body.view().at(8, 8, 8)], (Rgb8{9, 8, 7}));
     EXPECT_EQ(body.material[body.view().at(8, 8, 9)], 0);
-    body.surface = 2;  // no voxel is inside
+    body.surface = 2;  // with this value no voxel is inside the surface
     EXPECT_EQ(edit(body.view(), tool, {.place = {0, 0, 0.02}}).voxels, 0U);
 }
 
@@ -142,7 +142,7 @@ TEST(Carving, AStampOfAPartGivesThePartBack) {
     const Extent extent{.shape = ExtentShape::stamp, .half = {2.5, 1.5, 2}, .stamp = stamp};
     const Tool tool = density_constant(extent, 1);
     edit(copy.view(), tool,
-         {.place = place_of(copy, {12, 11, 9.5})});  // the middle of voxels 10-14, 10-12, 8-11
+         {.place = place_of(copy, {12, 11, 9.5})});  // the middle of the box of voxels 10-14, 10-12, 8-11
     for (int k = 0; k < 4; ++k) {
         for (int j = 0; j < 3; ++j) {
             for (int i = 0; i < 5; ++i) {

@@ -1,4 +1,4 @@
-// Tests of the files of tools: what the shipped tools do, and what each fault reports.
+// Tests of tool files: what the shipped tools do, and what is reported for each fault.
 #include "field/carving_tools.h"
 
 #include <gtest/gtest.h>
@@ -27,13 +27,13 @@ Expected<Tool> tool_from(std::string_view toml) {
     return config ? read_tool(*config, shipped_materials()) : config.error();
 }
 
-/// Message of the fault of a tool with these lines in its only operation. The first of them is line 4.
+/// Message about a tool file whose only operation has these lines, from line 4 on.
 std::string fault(std::string_view operation) {
     return message_of(tool_from("version = 1\nname = \"t\"\n[[operation]]\n" + std::string(operation)),
                       "no fault");
 }
 
-/// A body that is solid below layer 12, and the edit of half a second in its middle.
+/// A body that is solid below layer 12, and the result of carving in its middle for half a second.
 struct Carved {
     Voxels before = block({24, 24, 24}, 0), body;
     Edit done;

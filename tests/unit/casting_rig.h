@@ -1,18 +1,19 @@
-// unit/casting_rig.h: pictures of a wizard who draws, for the tests of the HUD.
+// unit/casting_rig.h: pictures of a wizard who draws a stroke, for the tests of the HUD.
 #pragma once
 #include "gesture/prefix.h"
 #include "unit/hud_rig.h"
 
 namespace thaum::game::hud_tests {
 
-/// The picture of a new match, in which a test puts the reading.
+/// The picture of a new match, into which a test writes what was recognised.
 inline Picture new_casting_picture() { return picture_of(*new_match()); }
 
 inline std::uint32_t gesture_number(const CastingPicture& casting, std::string_view name) {
     return *casting.gestures->number(name);
 }
 
-/// Draws points as a match keeps them: one in each gameplay tick, in a long stroke one in every second, and so on.
+/// Writes points into the picture as a match keeps them: one in each gameplay tick, in a long stroke one in
+/// every second tick, and so on.
 inline void draw_points(StrokePicture& stroke, gesture::Points points) {
     stroke.drawing = true;
     stroke.count = 0;
@@ -28,7 +29,7 @@ inline void draw_points(StrokePicture& stroke, gesture::Points points) {
     }
 }
 
-/// Puts the first share of a recorded stroke of a gesture into the picture, as if the player were drawing it.
+/// Writes the first part of a recorded stroke into the picture, as if the player were drawing it.
 inline void draw_part(CastingPicture& casting, std::string_view gesture, double share) {
     const auto& points = casting.gestures->gestures()[gesture_number(casting, gesture)].strokes[0];
     const auto part = gesture::beginning_of(points, share);

@@ -1,4 +1,4 @@
-// Tests of the reading of drawn strokes, and of the strokes in a match.
+// Tests of the recognition of drawn strokes, and of strokes in a match.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ namespace {
 using gesture::Figure;
 using gesture::StrokePoint;
 
-/// Data of the usual match, loaded once.
+/// Data of the default match, loaded once.
 std::shared_ptr<const MatchData> data() {
     static const auto loaded = duel_data();
     return loaded;
@@ -44,7 +44,7 @@ DrawnStroke drawn(std::span<const StrokePoint> points) {
     return stroke;
 }
 
-/// Circles of 6 cm, 0.8 s each; clockwise from the top for a positive number of turns.
+/// Circles of 6 cm, 0.8 s each. A positive number of turns goes clockwise from the top.
 DrawnStroke circles(double turns) {
     std::vector<StrokePoint> points;
     const int steps = static_cast<int>(100 * std::abs(turns));
@@ -92,7 +92,7 @@ TEST(Casting, AStarIsNotTwoCircles) {
 
 std::string_view name_of(Figure figure) { return gesture::figure_names()[static_cast<std::size_t>(figure)]; }
 
-/// The stroke of a device that tells the hand's place only in every so many points.
+/// The same stroke from a device that reports the hand's position only in every `every`-th point.
 DrawnStroke told_seldom(DrawnStroke stroke, std::uint32_t every) {
     const double viscosity = data()->casting->viscosity;
     const auto place = [&](std::uint32_t i) {
@@ -122,7 +122,7 @@ TEST(Casting, ReadsAStrokeOfADeviceThatTellsItsPlaceSeldom) {
             };
             smooth += is_read(stroke);
             for (const std::uint32_t k : {0U, 1U}) {
-                const auto told = told_seldom(stroke, k + 3);  // 24 and 32 ms
+                const auto told = told_seldom(stroke, k + 3);  // reports every 24 and 32 ms
                 seldom.at(k) += is_read(told);
                 EXPECT_NEAR(mean_force_of(told), mean_force_of(stroke), 0.25 * mean_force_of(stroke));
             }
@@ -169,14 +169,14 @@ TEST(Casting, BadStrokesMeanNothing) {
     EXPECT_NO_FATAL_FAILURE(read_drawn(shipped(), huge, space));
 }
 
-/// A duel of scripts whose first player's device a test moves.
+/// A match of two scripted players; the test moves the device of the first.
 struct Drawer {
     Simulation match{data(), two_hands()};
     input::InputFrame frame{};
 
     input::DeviceSample& hand() { return frame.devices[0]; }
     ecs::Entity wizard() { return wizard_of(match.world(), 0); }
-    /// Circles of so many counts for a while, each in `period` ticks.
+    /// Draws circles with a radius of `counts` for some ticks, each circle in `period` ticks.
     void circle(int ticks, int period, double counts) {
         for (int i = 0; i < ticks; ++i) {
             const double angle = 2 * pi * i / period;
@@ -202,7 +202,8 @@ TEST(Casting, AStrokeOfAnyLengthHasRoom) {
     EXPECT_NEAR(stroke.count * stroke.every * 8.0, 20'000, 200);
 }
 
-/// Draws a star 10 cm wide with Trace held, in jumps of 8 ms as of a slow mouse, and returns its reading.
+/// Draws a star 10 cm wide with Trace held, in steps of 8 ms like a slow mouse, and returns what was
+/// recognised.
 LastReading read_star(Drawer& drawer, int jumps) {
     const auto place = [](double share) {
         const auto corner = [](double k) {
@@ -231,12 +232,12 @@ LastReading read_star(Drawer& drawer, int jumps) {
 TEST(Casting, AStarMayBeFastButNotTooFast) {
     Drawer drawer;
     drawer.wait(8);
-    for (const int jumps : {38, 60, 120}) {  // 0.3 to 1 s
+    for (const int jumps : {38, 60, 120}) {  // durations of 0.3 to 1 s
         const auto reading = read_star(drawer, jumps);
         ASSERT_NE(reading.gesture, no_gesture) << jumps;
         EXPECT_EQ(shipped().name(reading.gesture), "star");
     }
-    const auto reading = read_star(drawer, 25);  // 0.2 s: the hand cuts the corners
+    const auto reading = read_star(drawer, 25);  // 0.2 s: so fast that the hand cuts the corners
     EXPECT_EQ(reading.gesture, no_gesture);
     EXPECT_EQ(shipped().name(reading.nearest), "star");
     EXPECT_TRUE(is_too_fast(*data()->casting, reading.force)) << reading.force;
@@ -248,7 +249,7 @@ TEST(Casting, TheHandIsBackWhereItWas) {
     drawer.wait(8);
     for (int times = 0; times < 20; ++times) {
         drawer.hand().press(input::Button::trace);
-        drawer.circle(407 + times, 700, 4);  // an open curve, which ends elsewhere
+        drawer.circle(407 + times, 700, 4);  // an open curve, which ends at another place
         drawer.hand().buttons = 0;
         drawer.wait(33);
         EXPECT_EQ(drawer.match.world().get<HandState>(drawer.wizard()).home, vec3(0)) << times;
@@ -294,7 +295,7 @@ TEST(Casting, ARecallGoesOnFromAKeyframeToTheSameBits) {
         if (body.mass > 0 && body.mass < 20) thing = e;
     });
     ASSERT_TRUE(thing);
-    const auto key_chord = [&](int t) {  // the chord of the star
+    const auto key_chord = [&](int t) {  // the combination of keys for the star
         input::InputFrame frame;
         if (t >= 1900 && t < 1960) frame.devices[0].press(input::Button::trace);
         frame.devices[0].wand = t >= 1930 && t < 1940 ? 4 : 0;

@@ -1,5 +1,6 @@
-// The usual mistakes of people who write data files: each is answered with the file, the line, what is allowed, and the
-// near word. Of 117, the program before `thaum check` named the file of 83, the line of 78, and what to do for 26. 4 s.
+// Tests with common mistakes in data files. The message about each mistake must name the file, the line, what
+// is allowed, and the similar word. For 117 mistakes, the program before `thaum check` named the file of 83,
+// the line of 78, and what to do for 26. Takes 4 s.
 #include "game/app/content.h"
 
 #include <gtest/gtest.h>
@@ -18,14 +19,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One edit of one file, and what the answer must say.
+/// One edit of one file, and what the message must contain.
 struct Mistake {
     std::string file;
     std::string
-        from;  ///< text that is replaced; empty: the edit is a new file, or comes at the end of the file
+        from;  ///< text to be replaced; empty: the edit is a new file, or is added at the end of the file
     std::string to;
     std::vector<std::string> says{};
-    bool has_line = true;  ///< the answer names a line within three of the edit
+    bool has_line = true;  ///< true: the message names a line within three lines of the edit
 };
 
 class Content : public testing::Test {
@@ -54,7 +55,7 @@ protected:
         return 1 + static_cast<std::size_t>(std::count(before.begin(), end, '\n'));
     }
 
-    /// Makes the file as it is shipped.
+    /// Restores the file as it is shipped.
     void mend(const Mistake& mistake) {
         const auto shipped = fs::path(THAUM_SOURCE_DIR "/assets") / mistake.file;
         if (fs::exists(shipped))
@@ -63,14 +64,14 @@ protected:
             fs::remove(assets_ / mistake.file);
     }
 
-    /// Makes all mistakes at once. Returns how many of them the one report answers.
+    /// Makes all mistakes at once. Returns how many of them the one report mentions.
     std::size_t answered(const std::vector<Mistake>& mistakes);
 
     const CopiedAssets copied_;
     const fs::path assets_ = copied_.path;
 };
 
-/// Line in an answer that begins with "FILE:LINE:"; 0: it names none.
+/// Line in a message that begins with "FILE:LINE:"; 0: it names none.
 std::size_t line_in(std::string_view answer, const std::string& file) {
     std::size_t line = 0;
     if (answer.size() > file.size() + 1)
@@ -147,7 +148,7 @@ std::vector<Mistake> slips_of_texts_and_tables() {
     };
 }
 
-/// Keys and tables with other names, and those that are missing.
+/// Misspelt keys and tables, and missing ones.
 std::vector<Mistake> wrong_names() {
     return {
         {quick, "kills = 3", "kils = 3", {"unknown key 'kils'", "'kills'"}},
@@ -180,7 +181,7 @@ std::vector<Mistake> wrong_names() {
     };
 }
 
-/// Values of a wrong kind, or out of their range, and words that are none of those allowed.
+/// Values of a wrong kind or out of range, and words that are not allowed.
 std::vector<Mistake> wrong_values() {
     return {
         {quick, "kills = 3", "kills = \"3\"", {"'kills'", "whole number from", "without quotes"}},
@@ -214,7 +215,7 @@ std::vector<Mistake> wrong_values() {
     };
 }
 
-/// Names without a file, and names and numbers that something else has.
+/// Names of files that do not exist, and names and numbers that are used twice.
 std::vector<Mistake> wrong_references() {
     return {
         {brew, "solver = \"thaum\"", "solver = \"taum\"", {"'thaum'"}},
@@ -235,7 +236,7 @@ std::vector<Mistake> wrong_references() {
     };
 }
 
-/// Files that nothing reads, duplicates, and places where nothing can be.
+/// Files that nothing reads, duplicates, and places where nothing can stand.
 std::vector<Mistake> wrong_files_and_places() {
     return {
         {"wands/rocket.toml", "", "slot = ?", {"nothing reads this file", "blast, bolt"}, false},
@@ -265,7 +266,7 @@ std::vector<Mistake> wrong_files_and_places() {
     };
 }
 
-/// What can be read and never be used.
+/// Values that can be read but never have an effect.
 std::vector<Mistake> useless_values() {
     return {
         {push, "focus = 20", "focus = 500", {"'focus': is 500", "at most 100", "never be cast"}},
@@ -313,7 +314,7 @@ std::size_t Content::answered(const std::vector<Mistake>& mistakes) {
     return good;
 }
 
-/// Sets of mistakes that can be made at once: each in a file of its own.
+/// Groups of mistakes that can be made at once, because each is in a file of its own.
 std::vector<std::vector<Mistake>> sets_of(const std::vector<Mistake>& mistakes) {
     std::vector<std::vector<Mistake>> sets;
     for (const auto& mistake : mistakes) {
@@ -326,7 +327,7 @@ std::vector<std::vector<Mistake>> sets_of(const std::vector<Mistake>& mistakes) 
     return sets;
 }
 
-/// Systems and editors leave these, and people explain their files.
+/// Systems and editors leave such files, and people write files that explain others.
 TEST_F(Content, FilesThatSystemsLeaveAreNoFaults) {
     const auto files = check_content(assets_).files;
     for (const auto* name : {"desktop.ini", "Thumbs.db", ".DS_Store", ".directory", "arenas/README.md",
@@ -352,7 +353,7 @@ TEST_F(Content, TheShippedFilesHaveNoFault) {
     EXPECT_EQ(with_foreign.faults.size(), 2U);
 }
 
-/// The game plays with these, so they are no faults.
+/// These values are playable, so they are not faults.
 TEST_F(Content, WhatIsProbablyNotMeantIsNoted) {
     const auto note_after = [&](const Mistake& mistake) {
         make(mistake);
@@ -379,7 +380,7 @@ TEST_F(Content, WhatIsProbablyNotMeantIsNoted) {
               "potions use 'v'");
 }
 
-/// One report answers the mistakes of several files.
+/// One report names the mistakes in several files.
 TEST_F(Content, MistakesWithinAFileAreAnswered) {
     std::vector<Mistake> mistakes;
     for (const auto& some : {slips_of_numbers(), slips_of_texts_and_tables(), wrong_names(), wrong_values()})

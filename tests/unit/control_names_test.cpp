@@ -1,4 +1,4 @@
-// Tests of the names that prompts have for controls.
+// Tests of the names by which prompts call controls.
 #include "game/settings/control_names.h"
 
 #include <gtest/gtest.h>
@@ -68,7 +68,7 @@ TEST(ShortLabels, OfAllKeysAreShortAndNoTwoAreTheSame) {
         const auto brief = game::brief_label(label);
         EXPECT_FALSE(brief.empty()) << label;
         EXPECT_LE(brief.size(), 3U) << label;
-        if (label.starts_with("Keypad ")) continue;  // "5", as on the key
+        if (label.starts_with("Keypad ")) continue;  // these keys are called as on their caps, such as "5"
         const auto [other, is_new] = label_of_short.emplace(brief, label);
         EXPECT_TRUE(is_new) << label << " and " << other->second << " are both " << brief;
     }

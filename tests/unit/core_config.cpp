@@ -209,7 +209,7 @@ TEST(CoreConfig, AfterAFaultReadsStayInRange) {
     EXPECT_FALSE(config.check().has_value());
 }
 
-/// All lines about a file whose keys `read` has asked for.
+/// All messages about a file after `read` has asked for its keys.
 std::vector<std::string> faults_of(std::string_view body,
                                    const std::function<void(const ConfigTable&)>& read) {
     const auto config = parsed(body);
@@ -218,7 +218,8 @@ std::vector<std::string> faults_of(std::string_view body,
     return checked ? std::vector<std::string>() : lines_of(checked.error());
 }
 
-/// A reader's own finding of a table with a wrong value is left out: it saw what stands in for that value.
+/// A fault that a reader reports about a table with a wrong value is left out, because the reader worked with
+/// a fallback value.
 TEST(CoreConfig, AllFaultsAreKeptInTheOrderOfReading) {
     EXPECT_EQ(faults_of("x = 'a'\ny = 'b'\nz = 1",
                         [](const auto& t) {
@@ -246,7 +247,8 @@ TEST(CoreConfig, AMisspeltKeyIsNamedInPlaceOfTheMissingOne) {
               (std::vector<std::string>{"wand.toml:2: unknown key 'schot'; did you mean 'shot'?"}));
 }
 
-/// A reader that a wrong word has misled asks for other keys. Those of the right word are not called unknown.
+/// A reader that a wrong word has misled asks for other keys. The keys that belong to the correct word are
+/// not reported as unknown.
 TEST(CoreConfig, AfterAWrongWordOnlyNearKeysAreUnknown) {
     const auto read = [](const ConfigTable& t) {
         if (t.choice("shape", {"ball", "rod"}) == 0)
@@ -275,7 +277,7 @@ TEST(NearName, AFewChangesLeadToTheName) {
 }
 
 struct Slip {
-    std::string written;  ///< from line 2 on
+    std::string written;  ///< the keys as text, from line 2 on
     std::size_t line;
     std::string explained;
 };
@@ -390,7 +392,7 @@ TEST(CoreConfig, OneFaultIsToldOfATableInPlaceOfNumbers) {
     EXPECT_TRUE(fault.more.empty());
 }
 
-/// The parser stops there with an assertion that names no line.
+/// At this value the parser stops with an assertion that names no line.
 TEST(CoreConfig, AWrongTimeNamesItsLine) {
     EXPECT_TRUE(parse_fault("version = 1\n\nx = 1:.2\ny = 2\n").starts_with("wand.toml:3: "));
 }
@@ -423,7 +425,7 @@ TEST(CoreConfig, EqualValuesHashEqually) {
           "a = 1\nb = 'x'\n[inner]\nc = [[1], 2.5]\nd = true\n"}) {
         EXPECT_NE(as_written, hash(other)) << other;
     }
-    // A double could not tell these neighbours beyond 2^53 apart.
+    // A double could not distinguish these numbers beyond 2^53.
     EXPECT_NE(hash("a = 9007199254740993"), hash("a = 9007199254740994"));
 }
 
@@ -472,7 +474,7 @@ TEST(CoreConfig, ALetterOfAnyScriptBesideAValueIsAFault) {
     EXPECT_EQ(parse_fault("version = 1\nx = '\u00e9'  # \u00e9"), "");
 }
 
-// ---- fuzz -------------------------------------------------------------------------------------------------
+// ---- random changes of files ------------------------------------------------------------------------------
 
 constexpr std::string_view fuzz_seed = R"(version = 1
 # a wand like any other
@@ -497,7 +499,7 @@ n = nan
 
 constexpr std::string_view fuzz_bits = "[]{}=.,\"'#\n\r\t\\ 019eE+-_:xnTZ\xff\x00\xc3\xef\xbb\xbf";
 
-/// The file with some bytes changed, inserted, removed, cut or repeated.
+/// The file with some random bytes changed, inserted, removed, cut or repeated.
 std::string mutated(std::string file, Random& random) {
     const auto edits = 1 + random.below(12);
     for (std::uint64_t i = 0; i < edits && !file.empty(); ++i) {
@@ -565,7 +567,7 @@ TEST(CoreConfigFuzz, AMegabyteOfGarbage) {
     for (const char c : fuzz_bits) survive(std::string(1 << 20, c));
 }
 
-/// A terminal would execute them.
+/// A terminal would act on these characters.
 TEST(CoreConfig, ControlCharactersOfAFileDoNotReachAMessage) {
     const auto file = Config::parse("version = 1\nkind = \"a\\tb\\u001B[2J\\u007F\"\n", "f.toml", 1).value();
     const auto kind = file.root().string("kind");

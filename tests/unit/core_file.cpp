@@ -31,7 +31,7 @@ protected:
         return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), {}));
     }
 
-    /// Expects a refusal of one line that names the path and contains `what`.
+    /// Expects an error of one line that names the path and contains `what`.
     static void expect_refused(const auto& result, const fs::path& path, std::string_view what) {
         ASSERT_FALSE(result.has_value());
         const auto& message = result.error().message;
@@ -216,7 +216,7 @@ TEST_F(CoreFile, ARecordingIsNeverReplaced) {
     expect_refused(write_text_file(log, "x"), log, "is a recording");
     expect_refused(check_output(log), log, "is a recording");
     EXPECT_TRUE(write_text_file(short_file, "x"));
-    // A link that appears while the file is written must not redirect them either.
+    // A link that appears while the file is written must not redirect the bytes either.
     auto file = FileWriter::create(in_folder("late")).value();
     fs::create_hard_link(log, in_folder("late"));
     expect_refused(file.close(), fs::canonical(in_folder("late")), "is a recording");
@@ -313,7 +313,7 @@ TEST_F(CoreFile, PiecesBecomeAFileOnlyAtTheEnd) {
     EXPECT_EQ(files(), 1);
 }
 
-/// Root can write to every folder, so the child process gives up its rights first.
+/// The superuser can write to every folder, so the child process gives up its rights first.
 TEST_F(CoreFile, AFolderWithoutRightsIsAnError) {
     const auto locked = in_folder("locked");
     fs::create_directory(locked);
@@ -322,7 +322,7 @@ TEST_F(CoreFile, AFolderWithoutRightsIsAnError) {
         if (::geteuid() == 0 && ::seteuid(65534) != 0) ::_exit(3);
         const auto result = write_text_file(locked / "a", "x");
         std::fputs(result ? "written" : result.error().message.c_str(), stderr);
-        ::_exit(0);  // the leak check in exit() would need the rights
+        ::_exit(0);  // not exit(), whose leak check would need the rights
     };
     EXPECT_EXIT(attempt(), ::testing::ExitedWithCode(0), "cannot create: Permission denied");
     fs::permissions(locked, fs::perms::owner_all);

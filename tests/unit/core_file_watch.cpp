@@ -1,4 +1,5 @@
-// Tests of files that change during a program: each change is reported once, after the file is complete.
+// Tests of watching files that change while a program runs: each change is reported once, when the file is
+// complete.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -16,8 +17,8 @@ class FileWatchTest : public testing::Test {
 protected:
     fs::path file(std::string_view name) const { return folder_.path() / name; }
     void write(std::string_view name, std::string_view words) const { std::ofstream(file(name)) << words; }
-    /// Looks twice and returns the second result. A change is reported when the file has stayed the same
-    /// between two looks.
+    /// Polls twice and returns the second result. A change is reported when the file has not changed between
+    /// two polls.
     static Paths two_looks(FileWatch& watch) {
         EXPECT_EQ(watch.look(), Paths());
         return watch.look();

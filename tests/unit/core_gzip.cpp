@@ -1,4 +1,4 @@
-// Tests of gzip data: packed and unpacked, cut off, damaged, and larger than they may be.
+// Tests of packing and unpacking gzip data, also of data that are cut off, damaged or larger than allowed.
 #include "core/gzip.h"
 
 #include <gtest/gtest.h>

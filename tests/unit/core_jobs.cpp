@@ -15,7 +15,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A handler of a stack overflow needs another stack to run on.
+/// A handler of a stack overflow must run on another stack.
 TEST(Threads, HaveAStackOnWhichAFullOneIsHandled) {
     stack_t stack{};
     auto thread = start_thread([&] { ::sigaltstack(nullptr, &stack); });
@@ -67,7 +67,7 @@ TEST_P(JobsByThreads, TheDestructorFinishesAllJobs) {
     }
     EXPECT_EQ(ran, 100);
     EXPECT_TRUE(last.ended());
-    last.wait();  // after the Jobs are destroyed
+    last.wait();  // waits after the Jobs object was destroyed
 }
 
 TEST_P(JobsByThreads, AJobsCapturesAreFreedAfterItsRun) {
@@ -90,7 +90,7 @@ TEST_P(JobsByThreads, ManyMayWaitForOne) {
             if (ticket.ended()) ++done;
         });
     }
-    waiters.clear();  // waits for them
+    waiters.clear();  // destroys the threads, which waits for them
     EXPECT_EQ(done, 8);
 }
 

@@ -1,4 +1,4 @@
-// Tests of JSON values. What they read and write is compared with the library itself, on chosen and on
+// Tests of JSON values. Reading and writing are compared with the JSON library itself, on chosen and on
 // generated documents.
 #include "core/json.h"
 
@@ -20,7 +20,8 @@ std::string dump_of(const Oracle& json, int indent = -1) {
     return json.dump(indent, ' ', false, Oracle::error_handler_t::replace);
 }
 
-/// Reads a text and writes it again. Returns the result, or the fault of a text that cannot be read, up to its byte.
+/// Reads a text and writes it again. Returns the result, or the error for a text that cannot be read,
+/// including the byte.
 std::string reread(std::string_view source) {
     constexpr std::string_view end_of_byte = " on";
     const auto json = parse_json(source);
@@ -32,7 +33,7 @@ std::string reread(std::string_view source) {
 
 std::string fault_of(std::string_view source) { return parse_json(source).error().message; }
 
-/// The same as the library says it.
+/// Reads a text and writes it again by the library itself, for comparison.
 std::string reread_by_oracle(std::string_view source) {
     try {
         return dump_of(Oracle::parse(source));
@@ -109,7 +110,7 @@ TEST(CoreJson, CopiesAndMovesWhole) {
     first = Json();
     EXPECT_TRUE(first.is_null());
     first = Json{{"b", third}};
-    first = *first.find("b");  // a part of itself
+    first = *first.find("b");  // assigns a part of the value to the value
     EXPECT_EQ(dump(first), written);
 }
 
@@ -298,7 +299,7 @@ TEST(CoreJson, WritesGeneratedValuesAsTheLibraryDoes) {
     }
 }
 
-/// A text with a few bytes changed, removed or doubled.
+/// A text in which a few bytes were changed, removed or doubled.
 std::string damaged(std::string source, Random& random) {
     for (auto n = 1 + random.below(3); n > 0 && !source.empty(); --n) {
         const auto at = static_cast<std::size_t>(random.below(source.size()));

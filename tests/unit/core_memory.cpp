@@ -1,4 +1,4 @@
-// Tests by counts of page faults what the allocator does with freed memory.
+// Tests, by counting page faults, what the allocator does with freed memory.
 #include "core/memory.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ long page_faults_of(void (*work)()) {
 // Runs in a process of its own, because freed memory stays with the process that asked for it.
 TEST(CoreMemoryDeathTest, FreedMemoryIsUsedAgain) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
-    // The launcher asks for large pages, with which there are fewer faults to count.
+    // The launcher asks for large pages; with them there would be fewer faults to count.
     ASSERT_EQ(::setenv("GLIBC_TUNABLES", "", 1), 0);
     EXPECT_EXIT(
         {

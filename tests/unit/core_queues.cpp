@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::uint64_t values = 200'000;
 
-/// A value of several words, each a function of its number. A torn one is not consistent.
+/// A value of several words, each of which follows from its number. If a value is read while it is written,
+/// the words disagree.
 struct Value {
     std::uint64_t number{};
     std::array<std::uint64_t, 4> products{};

@@ -1,4 +1,5 @@
-// Tables as programs and spreadsheets write them: what makes no difference, and how faults are told.
+// Tests of tables as programs and spreadsheets write them: what makes no difference, and how faults are
+// reported.
 #include "core/table.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 namespace thaum {
 namespace {
 
-/// All cells of the columns t and x, with lines; or the fault.
+/// All cells of the columns t and x, with their lines; or the error.
 std::string read(std::string_view csv, std::string_view usual_titles = {}) {
     TableReader table(csv, "f", usual_titles);
     const auto t = table.column("t"), x = table.column("x");

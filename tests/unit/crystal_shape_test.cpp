@@ -1,4 +1,4 @@
-// Tests of the keys and rough bodies of crystals, over many seeds.
+// Tests of the keys inside crystals and of the rough crystals around them, over many seeds.
 #include "game/stations/crystal/crystal_shape.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ vec3 place_of(std::size_t voxel) {
     return vec3(voxel % side, voxel / side % side, voxel / (side * side)) - 0.5 * (side - 1);
 }
 
-/// Number of solid voxels that one can reach from the first one through faces.
+/// Number of solid voxels that can be reached from the first one through shared faces.
 std::size_t connected_voxels(const std::vector<float>& density) {
     std::vector<bool> seen(density.size());
     const auto first = std::find_if(density.begin(), density.end(), [](float d) { return d >= solid; });
@@ -43,7 +43,7 @@ std::size_t connected_voxels(const std::vector<float>& density) {
 
 struct Counts {
     std::size_t key{}, both{}, either{};
-    vec3 reach{};  ///< greatest distance of the key's voxels from the middle along each axis (voxels)
+    vec3 reach{};  ///< greatest distance of the key's voxels from the middle, along each axis (voxels)
 };
 
 Counts counts_of(const std::vector<float>& key, const std::vector<float>& rough) {
@@ -74,7 +74,7 @@ TEST(CrystalShape, KeysOfAThousandSeedsAreInOnePieceAndHalfCarved) {
     }
 }
 
-// A hand reaches the whole length and height of a key, and half its thickness from either side.
+// A hand can reach the whole length and height of a key, and half its thickness from either side.
 TEST(CrystalShape, AHandReachesEveryPartOfAKey) {
     const auto data = duel_data();
     const auto& hand = data->crystal->hand;

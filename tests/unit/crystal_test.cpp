@@ -164,7 +164,7 @@ TEST(Crystal, WorkEndsWithStirWithDeathAndOutOfReach) {
 
 // ---- the Lens ---------------------------------------------------------------------------------------------
 
-/// Lets the body be the key, so that the next dab finds it carved.
+/// Makes the body equal to the key, so that the next dab completes the crystal.
 void carve_whole(Simulation& match) {
     std::ranges::copy(match.crystals().list[0].key, densities(match).begin());
     rebuild_crystals(match.context_to_change(), match.crystals_to_change());
@@ -194,7 +194,7 @@ TEST(Crystal, ACarvedKeyGivesTheLensAndANewRoughBody) {
 
 // ---- chips ------------------------------------------------------------------------------------------------
 
-/// A match in which the first wizard is far away from the crystals, so that nobody touches them.
+/// A match in which the first wizard is far from the crystals, so that no hand touches them.
 std::unique_ptr<Simulation> nobody_near() {
     auto match = at_the_crystal(false);
     auto& world = match->world_to_change();
@@ -206,7 +206,8 @@ std::unique_ptr<Simulation> nobody_near() {
     return match;
 }
 
-/// Aims the first wizard's eyes at a crystal and shoots with the wand of a slot until it is chipped.
+/// Turns the first wizard's view to a crystal and shoots with the wand in a slot until the crystal is
+/// chipped.
 bool shoot_until_chipped(Simulation& match, std::uint32_t slot, Tick limit) {
     auto& world = match.world_to_change();
     const auto wizard = wizard_of(world, 0);
@@ -278,7 +279,7 @@ TEST(Crystal, ALobThatBurstsBesideItChipsItAndOneFarAwayDoesNot) {
     }
 }
 
-// ---- states -----------------------------------------------------------------------------------------------
+// ---- restored states --------------------------------------------------------------------------------------
 
 TEST(Crystal, RestoredWhileTwoCarveItGoesOnToTheSameBits) {
     const auto match = at_the_crystal();
@@ -287,7 +288,7 @@ TEST(Crystal, RestoredWhileTwoCarveItGoesOnToTheSameBits) {
     match->save(saved);
     for (Tick t = 0; t < 600; ++t) match->tick(carving(keyframe_interval + t));
     const auto again = at_the_crystal();
-    for (Tick t = 0; t < 300; ++t) again->tick(carving(3 * t));  // gives the match another history first
+    for (Tick t = 0; t < 300; ++t) again->tick(carving(3 * t));  // so that this match has another history
     ASSERT_TRUE(again->restore(saved, keyframe_interval));
     for (Tick t = 0; t < 600; ++t) again->tick(carving(keyframe_interval + t));
     EXPECT_EQ(again->state_hash(), match->state_hash());
@@ -350,7 +351,7 @@ TEST(Crystal, EditedDataKeepWhatWasCarved) {
     expect_full_count(*fewer, crystal_in(*fewer), *fewer);
 }
 
-// ---- hostile ----------------------------------------------------------------------------------------------
+// ---- hostile input ----------------------------------------------------------------------------------------
 
 TEST(Crystal, CarvingUnderTheHandStaysWithinTheCapsAndCreatesNoEnergy) {
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
@@ -389,7 +390,7 @@ TEST(Crystal, NaNDoesNotGetInAndDoesNotGetOut) {
     }
 }
 
-// ---- files ------------------------------------------------------------------------------------------------
+// ---- data files -------------------------------------------------------------------------------------------
 
 TEST(CrystalRules, ToolsComeFromTheirFilesInTheOrderOfTheKeys) {
     const auto data = duel_data();

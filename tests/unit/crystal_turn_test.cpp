@@ -73,7 +73,8 @@ TEST(Crystal, TurningUnderTheHandStaysWithinTheCapsAndCreatesNoEnergy) {
         for (Tick t = 0; t < 8000; ++t) {
             auto frame = carving(t);
             frame.devices[0].counts[input::hand::strafe] = t % 1400 < 700 ? 127 : -127;
-            if (t % 3000 < 1500) frame.devices[0].counts[input::hand::forward] = 127;  // presses all the time
+            // Presses during the first half of every 3 s.
+            if (t % 3000 < 1500) frame.devices[0].counts[input::hand::forward] = 127;
             match->tick(frame);
             turned += std::abs(std::remainder(crystal_in(*match).yaw - before, 2 * pi));
             before = crystal_in(*match).yaw;
@@ -108,9 +109,10 @@ TEST(Crystal, TurnedAndRestoredItGoesOnToTheSameBits) {
     EXPECT_EQ(again->force_hash(), match->force_hash());
 }
 
-// ---- the grain --------------------------------------------------------------------------------------------
+// ---- the grain of a crystal -------------------------------------------------------------------------------
 
-/// Middle of the voxel of which `which(voxel)` is true and that has most like it around; crystal's frame.
+/// Middle of a voxel for which `which(voxel)` is true: the voxel with the most such voxels around it
+/// (crystal's frame).
 template <class Which>
 vec3 midst_of(const Crystal& crystal, Which which) {
     constexpr int side = crystal_side, around = 2;

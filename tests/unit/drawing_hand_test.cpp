@@ -1,4 +1,4 @@
-// The mouse as a hand that draws strokes outside of a match.
+// Tests of the mouse as a hand that draws strokes outside of a match.
 #include <gtest/gtest.h>
 
 #include "game/app/gesture/drawing_hand.h"
@@ -18,7 +18,7 @@ TEST(DrawingMouse, ACountMovesTheHandATenthOfAMillimetreAgainstTheField) {
     gesture::StrokeRecorder recorder;
     hand.press(true);
     std::int64_t now = 0;
-    for (int i = 0; i < 100; ++i) {  // 10 counts right and 5 up in 10 ms, for a second
+    for (int i = 0; i < 100; ++i) {  // for a second, the mouse moves 10 counts right and 5 up in each 10 ms
         hand.move(10, -5);
         hand.advance(now += 10 * tick_of_mouse, recorder);
     }
@@ -43,7 +43,7 @@ TEST(DrawingMouse, EveryStrokeBeginsInTheMiddleAndHasNoEdge) {
     gesture::StrokeRecorder recorder;
     std::int64_t now = 0;
     for (int stroke = 0; stroke < 2; ++stroke) {
-        hand.move(5000, 5000);  // on the way to the next stroke
+        hand.move(5000, 5000);  // moves to the start of the next stroke
         hand.advance(now += 50 * tick_of_mouse, recorder);
         hand.press(true);
         for (int i = 0; i < 40; ++i) {

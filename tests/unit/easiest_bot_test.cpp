@@ -1,5 +1,5 @@
-// Measurement of the easiest bot: how long a player lives who only walks about. The player walks along random ways
-// through the court, looks where it goes, and never shoots. Each seed gives one life.
+// Measures the easiest bot: how long a player survives who only walks about. The player walks along random
+// paths through the court, looks in the direction of walking, and never shoots. Each seed gives one life.
 #include <thread>
 
 #include "game/bots/aim.h"
@@ -11,8 +11,8 @@ namespace thaum::game::test {
 namespace {
 
 constexpr std::uint64_t measured_lives = 20;
-constexpr double longest_life = 150;  ///< time after which a life is no longer watched (s)
-constexpr double wanted_median = 60;  ///< least median of the lives (s)
+constexpr double longest_life = 150;  ///< longest time for which one life is measured (s)
+constexpr double wanted_median = 60;  ///< least median that the lives must have (s)
 
 /// A player who only walks about.
 class Walker {
@@ -85,7 +85,7 @@ Life life_beside_the_easiest_bot(const std::shared_ptr<const MatchData>& data, s
 }
 
 TEST(EasiestBot, SeldomKillsAPlayerWhoOnlyWalksWithinAMinute) {
-    const auto data = duel_data({"thaum.cauldron=false"});  // the brew takes time and has no part in this
+    const auto data = duel_data({"thaum.cauldron=false"});  // the brew would take time and has no effect here
     std::array<Life, measured_lives> lives;
     const auto play = [&](std::uint64_t first) {
         for (std::uint64_t i = first; i < measured_lives; i += 2)

@@ -20,7 +20,7 @@ void fill(World& world, std::size_t n) {
     for (std::size_t i = 0; i < n; i += 5) world.destroy(all[i]);
 }
 
-/// Samples of a liquid that fills a World.
+/// A blob: samples of a liquid that belong to the World as a whole.
 struct Levels {
     using Element = float;
     static constexpr std::string_view name = "Levels";
@@ -171,7 +171,8 @@ void EcsSnapshot::expect_spoilt_are_refused_or_consistent(std::size_t step) {
     for (std::size_t n = 0; n < bytes.size(); n += step) {
         Bytes spoilt = bytes;
         spoilt[n] ^= std::byte{0x41};
-        if (restore(copy, spoilt)) {  // a changed value may be restored, a damaged structure may not
+        // A snapshot with a changed value may be restored, one with a damaged structure may not.
+        if (restore(copy, spoilt)) {
             copy.view<Position>().each([](Position& p) { p.at.x += 1; });
             copy.clear();
         }
@@ -181,8 +182,8 @@ void EcsSnapshot::expect_spoilt_are_refused_or_consistent(std::size_t step) {
     EXPECT_EQ(state_hash(copy), state_hash(world));
 }
 
-// Every number of eight bytes has a byte whose place is a multiple of seven. Under sanitizers this takes the place of the
-// case below.
+// Among every eight consecutive bytes, one has an index that is a multiple of seven, so every number of eight
+// bytes is changed. Under sanitizers this test replaces the one below.
 TEST_F(EcsSnapshot, EverySeventhTruncationAndFlippedByteIsRefusedOrConsistent) {
     expect_spoilt_are_refused_or_consistent(7);
 }

@@ -187,7 +187,7 @@ TEST_F(EcsWorld, AComponentMayBeCopiedFromTheTableThatGrowsForIt) {
 
 using EcsWorldDeath = EcsWorld;
 
-/// A component of `size` bytes that all differ from their neighbours.
+/// A component of `size` bytes, in which neighbouring bytes differ.
 template <std::size_t size>
 struct Cell {
     std::array<std::uint8_t, size> value{};
@@ -201,7 +201,8 @@ Cell<size> cell(std::uint32_t entity) {
     return out;
 }
 
-/// Sizes on both sides of each word with which cells are copied, and those of the game up to 128 (bytes).
+/// Sizes just below and above each word size with which cells are copied, and the game's own sizes up to 128
+/// (bytes).
 constexpr std::array<std::size_t, 24> cell_sizes{1,  2,  3,  4,  5,  7,  8,  9,  12, 15, 16,  17,
                                                  24, 31, 32, 33, 40, 44, 63, 64, 65, 96, 120, 128};
 
@@ -226,7 +227,7 @@ void expect_cell(const World& world, Entity e, bool has) {
     EXPECT_EQ(found->value, cell<sizeof(C)>(e.index).value) << sizeof(C) << " bytes";
 }
 
-/// Moves entities at random between the tables of eight components: every third of `cell_sizes`, from number
+/// Moves entities at random between tables with eight components: every third of `cell_sizes`, from index
 /// `first` on.
 template <std::size_t first>
 void move_cells_at_random() {

@@ -27,7 +27,7 @@ constexpr std::string_view head_device =
 constexpr std::string_view no_device =
     R"({"ConnectedDeviceCount":0,"ActiveKeys":[],"ConnectedPositions":[],"RegisteredKeys":[],"Status":{}})";
 
-/// A frame of at most 65,535 bytes from a server: not masked.
+/// A WebSocket frame of at most 65,535 bytes from a server, which is not masked.
 std::string frame_of(unsigned char opcode, std::string_view payload) {
     std::string frame{static_cast<char>(opcode)};
     if (payload.size() < 126) {
@@ -161,7 +161,7 @@ bool FakeBhaptics::answer(int peer) {
                      accept_key(request) + "\r\n\r\n");
 }
 
-/// Says what the manner demands before any request.
+/// Sends what `manner` requires before any request.
 void FakeBhaptics::speak(int peer) {
     switch (manner_) {
         case Manner::sends_noise: write(peer, noise(100'000)); break;
@@ -233,7 +233,7 @@ void FakeBhaptics::send_gibibyte(int peer) {
         taken = write(peer, piece);
 }
 
-/// Waits until the client goes away, and reads nothing.
+/// Waits until the client disconnects, and reads nothing.
 void FakeBhaptics::stay(int peer) {
     while (!stop_) {
         pollfd state{peer, POLLRDHUP, 0};
@@ -241,7 +241,7 @@ void FakeBhaptics::stay(int peer) {
     }
 }
 
-/// Returns false if the connection has ended, or the test.
+/// Returns false if the connection or the test has ended.
 bool FakeBhaptics::read(int peer, void* to, std::size_t size) {
     for (std::size_t done = 0; done < size;) {
         pollfd state{peer, POLLIN, 0};

@@ -1,5 +1,5 @@
-// A fake of the bHaptics Player, at a port that the system chooses. It speaks HTTP and WebSocket (RFC 6455) byte by byte,
-// so that it can also speak them wrongly.
+// A fake of the bHaptics Player, at a port that the system chooses. It implements HTTP and WebSocket (RFC
+// 6455) byte by byte, so that it can also break their rules.
 #pragma once
 #include <array>
 #include <atomic>
@@ -17,17 +17,17 @@ enum class Manner : std::uint8_t {
     replies,          ///< answers each request, with one device
     replies_no_vest,  ///< answers each request, with no device
     replies_head,     ///< answers each request, with a device for the head alone
-    never_replies,    ///< takes requests and says nothing
-    never_answers,    ///< takes the connection and says nothing
-    answers_404,      ///< knows no WebSocket
-    answers_noise,    ///< random bytes instead of an answer
-    sends_noise,      ///< random bytes instead of frames, after an answer
-    sends_nonsense,   ///< proper frames whose texts are no replies
-    sends_gibibyte,   ///< one message of 1 GiB
-    sends_pieces,     ///< replies cut into many fragments, with pings between
-    never_reads,      ///< answers, and reads nothing more
+    never_replies,    ///< accepts requests and never replies
+    never_answers,    ///< accepts the connection and sends nothing
+    answers_404,      ///< does not support WebSocket
+    answers_noise,    ///< sends random bytes instead of an HTTP response
+    sends_noise,      ///< sends random bytes instead of frames, after a correct HTTP response
+    sends_nonsense,   ///< sends correct frames whose texts are not replies
+    sends_gibibyte,   ///< sends one message of 1 GiB
+    sends_pieces,     ///< sends replies in many fragments, with pings between them
+    never_reads,      ///< sends a correct HTTP response, then reads nothing more
     hangs_up,         ///< closes the connection after the first request
-    redirects,        ///< sends the client to another port, that of redirect_to
+    redirects,        ///< redirects the client to another port, that of redirect_to
 };
 
 class FakeBhaptics {
@@ -40,13 +40,14 @@ public:
     std::uint16_t port() const { return port_; }
     void behave(Manner manner) { manner_ = manner; }
     void redirect_to(std::uint16_t port) { other_port_ = port; }
-    /// Requests so far.
+    /// All requests so far.
     std::vector<std::string> texts() const;
     /// First line of the last connection's HTTP request.
     std::string first_line() const;
     std::size_t connections() const;
     std::uint64_t bytes_sent() const { return sent_; }
-    /// Waits for a condition on the texts so far; a test that waits for ever is ended by its limit.
+    /// Waits until a condition on the requests so far holds. A test that waits for ever is ended by its time
+    /// limit.
     template <class Condition>
     void wait(Condition condition) {
         std::unique_lock lock(mutex_);
@@ -75,7 +76,7 @@ private:
     std::atomic<std::uint16_t> other_port_{};
     std::atomic<bool> stop_{};
     std::atomic<std::uint64_t> sent_{};
-    mutable std::mutex mutex_;  ///< guards the three below
+    mutable std::mutex mutex_;  ///< guards the three members below
     std::vector<std::string> texts_;
     std::string first_line_;
     std::size_t connections_ = 0;

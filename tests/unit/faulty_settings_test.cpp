@@ -1,4 +1,4 @@
-// Tests of settings files with wrong values: the good values hold, and the file is kept.
+// Tests of settings files with wrong values: the correct values are used, and the file is kept.
 #include "core/file.h"
 #include "game/settings/settings.h"
 #include "unit/live_rig.h"
@@ -6,7 +6,7 @@
 namespace thaum::app {
 namespace {
 
-/// A file with a wrong value of every sort, and the settings of its good values.
+/// A settings file with every kind of wrong value, and the settings that its correct values give.
 constexpr const char* partly_wrong = R"(version = 1
 fov_deg = 500
 text_scale = 2.0

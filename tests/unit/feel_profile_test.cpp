@@ -1,4 +1,4 @@
-// Tests of profiles of what a player feels: their files, and what counts as the same feel.
+// Tests of profiles of haptic settings: their files, and which settings count as the same.
 #include "game/settings/feel_profile.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Fakes of an output of tactile frames.
+// Fake outputs for tactile frames.
 #pragma once
 #include <condition_variable>
 #include <memory>
@@ -10,18 +10,18 @@
 
 namespace thaum::input::rig {
 
-/// Facts and decisions about a fake output, for a test. The output and the test share it, since a thread that is left
-/// behind may outlive the test.
+/// State and settings of a fake output. The output and the test share it, since an abandoned thread may
+/// outlive the test.
 struct Felt {
     mutable std::mutex mutex;
     std::condition_variable changed;
-    bool present{true};    ///< false: it cannot be opened
-    bool connected{true};  ///< false: it is gone
+    bool present{true};    ///< false: the output cannot be opened
+    bool connected{true};  ///< false: the output has been unplugged
     bool hangs{};          ///< true: the next call of `write` or `open` does not return
-    bool wants_every{};    ///< it gets every frame that is not silent
-    bool in_hang{};        ///< a call hangs
+    bool wants_every{};    ///< true: the output asks for every frame that is not silent
+    bool in_hang{};        ///< true: a call hangs at the moment
     int opened{}, closed{}, silenced{};
-    bool on{};  ///< some actuator is on
+    bool on{};  ///< true: some actuator is on
     std::vector<tactile::TactileFrame> frames;
 
     template <class Condition>
@@ -35,7 +35,7 @@ struct Felt {
         changed.notify_all();
         return change();
     }
-    /// Called with the mutex held.
+    /// Must be called with the mutex locked.
     void hang(std::unique_lock<std::mutex>& lock) {
         in_hang = hangs;
         changed.notify_all();

@@ -124,7 +124,7 @@ TEST(FeltRecorder, EveryFrameIsWrittenInASession) {
         tactile.apply(settings);
         while (tactile.jacket_layout(1) != "abstract_4x5") std::this_thread::yield();
         for (Tick i = 0; i < frames; ++i) {
-            // Frames wait in a queue of 32 while the recorder's thread rests.
+            // Up to 32 frames wait in a queue while the recorder's thread sleeps.
             while (tactile.jacket_report(1).frames_sent + 16 < i) std::this_thread::yield();
             auto frame = frame_at(8 * i);
             if (i % 5 == 0) frame.amplitude.fill(0);

@@ -1,4 +1,5 @@
-// Sounds as they are felt on a jacket: which row a tone lights, and its course; distance, walls and groups; silence.
+// Tests of sounds that are felt on a jacket: which row of cells a tone drives and how its level changes;
+// distance, walls and groups; silence.
 #include "game/senses/tactile/felt_sound.h"
 
 #include <cmath>
@@ -21,7 +22,8 @@ using audio::Voice;
 
 FeltBands shipped_bands() { return load_felt_bands(assets() / "tactile/sound.toml").value(); }
 
-/// A bank of tones, by number: loops of 40, 141 and 500 Hz as music, then one of 40 Hz as an effect.
+/// A bank of tones: loops of 40, 141 and 500 Hz as music, then one of 40 Hz as an effect. The index is the
+/// number of the sound.
 audio::SoundBank tones() {
     audio::SoundBank bank;
     for (const auto& [hz, group] :
@@ -107,7 +109,7 @@ TEST(FeltSound, ALastingVoiceEndsWithTheFramesAndStopForgetsAll) {
     EXPECT_EQ(felt.strengths(0, {1, FeltGroups::both}), BandStrengths{});
     audio::AudioFrame begins = frame_with({});
     for (int i = 0; i < 200; ++i) begins.begins.add({.sound = low_effect, .at_ear = true});
-    felt.follow(begins);  // a loop that nobody ends; more than there is room for
+    felt.follow(begins);  // more loops than there is room for, which nothing ends
     felt.follow(begins);
     felt.follow(begins);
     EXPECT_EQ(felt.strengths(0, {1, FeltGroups::both})[0], 1);
@@ -134,7 +136,7 @@ TEST(FeltSound, FaultsInTheBandsAreToldInOneLine) {
     EXPECT_FALSE(load_felt_bands(folder.path() / "none.toml"));
 }
 
-/// A match in which player 1 has a jacket, and hears what the test says.
+/// A match in which player 1 has a jacket and hears sounds that the test chooses.
 struct JacketRig {
     JacketRig() : match(duel_data(), two_hands()) {
         auto bank = tactile::load_effects(assets() / "tactile/effects");
@@ -145,7 +147,7 @@ struct JacketRig {
         numbers = match_effects(effects, *match.data().presentation);
         scene.emplace(numbers, effects, 0);
         scene->set_hears(scene->add(jacket), true);
-        scene->add(jacket);  // does not hear
+        scene->add(jacket);  // this player hears nothing
         scene->take(match);
     }
     void play(const BandStrengths& strengths) {
@@ -171,7 +173,7 @@ struct JacketRig {
 };
 
 TEST(FeltSoundOnAJacket, EachToneLightsItsRowInFrontAndAtTheBack) {
-    constexpr std::array<std::size_t, felt_bands> row_of{4, 2, 0};  // belly, waist, shoulders
+    constexpr std::array<std::size_t, felt_bands> row_of{4, 2, 0};  // rows of cells: belly, waist, shoulders
     for (const std::uint32_t tone : {low, middle, high}) {
         JacketRig rig;
         FeltSound felt(courses());
@@ -198,7 +200,7 @@ TEST(FeltSoundOnAJacket, TheRowFollowsTheStrengthAndIsSilentSoonAfterTheSound) {
         rig.play({wanted, 0, 0});
         double sum = 0;
         for (const double row : rig.rows()) sum += row;
-        // Cells at the edge of the row are too weak for a motor, and left out.
+        // The cells at the edge of the row would be too weak for a motor, and are left out.
         EXPECT_NEAR(std::sqrt(sum), effect.level(wanted), 0.05 * effect.level(1)) << i;
     }
     for (int i = 0; i < 8; ++i) rig.play({});
@@ -216,7 +218,7 @@ TEST(FeltSoundOnAJacket, ASilentMatchAndAnOffSettingDriveNothing) {
     EXPECT_EQ(rig.scene->counts(0).replaced + rig.scene->counts(0).not_driven, 0U);
 }
 
-/// Frames of the jacket after a blow from ahead, with the loudest sounds or none.
+/// Frames of the jacket after a blow from the front, with the loudest sounds or without sounds.
 std::vector<tactile::TactileFrame> blow(double loudness) {
     JacketRig rig;
     for (int i = 0; i < 10; ++i) rig.play({loudness, loudness, loudness});
@@ -248,7 +250,7 @@ TEST(FeltSoundOnAJacket, ABlowIsFeltAsWithoutSounds) {
     EXPECT_FALSE(loud.back().is_silent()) << "the sounds come back";
 }
 
-/// Hash of all felt frames of a duel of bots whose sounds both players feel, and of its state.
+/// Hash of all tactile frames of a duel of bots in which both players feel sounds, and of the duel's state.
 std::pair<std::uint64_t, std::uint64_t> duel_felt(bool with_sound, std::size_t* felt_frames) {
     static const auto bank = audio::load_sounds(assets() / "sounds");
     EXPECT_TRUE(bank);

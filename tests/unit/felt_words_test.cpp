@@ -1,4 +1,5 @@
-// Tests of the words for what is heard and felt: every source has some, with its side, and none is told twice.
+// Tests of the captions for sounds and effects: every source has a caption with its side, and none is shown
+// twice.
 #include "game/senses/felt_words.h"
 
 #include <set>
@@ -14,13 +15,13 @@ const std::shared_ptr<const SenseData>& sense_data() {
     return loaded;
 }
 
-/// A match whose first player hears and feels what the test records.
+/// A match whose first player's sounds and effects the test triggers.
 struct WordsRig {
     explicit WordsRig(std::shared_ptr<const SenseData> data = sense_data())
         : match(duel_data(), two_hands()),
           senses(Senses::create(std::move(data), *match.data().presentation)) {
         senses->follow(match);
-        play(ticks(2));  // until the words of the start are gone
+        play(ticks(2));  // long enough for the captions of the start to disappear
     }
 
     void play(Tick count) {
@@ -43,7 +44,7 @@ struct WordsRig {
                                            .place = from});
         play(audio::frame_ticks);
     }
-    /// All lines of the first player but the music's.
+    /// All captions of the first player except those of the music.
     std::vector<std::string> lines() const {
         std::vector<std::string> out;
         for (const auto& line : senses->lines(0)) {
@@ -58,15 +59,15 @@ struct WordsRig {
     std::unique_ptr<Senses> senses;
 };
 
-// ---- all sources --------------------------------------------------------------------------------------------
+// ---- captions of all sources --------------------------------------------------------------------------------
 
-/// One thing that is heard or felt, and its words.
+/// One thing that is heard or felt, and its caption.
 struct Source {
     std::string name;
     std::string words;
 };
 
-/// Sounds and effects of all events, of all wands, of the state of a match, and all forces on the hand.
+/// Sounds and effects of all events, of all wands and of the match's state, and all forces on the hand.
 std::vector<Source> all_sources(const Presentation& shown, const MatchSounds& sounds,
                                 const MatchEffects& effects) {
     std::vector<Source> all;
@@ -109,7 +110,7 @@ TEST(FeltWords, CaptionsCoverEveryEvent) {
     for (const auto& wand : data->wands) EXPECT_FALSE(wand.look.steady_force.empty());
 }
 
-/// Number of players who are told something by an event that happens to the first one.
+/// Number of players who get a caption for an event that happens to the first one.
 bool is_told(const std::shared_ptr<const SenseData>& data, EventKind kind) {
     WordsRig rig(data);
     rig.happen(kind, rig.middle() + vec3(0, 0, 3));
@@ -124,12 +125,12 @@ TEST(FeltWords, EachEventWithASoundOrAnEffectIsToldWhenItHappens) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const auto kind = static_cast<EventKind>(i);
         EXPECT_TRUE(rows[i].sound.empty() || is_told(sense_data(), kind)) << name_of(kind);
-        // Without the words of sounds those of effects step in.
+        // If sounds have no captions, those of effects are shown instead.
         EXPECT_TRUE(rows[i].tactile.empty() || is_told(deaf, kind)) << name_of(kind);
     }
 }
 
-// ---- hurts --------------------------------------------------------------------------------------------------
+// ---- captions of hurts --------------------------------------------------------------------------------------
 
 TEST(FeltWords, TheOwnHitHasItsSideAndIsToldOnce) {
     constexpr std::array<std::pair<vec3, const char*>, 4> places{{{{0, 0, -3}, "hit from ahead"},
@@ -175,7 +176,7 @@ TEST(FeltWords, WithoutASoundTheEffectTellsTheSide) {
     EXPECT_EQ(rig.lines(), std::vector<std::string>{"bolt strikes from behind"});
 }
 
-// ---- forces -------------------------------------------------------------------------------------------------
+// ---- captions of forces -------------------------------------------------------------------------------------
 
 TEST(FeltWords, EachForceOnTheHandIsToldWithItsDirection) {
     WordsRig rig;
@@ -225,7 +226,7 @@ TEST(FeltWords, AForceThatTurnsIsOneLineThatChangesSideAtMostOnceASecond) {
     HandWords words;
     int changes = 0;
     HeardFrom before = HeardFrom::here;
-    for (int frame = 0; frame < 500; ++frame) {  // 4 s, four turns a second
+    for (int frame = 0; frame < 500; ++frame) {  // the view turns for 4 s, four times a second
         const double angle = 2 * pi * frame / 31.25;
         rig.play(audio::frame_ticks);
         rig.hand().servo.fluid.force = {std::cos(angle), 0, std::sin(angle)};

@@ -1,6 +1,6 @@
-// Volume files that cannot be read as they stand: samples that floats do not tell apart, files that came from another
-// computer, bytes of another encoding or order, other formats. Each is read rightly, or refused with its line and what to
-// do.
+// Tests of volume files that cannot simply be read: samples that floats cannot distinguish, files from
+// another computer, bytes of another encoding or order, other formats. Each is read correctly, or refused
+// with the line and what to do.
 #include <algorithm>
 #include <cstring>
 

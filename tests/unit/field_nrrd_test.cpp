@@ -1,5 +1,5 @@
-// Tests of volume files: NRRD in all forms that are read, written and read again, raw samples with a
-// description, and files that are wrong.
+// Tests of volume files: NRRD in all forms that can be read, files that are written and read again, raw
+// samples with a description, and faulty files.
 #include "field/nrrd.h"
 
 #include <gtest/gtest.h>
@@ -85,7 +85,7 @@ TEST_F(VolumeFiles, AxesAlongSpaceAreOrderedAndTurnedRound) {
         for (int j = 0; j < 4; ++j) {
             for (int i = 0; i < 3; ++i) {
                 EXPECT_EQ(sample(v, i, j, k), static_cast<float>((1 - k) + 2 * i + 6 * j));
-                // Place of the same sample by the header.
+                // Place of the same sample, computed from the header.
                 const vec3 by_header = vec3(10 + 3 * i, 20 + 4 * j, 30 - 2 * (1 - k)) / 1000.0;
                 EXPECT_LE(glm::length(to_parent(v.placement, v.place(i, j, k)) - by_header), 1e-15);
             }
@@ -94,7 +94,8 @@ TEST_F(VolumeFiles, AxesAlongSpaceAreOrderedAndTurnedRound) {
 }
 
 TEST_F(VolumeFiles, TurnedAxesGoToThePlacement) {
-    // Turned by 30 degrees about z; in the second file the third axis makes them left-handed.
+    // The axes are turned by 30 degrees about z. In the second file the third axis makes the frame
+    // left-handed.
     for (const char* third : {"(0,0,2)", "(0,0,-2)"}) {
         const Volume v =
             read_short(text("space: left-posterior-superior\nspace directions: (0.8660254037844387,0.5,0) "
@@ -389,7 +390,7 @@ TEST_F(VolumeFiles, WrongDescriptionsAreRefused) {
     expect_refused(with("file = \".\"\ntype = \"int16\"\nsizes = [2, 3, 4]"), "not an ordinary file");
 }
 
-// ---- files that are wrong ---------------------------------------------------------------------------------
+// ---- faulty files -----------------------------------------------------------------------------------------
 
 TEST_F(VolumeFiles, WrongHeadersAreRefusedWithTheirLine) {
     const auto refused = [&](std::string_view lines, std::string_view what) {
@@ -477,7 +478,8 @@ TEST_F(VolumeFiles, LyingHeadersAreRefusedBeforeMemoryIsTaken) {
     expect_refused(with("512 512 512", "gzip", gzipped(shorts(24))), "cannot hold them");
     expect_refused(with("512 512 512", "raw", shorts(24)), "promises 268435456");
     expect_refused(with("2 3 4", "raw", shorts(24), 23), "more than 23 samples");
-    // A bomb: 8 MB of zeros in 8 kB, with a header that promises 48 bytes. Only these are unpacked.
+    // A decompression bomb: 8 MB of zeros in 8 kB, with a header that promises 48 bytes. Only 48 bytes are
+    // unpacked.
     EXPECT_TRUE(with("2 3 4", "gzip", gzipped(std::string(8'000'000, '\0'))));
     std::string zeros;
     zeros.resize(std::size_t{80} << 20U);

@@ -1,5 +1,5 @@
-// NRRD files as people have them: colours, time, values that are not given, units of the wild, bytes behind the samples,
-// skips, several files, large integers, long headers.
+// Tests of NRRD files as they occur in practice: colours, time, missing values, unusual units, bytes after
+// the samples, skipped bytes, several files, large integers, long headers.
 #include <algorithm>
 
 #include "field/volume_file.h"
@@ -121,7 +121,7 @@ TEST_F(VolumeFiles, WhatIsNotGivenIsLikeMissing) {
     }
     EXPECT_EQ(read_short("spacings: nan 1 2").spacing, vec3(1, 1, 2) / 1000.0);
     EXPECT_FALSE(read_short("space dimension: 3\nspacings: 1 1 1\nspace origin: none").has_place);
-    // Spacings alone lie along the axes of a space that is turned, too.
+    // If only spacings are given, the samples lie along the axes of the space, even if that space is turned.
     EXPECT_EQ(*read_short("space: RAS\nspacings: 1 1 1\nspace origin: (1,2,3)").file_axes->first,
               vec3(-1 - 1, -2 - 2, 3) / 1000.0);
 }

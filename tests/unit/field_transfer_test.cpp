@@ -58,7 +58,7 @@ TEST(TransferFunction, EachPieceIsMonotoneAndWithinItsEnds) {
         for (std::size_t i = 1; i < points.size(); ++i) {
             const vec2 a = points[i - 1], b = points[i];
             double before = a.x, y = a.y;
-            // Also the numbers right before the end, where rounding could pass it.
+            // Includes the numbers just before the end, where rounding could exceed it.
             std::vector<double> places{std::nextafter(b.x, a.x),
                                        std::nextafter(std::nextafter(b.x, a.x), a.x)};
             for (int n = 0; n < 20; ++n) places.push_back(random.uniform(a.x, b.x));
@@ -152,7 +152,7 @@ TEST(TransferFunction, DrawingChangesOneColumnAlone) {
 }
 
 TEST(TransferFunction, AStrokeKeepsWhatTheMouseDrew) {
-    // A parabola drawn slowly and quickly, from right to left, over other points.
+    // A parabola is drawn slowly and quickly, from right to left, over other points.
     const auto curve = [](double x) { return 4 * x * (1 - x); };
     for (const double step : {0.003, 0.02, 0.11}) {
         TransferFunction f = through({{0, 9}, {0.31, -9}, {0.31, 9}, {1, -9}});
@@ -165,7 +165,7 @@ TEST(TransferFunction, AStrokeKeepsWhatTheMouseDrew) {
 }
 
 TEST(TransferFunction, AFullFunctionKeepsItsShape) {
-    // A saw of 8 teeth is drawn in 200 columns. Its corners are the points worth keeping.
+    // A saw-tooth curve of 8 teeth is drawn in 200 columns. Its corners are the points that should be kept.
     const auto saw = [](double x) { return std::abs(x * 8 - std::round(x * 8)); };
     TransferFunction f = constant(0);
     for (int i = 0; i <= 200; ++i) {

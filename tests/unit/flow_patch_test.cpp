@@ -1,4 +1,5 @@
-// The piece of a flow that a haptic model carries: what is taken of fields, and how it is read.
+// Tests of the piece of a flow that is copied into a haptic model: what is copied from the fields, and how it
+// is read.
 #include "haptics/flow_patch.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +48,7 @@ TEST(FlowPatch, NodesEqualTheFieldsOfTheFluid) {
     for (auto& grid : velocity.component) grid.kernel = field::Kernel::linear;
     Random random{1};
     for (int run = 0; run < 200; ++run) {
-        const vec3 middle = place_in(random, -0.5, 2.5);  // beyond the box too
+        const vec3 middle = place_in(random, -0.5, 2.5);  // the range also includes places outside the box
         const FlowPatch patch = patch_of(source, middle);
         ASSERT_EQ(patch.spacing, 0.125);
         for (int n = 0; n < 64; ++n) {
@@ -106,7 +107,7 @@ TEST(FlowPatch, ContinuesBeyondItsNodesAndIsEmptyWithoutAFluid) {
     EXPECT_EQ(flow_at({}, {}).density, 0);
     EXPECT_EQ(patch_of({}, {}).spacing, 0);
     EXPECT_EQ(patch_of(source_of(fluid), vec3(1e300)).spacing, 0.125);
-    // A substance that makes lighter by more than there is.
+    // A substance that reduces the density by more than the density of the brew.
     auto source = source_of(fluid);
     source.substances[2].density = -1e9;
     for (const FlowNode& node : patch_of(source, vec3(0.6)).nodes) EXPECT_GE(node.density, 0);

@@ -1,5 +1,5 @@
-// A flow resampled to another grid: the error has the order of the kernel, and amounts are conserved in
-// all cases.
+// Tests of transferring a flow to another grid: the error has the order of the kernel, and amounts are always
+// conserved.
 #include <gtest/gtest.h>
 
 #include "fluid/resample.h"
@@ -72,7 +72,7 @@ TEST(FluidResample, ThereAndBackThroughTheOtherSolver) {
     Fluid back = taken_over(taken_over(from, settings_of(32, Solver::classic, false)),
                             settings_of(32, Solver::thaum, false));
     EXPECT_NEAR(energy(back), energy(from), 0.01 * energy(from));
-    // Interpolation leaves divergence, which one step removes without harm.
+    // The interpolated flow has some divergence, which one step removes without harm.
     const StepReport report = advance(back, flows::step);
     EXPECT_LT(report.divergence, 1e-5);
     EXPECT_NEAR(report.energy, energy(from), 0.01 * energy(from));
@@ -92,7 +92,7 @@ TEST(FluidResample, TheSameGridIsTheSameFlow) {
 TEST(FluidMixing, IsOneMinusDeviationDividedByMean) {
     for (const bool bowl : {false, true}) {
         Fluid fluid = *make_fluid(settings_of(16, Solver::thaum, bowl));
-        EXPECT_EQ(mixing(fluid, 0), 0);  // none is there
+        EXPECT_EQ(mixing(fluid, 0), 0);  // 0, because there is none of the substance
         set_substance(fluid, 0, [](vec3) { return 0.3; });
         EXPECT_NEAR(mixing(fluid, 0), 1, 1e-6);
         set_substance(fluid, 0, [](vec3 p) { return p.x < 0.5 ? 1.0 : 3.0; });
@@ -109,11 +109,13 @@ TEST(FluidMixing, FilledShareTellsHowFarABlobHasSpread) {
             set_substance(fluid, 0, density);
             return filled_share(fluid, fluid.now.substances[0]);
         };
-        EXPECT_EQ(filled_share(fluid, fluid.now.substances[0]), 0);  // none is there
+        // 0, because there is none of the substance.
+        EXPECT_EQ(filled_share(fluid, fluid.now.substances[0]), 0);
         EXPECT_NEAR(filled([](vec3) { return 0.3; }), 1, 1e-6);
         EXPECT_NEAR(filled([](vec3 p) { return p.x < 0.5 ? 0.7 : 0.0; }), 0.5, 1e-6);
         const double small = filled([](vec3 p) { return p.x < 0.5 && p.z < 0.5 && p.y < 0.5 ? 4.0 : 0.0; });
-        EXPECT_NEAR(small, 0.125, 0.03);  // a bowl's lower half is smaller
+        // Less than half of the volume, because the lower half of a bowl is the smaller one.
+        EXPECT_NEAR(small, 0.125, 0.03);
         EXPECT_EQ(mixing(fluid, 0), 0);
         const double even = filled([](vec3 p) { return p.x < 0.5 ? 1.0 : 3.0; });
         const double unmixed = 1 - mixing(fluid, 0);

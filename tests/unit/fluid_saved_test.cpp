@@ -1,5 +1,5 @@
-// Saved fluids: a restored fluid continues with the same bits; a damaged file is refused with a message
-// that names the fault.
+// Tests of saved fluids: a restored fluid continues with the same bits; a damaged file is refused with a
+// message that names the fault.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -66,7 +66,7 @@ Brew brew_of(const Case& c) {
     return {std::move(fluid), make_spring_surface(*surface)};
 }
 
-/// A ladle goes in circles, a substance is poured at intervals, and a probe breaks through.
+/// Moves a ladle in circles, pours a substance at intervals, and lets a probe break through.
 void stir(Brew& brew, int from, int to) {
     for (int i = from; i < to; ++i) {
         const double turn = 0.3 * i;
@@ -97,7 +97,8 @@ TEST(FluidSaved, ARestoredFluidContinuesWithTheSameBits) {
         EXPECT_EQ(saved.shape, c.shape);
         Brew again{std::move(saved.fluid), std::move(saved.surface)};
         if (c.settings.solver == Solver::thaum) {
-            EXPECT_EQ(again.fluid.now.velocity, through.fluid.now.velocity);  // includes the ghosts
+            // This comparison includes the ghosts.
+            EXPECT_EQ(again.fluid.now.velocity, through.fluid.now.velocity);
         }
         EXPECT_EQ(save(again.fluid, again.surface, c.shape), save(through.fluid, through.surface, c.shape));
         stir(through, 6, 16);
@@ -127,7 +128,7 @@ TEST(FluidSaved, CutOffOrDamagedFilesAreRefused) {
         ASSERT_NE(refusal(std::span(file).first(length)).find("cut off"), std::string::npos) << length;
     Random random = random_stream(1, 0);
     for (std::size_t i = 0; i < 1100; ++i) {
-        // Damage each byte of the header, then bytes anywhere.
+        // Damages each byte of the header, then random bytes.
         Bytes spoilt = file;
         spoilt[i < 100 ? i : random.below(file.size())] ^= static_cast<std::byte>(1 + random.below(255));
         ASSERT_NE(refusal(spoilt), "") << i;
@@ -142,7 +143,7 @@ TEST(FluidSaved, CutOffOrDamagedFilesAreRefused) {
                   text("saved fluid: it has version ", version, ", but this program reads version ",
                        saved_version, "; load it with the program that saved it"));
     }
-    // One byte too many, with correct length and checksum.
+    // A file with one byte too many, but with correct length and checksum.
     Bytes wider(file.begin(), file.end() - 8);
     wider.push_back(std::byte{});
     const auto length = static_cast<std::uint64_t>(wider.size() - 20);

@@ -1,4 +1,5 @@
-// Unit tests of the forces on a stirring hand against closed forms, and of the force for the fluid.
+// Tests of the forces on a hand that stirs, compared with closed forms, and of the force that the fluid
+// receives.
 #include "haptics/fluid_touch.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@
 namespace thaum::haptics {
 namespace {
 
-/// s_f s_x: damping at the hand per 1 N s/m in the bowl.
+/// s_f s_x: damping felt at the hand for 1 N s/m in the bowl.
 constexpr double felt_share = 16.0 / 256;
 
 vec3 in_device(const FluidTouch& touch, vec3 bowl) { return glm::transpose(touch.frame.turn) * bowl; }
@@ -49,8 +50,8 @@ TEST(FluidTouch, EachModeFollowsItsEquation) {
 }
 
 TEST(FluidTouch, AMixtureIsFeltAsTheWeightedSumOfItsSubstances) {
-    // Two substances, each in a grid of its own: the force is the sum of theirs by amount (section 4.1 of the
-    // paper).
+    // Two substances, each in a grid of its own: their forces are added in proportion to their amounts
+    // (section 4.1 of the paper).
     std::array<float, 8> one{}, other{}, still{};
     one.fill(0.25F);
     other.fill(0.5F);
@@ -91,8 +92,8 @@ TEST(FluidTouch, AFreeHandReachesTheVelocityOfTheFlow) {
     }
 }
 
-/// Solves 1 - z = gain (1 + z) / 2 (1/8) sum z^-j: a mass braked by the velocity over the last 8 ticks, held
-/// for a tick.
+/// Solves 1 - z = gain (1 + z) / 2 (1/8) sum z^-j: the motion of a mass that is braked in proportion to its
+/// mean velocity over the last 8 ticks, with a force that is constant within each tick.
 double decay_per_tick(double gain) {
     double low = 0.9, high = 1;
     for (int i = 0; i < 200; ++i) {
@@ -106,7 +107,7 @@ double decay_per_tick(double gain) {
 
 TEST(FluidTouch, ViscosityBrakesAFreeHandAtItsRate) {
     StirringRig rig;
-    rig.fluid().modes.viscosity = 1;  // 0.5 N s/m at the hand, on 0.1 kg: 5 per second
+    rig.fluid().modes.viscosity = 1;  // 0.5 N s/m at the hand on a mass of 0.1 kg give a rate of 5 per second
     const double gain = felt_share * 2 * 4 / 0.1 * tick_seconds;
     rig.tip.velocity = {0.2, -0.1, 0.05};
     for (int tick = 0; tick < 100; ++tick) rig.tick();
@@ -175,7 +176,7 @@ TEST(FluidTouch, TheFluidGetsTheWholeForceWhenTheHandsForceIsCapped) {
     }
 }
 
-// ---- time -------------------------------------------------------------------------------------------------
+// ---- change of the force over time ------------------------------------------------------------------------
 
 TEST(FluidTouch, AFluidStepMakesNoJump) {
     StirringRig rig;
@@ -225,7 +226,7 @@ TEST(FluidTouch, AnOldModelContinuesLikeANewOne) {
 
 // ---- wall -------------------------------------------------------------------------------------------------
 
-/// Largest distance of a place outside any piece of the profile (m); negative inside.
+/// Largest distance by which a place is outside some part of the profile (m); negative inside.
 double outside_by(const BowlWall& wall, vec3 place) {
     const vec3 off = place - wall.centre;
     const vec2 at{std::sqrt(off.x * off.x + off.z * off.z), off.y};
@@ -239,7 +240,7 @@ double outside_by(const BowlWall& wall, vec3 place) {
 
 TEST(FluidTouch, TheWallHoldsAtTheNearestPlaceInTheBowl) {
     Random random{4};
-    // The bowl of the arena, which is widest below its rim; and half an ellipsoid.
+    // The bowl of the arena, which is widest below its rim, and a bowl shaped as half an ellipsoid.
     BowlWall court{.points = 5};
     court.profile = {vec2{1.265, 0}, {1.35, -0.31}, {1.2, -0.56}, {0.75, -0.73}, {0, -0.76}};
     for (int run = 0; run < 3000; ++run) {
@@ -273,7 +274,7 @@ TEST(FluidTouch, AHandThatPressesOnTheBowlEntersByForceOverStiffness) {
     rig.fluid().modes.wall = 1;
     rig.fluid().frame.origin = {};
     rig.fluid().wall = bench::round_bowl(1.5, 1);
-    rig.fluid().wall.stiffness = 5000;  // 312.5 N/m, 2.5 N s/m at the hand
+    rig.fluid().wall.stiffness = 5000;  // stiffness 312.5 N/m and damping 2.5 N s/m at the hand
     rig.fluid().wall.damping = 40;
     const vec3 out = in_device(rig.fluid(), glm::normalize(vec3(0.3, -1, 0.2)));
     rig.model.steady_force = {2.0 * out, 1};
@@ -283,7 +284,7 @@ TEST(FluidTouch, AHandThatPressesOnTheBowlEntersByForceOverStiffness) {
     EXPECT_NEAR(glm::length(place - state.place) / 16, 2.0 / 312.5, 2e-6);
     EXPECT_NEAR(glm::length(state.wall), 2, 1e-3);
     EXPECT_LE(glm::length(state.wall + rig.model.steady_force.force), 1e-2);
-    // The wall pulls the tip back from any depth, wherever it came from.
+    // The wall pulls the tip back from any depth, whatever path it came by.
     const vec3 far = rig.feel_at(out * 3.0);
     EXPECT_LT(glm::dot(far, out), 0);
 }
@@ -388,7 +389,7 @@ TEST(FluidTouch, TheLadleIsFeltAsItDipsIn) {
     EXPECT_NEAR(drag_at(-0.05), 1, 1e-9);
     EXPECT_NEAR(drag_at(-0.1), 2, 1e-9);
     EXPECT_NEAR(drag_at(-0.5), 4, 1e-9);
-    rig.fluid().surface.inside = 0;  // not yet broken through
+    rig.fluid().surface.inside = 0;  // the probe has not broken through yet
     EXPECT_EQ(drag_at(-0.1), 0);
     EXPECT_EQ(rig.state.fluid.immersed, 0);
 }
@@ -399,16 +400,17 @@ TEST(FluidTouch, TheLadleHasItsMass) {
     for (const double strength : {1.0, 0.5}) {
         StirringRig rig;
         rig.fluid().modes.inertia = strength;
-        // 0.2 kg, 300 N/m, 3.75 N s/m at the hand.
+        // The ladle as felt at the hand: 0.2 kg, 300 N/m and 3.75 N s/m.
         rig.fluid().ladle = {.mass = 3.2, .stiffness = 4800, .damping = 60};
         const double mass = strength * 0.2;
         for (int tick = 0; tick < 10; ++tick) rig.tick();
-        rig.model.steady_force = {{0.2, 0, 0.25}, 1};  // within the budget of active sources
+        // A small force, within the energy budget of active sources.
+        rig.model.steady_force = {{0.2, 0, 0.25}, 1};
         vec3 halfway{};
         for (int tick = 0; tick < 1000; ++tick) {
             rig.tick();
             if (tick == 499) halfway = rig.tip.velocity;
-            // The momentum of hand and ladle is the impulse given so far, in each tick.
+            // In each tick, the momentum of hand and ladle equals the impulse applied so far.
             const vec3 momentum = 0.1 * rig.tip.velocity + mass * rig.state.fluid.mass_velocity;
             ASSERT_LE(glm::length(momentum - rig.model.steady_force.force * ((tick + 1) * tick_seconds)),
                       1e-9)
@@ -448,7 +450,7 @@ TEST(FluidTouch, AThrownSubstanceRecoilsByItsImpulse) {
     EXPECT_EQ(recoil_peak(rig.fluid(), impulse, 30), vec3(0));
 }
 
-// ---- off, and switches ------------------------------------------------------------------------------------
+// ---- switched off, and switches ---------------------------------------------------------------------------
 
 TEST(FluidTouch, AtZeroStrengthThereIsNoForce) {
     StirringRig none, off;
@@ -465,11 +467,11 @@ TEST(FluidTouch, AtZeroStrengthThereIsNoForce) {
             rig->model.tether = {.stiffness = 100, .damping = 1};
             rig->model.pulse = {{1, 0, 0}, 10, static_cast<std::uint32_t>(1 + tick / 50)};
             rig->model.steady_force.number =
-                1 + static_cast<std::uint64_t>(tick) / 7;  // another number is a switch, too
+                1 + static_cast<std::uint64_t>(tick) / 7;  // another number also counts as a switch
         }
         off.fluid().number = none.model.steady_force.number;
         ASSERT_EQ(none.feel_at(at), off.feel_at(at));
-        // The ladle's place is computed all the same.
+        // The position of the ladle is computed even though the forces are off.
         const vec3 place = nearest_in_bowl(off.fluid().wall, to_bowl(off.fluid().frame, at));
         ASSERT_EQ(off.state.fluid.place, place);
         ASSERT_EQ(off.state.fluid.immersed, 0) << "above the surface";

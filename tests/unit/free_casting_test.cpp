@@ -1,5 +1,5 @@
-// Tests of casting without a button: a gesture of the mouse casts, aiming and fighting do not, a near miss is told, and
-// a match that is restored at a keyframe goes on with the same bits.
+// Tests of casting without a button: a gesture with the mouse casts a spell, aiming and fighting do not, the
+// player is told about a near miss, and a match that is restored at a keyframe continues with the same bits.
 #include "game/casting/free_casting.h"
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace thaum::game {
 namespace {
 
-/// A match of two hands, of which the first casts freely.
+/// A match of two scripted hands, in which the first one casts without a button.
 class Free {
 public:
     explicit Free(bool freely = true) {
@@ -22,7 +22,7 @@ public:
         match = std::make_unique<Simulation>(test::duel_data(), setup);
     }
 
-    /// Moves the mouse by whole counts to a place (counts from where it began), in one tick.
+    /// Moves the mouse to a place (whole counts from where it began) within one tick.
     void move_to(double x, double y) {
         const auto right = static_cast<std::int32_t>(std::lround(x)),
                    up = static_cast<std::int32_t>(std::lround(y));
@@ -38,7 +38,7 @@ public:
     void rest(double s) {
         for (Tick i = 0; i < ticks(s); ++i) move_to(right_, up_);
     }
-    /// Draws a circle from its top, as a hand does: slowly at both ends. `radius` in counts of 0.1 mm.
+    /// Draws a circle from its top as a hand does: slowly at both ends. `radius` is in counts of 0.1 mm.
     void circle(double radius, double s) {
         const double x = right_, y = up_;
         const auto steps = static_cast<double>(ticks(s));
@@ -49,7 +49,8 @@ public:
     }
 
     vec2 place() const { return {right_, up_}; }
-    /// Number of gestures of the first player that were taken for spells, also without the focus for them.
+    /// Number of the first player's gestures that were recognised as spells, even if the player lacked the
+    /// focus to cast them.
     std::size_t casts() const { return casts_; }
 
     std::unique_ptr<Simulation> match;
@@ -107,8 +108,8 @@ TEST(FreeCasting, TwoSpellsAreAWhileApart) {
     EXPECT_EQ(play.casts(), 2U);
 }
 
-/// Circles over and over, with pauses, so that some are drawn while a keyframe passes. Returns the hash of the state at
-/// every 128th tick after `from`.
+/// Draws circles again and again, with pauses, so that some are drawn during a keyframe. Returns the hash of
+/// the state at every 128th tick after `from`.
 std::vector<std::uint64_t> hashes_of(Free& play, Tick from, Tick until) {
     std::vector<std::uint64_t> hashes;
     for (Tick t = play.match->now(); t < until; ++t) {
@@ -128,7 +129,7 @@ TEST(FreeCasting, ARestoredMatchGoesOnWithTheSameBits) {
         Bytes saved;
         through.match->save(saved);
         Free again;
-        hashes_of(again, at, at);  // brings the mouse to the same place
+        hashes_of(again, at, at);  // brings the mouse to the same place as in the first match
         ASSERT_TRUE(again.match->restore(saved, at));
         EXPECT_EQ(hashes_of(through, at, end), hashes_of(again, at, end)) << "restored at tick " << at;
         EXPECT_GE(through.casts(), 1U);
@@ -139,7 +140,7 @@ struct Tally {
     std::size_t drawn = 0, right = 0, wrong = 0;
 };
 
-/// Draws a stroke, given as places in counts at times (s), after and before a rest.
+/// Draws a stroke, with a rest before and after it. The stroke is given as places (counts) by time (s).
 template <class Draw>
 void count_stroke(Free& play, std::string_view gesture, Draw&& draw, Tally& tally) {
     play.rest(1.2);
@@ -172,7 +173,7 @@ TEST(FreeCasting, FindsTheStrokesOfManyUsersAndSeldomTakesOneForAnother) {
     EXPECT_LE(tally.wrong, tally.drawn / 40);
 }
 
-/// A place of a figure that is 2 high, at a share of its way.
+/// Place on a figure of height 2, at a share of its path.
 vec2 figure_at(std::string_view name, double share) {
     const auto corner = [](double k) {
         return vec2(std::sin(4 * pi * (k + 0.5) / 5), std::cos(4 * pi * (k + 0.5) / 5));
@@ -187,7 +188,7 @@ vec2 figure_at(std::string_view name, double share) {
     return glm::mix(corner(side), corner(side + 1), 5 * share - side);
 }
 
-/// Draws a figure at an even pace in steps of some ticks, as a program does that moves the mouse.
+/// Draws a figure at a constant speed in steps of some ticks, as when a program moves the mouse.
 void draw_by_program(Free& play, std::string_view name, double half, double s, vec2 begin, int step = 10) {
     const auto steps = static_cast<int>(s * 1000 / step);
     for (int i = 1; i <= steps; ++i) {
@@ -250,7 +251,7 @@ TEST(FreeCasting, TellsWhyACircleCastNothing) {
     EXPECT_EQ(play.casts(), 2U);
 }
 
-/// Draws a part of a circle after a pause, and returns why it cast nothing.
+/// Draws a part of a circle after a pause, and returns the reason why no spell was cast.
 Miss reason_after_part(Free& play, double turns, double s, double pause = 1.2) {
     play.rest(pause);
     const auto begin = play.place();
@@ -294,7 +295,8 @@ TEST(FreeCasting, WhatFollowsACastIsNoNearMiss) {
 
 // No cast while fighting --------------------------------------------------------------------------------------
 
-/// Places of a mouse that aims: flicks to a target with corrections, tracking of a target, and rests.
+/// Places of a mouse that is used for aiming: quick moves to a target with corrections, following a target,
+/// and rests.
 class Aiming {
 public:
     explicit Aiming(std::uint64_t seed) : random_(random_stream(seed, 7)) {}
@@ -326,7 +328,7 @@ private:
         speed_ = goal_ = vec2(0);
         if (tracks_) {
             left_ = ticks(0.5 + 2 * uniform());
-        } else if (kind < 0.45) {  // a flick, mostly sideways, or a correction after it
+        } else if (kind < 0.45) {  // a quick move, mostly sideways, or a correction after it
             const bool correction = kind < 0.2;
             const double size = (correction ? 60 : 700) * (0.15 + uniform());
             to_ += size * vec2(noise(), (correction ? 1 : 0.4) * noise());
@@ -354,7 +356,8 @@ TEST(FreeCasting, TenMinutesOfAimingCastAtMostOnce) {
     EXPECT_LE(play.casts(), 1U);
 }
 
-/// Motion of real mice between gestures (public data beside the source tree): what lies within a label is left out.
+/// Motion of real mice between gestures (public data beside the source tree). The motion within labelled
+/// gestures is left out.
 std::vector<fvec2> recorded_places(Tick most) {
     const auto folder = std::filesystem::path(THAUM_SOURCE_DIR) / "../shared/data/gestures";
     const auto sessions = gesture::load_sessions(folder / "machete-mouse-sessions.csv.gz");

@@ -1,5 +1,6 @@
-// Motion that means nothing, with a hand that casts without a button: what a mouse does at a desk in a quarter of an hour,
-// what a trembling arm does, and what people did with a mouse. The hand alone is followed, without a match around it.
+// Tests that casting without a button ignores motion that means nothing: a quarter of an hour of mouse motion
+// at a desk, a trembling arm, and recorded motion of people with a mouse. Only the recognition is run,
+// without a match.
 #include <cmath>
 
 #include "core/random.h"
@@ -12,7 +13,8 @@ namespace {
 
 constexpr double quarter = 900;  // a quarter of an hour (s)
 
-/// Number of gestures that casting without a button finds in places that are a gameplay tick apart (m).
+/// Number of gestures that casting without a button recognises in a sequence of places (m), one for each
+/// gameplay tick.
 template <class Next>
 std::size_t casts_in(double seconds, Next&& next) {
     static const auto data = test::duel_data();
@@ -34,7 +36,8 @@ std::size_t casts_in(double seconds, Next&& next) {
     return casts;
 }
 
-/// A hand that does many things and draws no gesture. It knows nothing of recognisers, their templates or variations.
+/// A hand that moves in many ways but draws no gesture. Its motions are independent of recognisers, templates
+/// and variations.
 class Idling {
 public:
     Idling(std::uint64_t seed, bool by_arm) : random_(random_stream(seed, 0x1d1e)), by_arm_(by_arm) {}
@@ -49,12 +52,12 @@ public:
             go();
         }
         const vec3 at = place_ + tremor();
-        constexpr double step = 1e-4;  // way of one count of a mouse (m)
+        constexpr double step = 1e-4;  // distance for one count of a mouse (m)
         return by_arm_ ? at : step * vec3(std::round(at.x / step), std::round(at.y / step), 0);
     }
 
 private:
-    /// A straight or bent reach, or a rest where both ends are one place.
+    /// A straight or bent movement of the hand, or a rest if both ends are the same place.
     struct Leg {
         vec3 to{}, bow{};
         double lasts{};
@@ -67,7 +70,8 @@ private:
     }
     vec3 last() const { return legs_.empty() ? place_ : legs_.back().to; }
     void rest(double seconds) { legs_.push_back({last(), vec3(0), seconds}); }
-    /// A movement of least jerk, which takes the longer the farther it goes (Fitts 1954), and its correction.
+    /// A minimum-jerk movement, which takes longer the farther it goes (Fitts 1954), followed by a
+    /// correction.
     void reach(vec3 by, double hurry = 1) {
         const double size = glm::length(by);
         const double lasts = hurry * (0.12 + 0.11 * std::log2(size / 0.004 + 1)) * random_.uniform(0.8, 1.3);
@@ -125,9 +129,9 @@ private:
         begun_ = now_;
         legs_.erase(legs_.begin());
     }
-    /// A hand that wanders without an aim: its speed is noise that fades within a tenth of a second.
+    /// Aimless motion: the hand's speed is noise that decays within a tenth of a second.
     void scribble() {
-        constexpr double fades = 0.1, pace = 0.25;  // time in which the speed fades (s), usual speed (m/s)
+        constexpr double fades = 0.1, pace = 0.25;  // time in which the speed decays (s), usual speed (m/s)
         speed_ += gameplay_dt / fades * -speed_ + pace * std::sqrt(6 * gameplay_dt / fades) * flat_noise();
         place_ += gameplay_dt * speed_;
         scribbled_ -= gameplay_dt;
@@ -140,7 +144,7 @@ private:
         return {x, noise(), 0};
     }
     vec3 tremor() const {
-        const double most = by_arm_ ? 3e-4 : 5e-5;  // reach of the tremor (m)
+        const double most = by_arm_ ? 3e-4 : 5e-5;  // amplitude of the tremor (m)
         const double a = 2 * pi * 9.1 * now_, b = 2 * pi * 7.3 * now_;
         return most * vec3(std::sin(a), std::sin(b + 1), by_arm_ ? std::sin(0.9 * a + 2) : 0);
     }
@@ -149,12 +153,12 @@ private:
     bool by_arm_;
     std::vector<Leg> legs_;
     vec3 place_{}, from_{}, speed_{};
-    double now_ = 0, begun_ = 0;  // time, and time at which the present leg began (s)
-    double scribbled_ = 0;        // time for which the hand still wanders (s)
+    double now_ = 0, begun_ = 0;  // current time, and the time at which the current leg began (s)
+    double scribbled_ = 0;        // remaining time of aimless motion (s)
 };
 
-/// The motion of ten people between the gestures that they drew (public data beside the source tree), from end to end:
-/// 50 minutes in places that are a gameplay tick apart (m).
+/// The motion of ten people between the gestures that they drew (public data beside the source tree), joined
+/// together: 50 minutes of places, one for each gameplay tick (m).
 std::vector<fvec2> recorded_motion() {
     const auto source = std::filesystem::path(THAUM_SOURCE_DIR), folder = source / "../shared/data/gestures";
     const auto sessions = gesture::load_sessions(folder / "machete-mouse-sessions.csv.gz");
@@ -163,8 +167,8 @@ std::vector<fvec2> recorded_motion() {
     std::vector<fvec2> places;
     if (!sessions || !strokes || !attempts) return places;
     strokes->insert(strokes->end(), attempts->begin(), attempts->end());
-    constexpr double count = 1e-4;     // way of one count of a mouse (m)
-    constexpr double longest_gap = 2;  // longest time between two reports of a mouse that is kept (s)
+    constexpr double count = 1e-4;     // distance for one count of a mouse (m)
+    constexpr double longest_gap = 2;  // longer times between two reports of a mouse are cut to this (s)
     vec2 at(0);
     for (const auto& session : sessions->sessions) {
         auto drawn = *strokes;
@@ -198,7 +202,7 @@ TEST(FreeIdling, OfATremblingArmCastsNothing) {
 TEST(FreeIdling, OfRecordedMiceCastsNothingWhereTheyDrawLoops) {
     const auto places = recorded_motion();
     if (places.empty()) GTEST_SKIP() << "the recorded sessions are not part of the source tree";
-    constexpr double lasts = 20;  // length of a part that is followed (s)
+    constexpr double lasts = 20;  // length of the part that is processed (s)
     for (const double begin : {535.0, 715.0, 1800.0, 2395.0}) {
         auto next = static_cast<std::size_t>(begin / gameplay_dt);
         ASSERT_LT(next + static_cast<std::size_t>(lasts / gameplay_dt), places.size());

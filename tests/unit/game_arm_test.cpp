@@ -27,8 +27,8 @@ MatchSetup one_arm() {
                         {.player = 0, .kind = input::DeviceKind::arm, .name = "arm"}}};
 }
 
-/// A match, with short rounds by default, and an arm's thread beside it. A random generator decides when
-/// the thread is ahead of or behind the match.
+/// A match, with short rounds by default, and the thread of an arm. A random generator decides when the
+/// thread is ahead of the match or behind it.
 struct ArmMatch {
     std::shared_ptr<const MatchData> data = short_rounds();
     Simulation match{data, one_arm()};
@@ -41,7 +41,7 @@ struct ArmMatch {
     std::uint8_t wand_key = 0;
     std::uint32_t epoch = 0, samples = 0;
     bool still = false;        ///< true: the arm sends no samples
-    bool resting = false;      ///< true: the arm stands still
+    bool resting = false;      ///< true: the arm does not move
     std::int32_t back_um = 0;  ///< displacement towards the user (um)
     std::array<std::int32_t, 3> turned_urad{};
     std::vector<vec3> told{{}};  ///< force of each sample (N); the index is the sample's height in um
@@ -100,8 +100,8 @@ struct ArmMatch {
     }
 };
 
-/// Plays shots, a pause, the end of a round and the next round, a panic press and its end, an arm that
-/// stops, and skipped samples.
+/// Plays shots, a pause, the end of a round and the next round, a press of the panic key and its end, an arm
+/// that stops, and skipped samples.
 void play(ArmMatch& m) {
     m.run(200);
     m.arm_buttons = 1;  // fire
@@ -123,7 +123,7 @@ void play(ArmMatch& m) {
     m.still = true;
     m.run(150);
     m.still = false;
-    m.run(1500);  // reaches the next round
+    m.run(1500);  // long enough to reach the next round
     m.hand_buttons = bit(Button::clutch);
     m.run(150);
     m.hand_buttons = 0;
@@ -420,7 +420,7 @@ TEST(Arm, DrawsALobByPullingBack) {
     m.expect_same_forces();
 }
 
-/// Turns the player's view to a place (m, world).
+/// Turns the player's view towards a place (m, world).
 void look_at(ArmMatch& m, vec3 place) {
     const auto wizard = wizard_of(m.match.world(), 0);
     const auto& motion = std::as_const(m.match.world_to_change()).get<Motion>(wizard);
@@ -460,7 +460,7 @@ TEST(Arm, LiftedThingFollowsTheHand) {
     ASSERT_TRUE(held) << "of " << things.size() << " things";
     m.run(500);
     const vec3 before = *wand_of(m).held_at(m.match.world(), wizard);
-    m.resting = false;  // the arm moves to and fro by 2 cm
+    m.resting = false;  // the arm moves to and fro by 2 cm again
     double farthest = 0;
     for (int t = 0; t < 200; ++t) {
         m.run(1);

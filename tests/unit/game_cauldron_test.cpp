@@ -1,5 +1,5 @@
-// Tests of the cauldron in a match: the same with any number of threads and after a restore, and absent if
-// the rule set has none.
+// Tests of the cauldron in a match: it gives the same results with any number of threads and after a restore,
+// and is absent if the rule set has none.
 #include "game/stations/cauldron/cauldron.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ input::DeviceSpec mouse(std::uint32_t player) {
     return {.player = player, .kind = input::DeviceKind::script, .name = "mouse", .look_rad_per_count = 1e-3};
 }
 
-/// A match with two players at opposite sides of the rim and a thing above the bowl.
+/// A match with two players at opposite sides of the rim and an object above the bowl.
 std::unique_ptr<Simulation> at_the_rim(MatchSetup setup, std::vector<std::string> overrides = {}) {
     auto match = std::make_unique<Simulation>(duel_data(std::move(overrides)), std::move(setup));
     bench::place_at_the_rim(*match);
@@ -55,7 +55,7 @@ TEST(GameCauldron, RestoredWhileItIsStirredItGoesOnToTheSameBits) {
     match->save(saved);
     for (Tick t = 0; t < 300; ++t) match->tick(stirring(keyframe_interval + t));
     const auto again = at_the_rim(1);
-    for (Tick t = 0; t < 100; ++t) again->tick(stirring(3 * t));  // gives the match another history first
+    for (Tick t = 0; t < 100; ++t) again->tick(stirring(3 * t));  // so that this match has another history
     ASSERT_TRUE(again->restore(saved, keyframe_interval));
     for (Tick t = 0; t < 300; ++t) again->tick(stirring(keyframe_interval + t));
     EXPECT_EQ(again->state_hash(), match->state_hash());
@@ -75,7 +75,7 @@ TEST(GameCauldron, TheBrewGetsTheLadlesPushAndNotTheForceOnTheHand) {
               0);
 }
 
-// ---- faders -----------------------------------------------------------------------------------------------
+// ---- faders of the forces ---------------------------------------------------------------------------------
 
 using Percents = std::array<std::uint32_t, input::fluid_faders>;
 

@@ -1,5 +1,5 @@
-// Tests of the access that systems of a match declare: whatever a system shares beside components is checked, too,
-// and all systems keep to what they declare.
+// Tests of the access that systems of a match declare: shared data besides components are checked too, and
+// all systems access only what they declare.
 #include <set>
 
 #include "game/components/fog.h"
@@ -34,7 +34,7 @@ concept Writable = requires(R& resource) {
 // A function that takes a const context writes no resource.
 static_assert(Writable<decltype(MatchContext::physics)> && !Writable<const decltype(MatchContext::physics)>);
 
-/// Tests that only a system which declared it may read or write the resource.
+/// Tests that only a system that declared access may read or write the resource.
 template <class R>
 void expect_checked(ecs::World& world, ecs::Resource<R>& resource) {
     const auto declared = world.mask<R>();
@@ -93,7 +93,7 @@ TEST_F(GameSystems, AnUndeclaredCallOfTheGameIsCaught) {
     runs({}, world.mask<Body, resource::Physics>(), remove_body);
 }
 
-/// Removes from `names` the systems of the match that have run.
+/// Removes from `names` those systems of the match that have run.
 void strike_out(Simulation& match, std::set<std::string_view>& names) {
     for (const auto* schedule : {&match.always(), &match.live()}) {
         for (std::size_t i = 0; i < schedule->size(); ++i) {

@@ -1,5 +1,5 @@
-// Matches at the same time, each on a thread of its own and with job threads for its brew. The thread sanitizer
-// runs this test, too.
+// Tests of matches that run at the same time, each on a thread of its own and with job threads for its brew.
+// The thread sanitizer runs this test, too.
 #include <thread>
 
 #include "game/stations/cauldron/cauldron.h"
@@ -32,7 +32,7 @@ TEST(GameThreads, MatchesSideBySideAgreeWithAnyNumberOfJobThreads) {
     std::vector<std::jthread> threads;
     for (unsigned i = 0; i < hashes.size(); ++i)
         threads.emplace_back([&, i] { hashes[i] = stirred_hashes(data, i % 3); });
-    threads.clear();  // waits for them
+    threads.clear();  // destroys the threads, which waits for them
     for (std::size_t i = 1; i < hashes.size(); ++i)
         EXPECT_EQ(hashes[i], hashes[0]) << i % 3 << " job threads";
 }

@@ -1,5 +1,5 @@
-// Tests of the forces on hands in a match: each kick equals its closed form, also on other devices and with
-// other caps, and in the tables and hashes of the log.
+// Tests of the forces on hands in a match: each kick equals its closed form, also with other devices and
+// force limits, and in the log's tables and hashes.
 #include <algorithm>
 
 #include "core/text.h"
@@ -100,7 +100,7 @@ TEST(HapticSetup, TheClutchMovesTheHandWithinItsWorkspaceAndNotTheView) {
     EXPECT_NE(gaze(), yaw);
 }
 
-/// Displacement of the wand's tip to the right while the hand is at the right edge of a device of that
+/// Displacement of the wand's tip to the right while the hand is at the right edge of a device with the given
 /// width (m).
 double reach_of_tip(const Simulation& match, std::uint32_t player, double width) {
     const double wand_per_hand = match.haptic_setup().wand_per_hand[player];
@@ -178,8 +178,8 @@ TEST(HapticSetup, ARowOfForcesHoldsTheForceOnTheHand) {
     EXPECT_EQ(std::count(header.begin(), header.end(), ','), std::count(row.begin(), row.end(), ','));
 }
 
-/// Checks cap, energy budget and finiteness of the forces on the bots' hands. The requested force is not
-/// recorded, so it is not compared.
+/// Checks the limit, the energy budget and the finiteness of the forces on the bots' hands. The requested
+/// force is not recorded, so it cannot be compared.
 TEST(HapticSetup, TheAuditFindsNothingInAMinuteOfBots) {
     auto duel = make_duel(5);
     const auto& data = duel.match->data();

@@ -1,4 +1,4 @@
-// Tests of bodies in the physics that a coupling moves by force alone.
+// Tests of a coupling that moves rigid bodies by forces alone.
 #include "game/wands/wand_coupling.h"
 
 #include <gtest/gtest.h>
@@ -69,7 +69,7 @@ TEST(WandCoupling, AWallHoldsAThingThatIsPulledThroughIt) {
     for (int i = 0; i < 3000; ++i) {
         step_spring(physics, step, {2, 0, 0}, coupling);
         ASSERT_LT(physics.state(body).position.x, 0.26)
-            // 0.45 m less the radius, and a little that Bullet yields.
+            // expected: 0.45 m minus the radius, and a little by which Bullet yields
             << i;
     }
     EXPECT_LT(glm::length(physics.velocity(body)), 0.05);

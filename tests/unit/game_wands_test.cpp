@@ -1,5 +1,5 @@
-// Tests of blast and lob: forces on the hand for any device and cap, what ends a charge or draw, stones
-// that never gain energy, and random input.
+// Tests of the wands blast and lob: forces on the hand for any device and force limit, what ends a charge or
+// draw, stones that never gain energy, and random input.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -98,7 +98,7 @@ TEST(Blast, KicksByThePlayersCap) {
         w.take(2);
         w.hold(blast_full, Button::fire);
         double greatest = 0;
-        w.hold(gameplay_period, 0, [] {});  // the charge presses on until the wand reads the fire button
+        w.hold(gameplay_period, 0, [] {});  // the charge continues until the wand reads the fire button again
         w.hold(80, 0, [&] { greatest = std::max(greatest, w.hand_state().servo.safety.output.z); });
         EXPECT_NEAR(greatest, 3.0 * share, 0.002 * share) << share;
     }
@@ -106,12 +106,12 @@ TEST(Blast, KicksByThePlayersCap) {
 
 TEST(Blast, TheWholeRecoilIsFeltOnEveryDevice) {
     // While the recoil rises, the steady force L falls as L (1 - half sine), so the sum stays below the
-    // larger of the two. The recoil's own impulse is 2/pi times its peak and its length.
+    // larger of the two. The impulse of the recoil alone is 2/pi times its peak times its length.
     for (const auto& [device, peak] :
          {std::pair{"touch", 3.3}, {"omni", 3.3}, {"premium", 8.5}, {"falcon", 8.0}, {"omega3", 12.0}}) {
         for (const double share : {0.1, 0.3, 1.0}) {
             if (share == 1 && device == std::string("premium"))
-                continue;  // the charge alone has warmed its motors
+                continue;  // here the charge alone has warmed the motors
             WandRig w({text("haptics.device=\"", device, "\""), text("haptics.share=", share)});
             w.take(2);
             w.hold(blast_full, Button::fire);

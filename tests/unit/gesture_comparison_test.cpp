@@ -1,4 +1,4 @@
-// How a stroke differs from a gesture, and the words for it.
+// Tests of the comparison of a stroke with a gesture, and of the advice for the player.
 #include <gtest/gtest.h>
 
 #include "gesture/comparison.h"
@@ -78,7 +78,8 @@ TEST(GestureComparison, AClosedGestureMayStartAnywhereButEndsWhereItBegan) {
 TEST(GestureComparison, TellsTheWrongEnd) {
     auto back = ess();
     std::reverse(back.begin(), back.end());
-    // An S turned by half a turn is an S, so only an asymmetrical figure shows the wrong end.
+    // An S turned by half a turn looks the same, so an asymmetrical figure is needed to detect that the wrong
+    // end comes first.
     const auto hook = drawn([](double u) { return vec3(u < 0.7 ? 0 : u - 0.7, u < 0.7 ? -2 * u : -1.4, 0); });
     auto wrong = hook;
     std::reverse(wrong.begin(), wrong.end());

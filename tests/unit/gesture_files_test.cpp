@@ -1,4 +1,4 @@
-// Files of strokes, sessions, labels and gestures: what is read, and how faults are told.
+// Tests of files of strokes, sessions, labels and gestures: what is read, and how faults are reported.
 #include <gtest/gtest.h>
 
 #include "gesture/gesture_file.h"
@@ -112,7 +112,7 @@ TEST(StrokeRecorder, CutsStrokesWhileTheButtonIsDown) {
     hold(0, 0.2, false);
     hold(0.2, 0.7, true);
     hold(0.7, 0.8, false);
-    hold(0.8, 0.85, true);  // too short
+    hold(0.8, 0.85, true);  // a press that is too short for a stroke
     hold(0.85, 1, false);
     hold(1, 1.3, true);
     recorder.end();

@@ -1,4 +1,5 @@
-// Networks of the papers: back-propagation against finite differences, and training from a seed.
+// Tests of the networks from the papers: back-propagation against finite differences, and training from a
+// seed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -119,7 +120,7 @@ TEST(GestureNetwork, TransitionsFollowTheGrid) {
         x += windows[0][i];
         y += windows[0][i + 1];
     }
-    EXPECT_EQ(x, 4);  // from the first to the fifth column
+    EXPECT_EQ(x, 4);  // the stroke went from the first to the fifth column
     EXPECT_EQ(y, 0);
     EXPECT_TRUE(transition_windows({}).empty());
 }

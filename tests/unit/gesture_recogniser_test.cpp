@@ -1,4 +1,5 @@
-// The recogniser of the game: options of a gesture, force, confidence, and equal bits in every run and thread.
+// Tests of the recogniser of the game: options of a gesture, force, confidence, and equal bits in every run
+// and thread.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -110,7 +111,7 @@ TEST(Gesture, DepthCountsUnlessTheGestureIsPlanar) {
     EXPECT_EQ(read(planar, deep).gesture, 0U);
 }
 
-/// The stroke with another force.
+/// A copy of a stroke with a constant force.
 Course pressed(Course stroke, double force) {
     for (auto& p : stroke) p.force = force;
     return stroke;
@@ -129,7 +130,8 @@ TEST(Gesture, ForceGivesGentleNormalAndHarsh) {
     EXPECT_EQ(read(banded, pressed(ess(), 5)).force, ForceClass::normal);
 }
 
-/// Variations of a circle among a gentle one, a harsh one and a vee, by a hand whose force scatters by 15 %.
+/// Variations of a circle are recognised among a gentle circle, a harsh circle and a V. The hand's force
+/// scatters by 15 %.
 TEST(Gesture, TwinsOfOneShapeAreToldApartByForce) {
     const std::vector<Gesture> gestures{gesture_of("gentle", {pressed(circle(), 0.5)}),
                                         gesture_of("harsh", {pressed(circle(), 2)}),
@@ -157,7 +159,7 @@ TEST(Gesture, TwinsOfOneShapeAreToldApartByForce) {
     EXPECT_FALSE(between.probability > 0.6) << "as near to one as to the other";
 }
 
-/// The same where each template, too, is only one of the ways in which the hand draws the shape.
+/// As in the test above, but each template, too, is only one of the ways in which the hand draws the shape.
 TEST(Gesture, TwinsAreToldApartByForceWhicheverTemplateIsMoreAlike) {
     const VariationSettings hand{
         .tilt = 0.02, .stretch = 0.03, .bend = 0.006, .hurry = 0.1, .ends = 0.01, .force = 0.15};
@@ -167,13 +169,15 @@ TEST(Gesture, TwinsAreToldApartByForceWhicheverTemplateIsMoreAlike) {
         const auto shape = seed % 2 == 0 ? vee() : ess();
         const auto drawn = [&](double force) {
             auto stroke = variation_of(pressed(shape, force), random, hand);
-            for (auto& p : stroke) p.force *= 1 + 0.5 * det::sin(7 * p.t);  // as a hand's, the same each time
+            // A force that varies as a hand's does, equally in each run.
+            for (auto& p : stroke) p.force *= 1 + 0.5 * det::sin(7 * p.t);
             return stroke;
         };
         const auto recogniser =
             recogniser_of({gesture_of("gentle", {drawn(0.7)}), gesture_of("harsh", {drawn(1.4)}),
                            gesture_of("circle", {pressed(circle(), 1)})});
-        if (!recogniser.are_twins(0, 1)) continue;  // the forces of its two strokes happen to be too near
+        // Here the forces of the gesture's two strokes happen to be too similar.
+        if (!recogniser.are_twins(0, 1)) continue;
         for (std::uint32_t i = 0; i < 40; ++i, ++tries)
             right += read(recogniser, drawn(i % 2 == 0 ? 0.7 : 1.4)).gesture == i % 2;
     }
@@ -220,7 +224,7 @@ TEST(Gesture, BitsAreThoseOfEveryOtherBuild) {
     EXPECT_EQ(hash_of(recogniser_of(gestures), strokes), 0x4423ad73e7879ec5U);
 }
 
-/// An ess that is bent to one side in its middle.
+/// An S that is bent to one side in its middle.
 Course bent_ess(double by) {
     auto stroke = ess();
     for (std::size_t i = 0; i < stroke.size(); ++i)

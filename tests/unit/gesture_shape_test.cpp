@@ -1,4 +1,5 @@
-// Resampling, normalisation, the dot product of paper 000, and the elastic distance against a full one.
+// Tests of resampling, normalisation, the dot product of paper 000, and the elastic distance compared with a
+// plain computation.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -82,7 +83,8 @@ TEST(GestureShape, ARestBeforeOrAfterTheStrokeHasNoEffect) {
     EXPECT_NEAR(shape_of(rested).end_t, 1.5, 0.02);
 }
 
-/// The stroke with rests of a hand whose white tremor has the standard deviation `tremor`, sampled as the stroke is.
+/// The stroke with rests. During the rests the hand trembles with white noise of the standard deviation
+/// `tremor`, sampled at the stroke's rate.
 Course with_rests(const Course& stroke, double before, double within, double after, double tremor) {
     Random random = random_stream(8, 8);
     const double step = stroke[1].t - stroke[0].t;
@@ -101,8 +103,8 @@ Course with_rests(const Course& stroke, double before, double within, double aft
     return result;
 }
 
-/// A rest that is found between two points of a thinned stroke, or only after its first tenths of a second, would leave
-/// tremor at the stroke's ends.
+/// If a rest were found only between two points of a thinned stroke, or only after its first tenths of a
+/// second, tremor would remain at the stroke's ends.
 TEST(GestureShape, ARestIsLeftOutFromItsFirstPointToItsLast) {
     for (const auto& stroke : {vee(1001), ess(1001), circle(0, 1, 1001)}) {
         for (const double s : {1.0, 12.0}) {
@@ -156,7 +158,7 @@ TEST(GestureShape, ForceInAnotherUnitIsTheSame) {
     EXPECT_LT(elastic_distance(shape_of(newtons), shape_of(grams)), 1e-6F);
 }
 
-/// The recurrence written down without a band over all pairs of points.
+/// The recurrence computed plainly over all pairs of points, without a band.
 double full_distance(const Shape& a, const Shape& b) {
     constexpr std::size_t n = shape_points;
     std::vector<std::vector<double>> sum(n + 1, std::vector<double>(n + 1, 1e30));

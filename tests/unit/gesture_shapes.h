@@ -14,7 +14,7 @@ namespace thaum::gesture {
 
 using Course = std::vector<StrokePoint>;
 
-/// The distance of elastic.h for one template, in plain loops.
+/// The distance of elastic.h to one template, in plain loops.
 template <std::size_t points>
 float elastic_distance(const float* a, const float* b, std::size_t channels) {
     constexpr float far = 1e30F;  // more than any sum of costs
@@ -45,7 +45,7 @@ inline float elastic_distance(const Shape& a, const Shape& b) {
     return elastic_distance<shape_points>(a.values.data(), b.values.data(), a.channels);
 }
 
-/// A curve over u from 0 to 1, drawn in a second with a constant force.
+/// The curve over u from 0 to 1, drawn in one second with a constant force.
 inline Course drawn(const std::function<vec3(double)>& curve, std::size_t points = 100, double force = 0) {
     Course result;
     for (std::size_t i = 0; i < points; ++i) {
@@ -85,7 +85,7 @@ inline std::vector<Gesture> three_gestures() {
     return {gesture_of("circle", {circle()}), gesture_of("vee", {vee()}), gesture_of("ess", {ess()})};
 }
 
-/// The same stroke elsewhere, larger, and drawn at another speed.
+/// The stroke moved, scaled, and drawn at another speed.
 inline Course moved(Course stroke, vec3 by, double scale, double speed = 1) {
     for (auto& p : stroke) {
         p.at = scale * p.at + by;
@@ -94,7 +94,7 @@ inline Course moved(Course stroke, vec3 by, double scale, double speed = 1) {
     return stroke;
 }
 
-/// A careful user: differences two thirds as large as those that thresholds are set with.
+/// A careful user: variations two thirds as large as those with which thresholds are set.
 inline constexpr VariationSettings careful{
     .tilt = 0.1, .stretch = 0.12, .bend = 0.035, .hurry = 0.25, .ends = 0.025};
 

@@ -1,4 +1,5 @@
-// The spotter: gestures within continuous motion, the choice among candidates, and the limits of its work.
+// Tests of the spotter: gestures within continuous motion, the choice among candidates, and the limits of its
+// work.
 #include <gtest/gtest.h>
 
 #include "core/hash.h"
@@ -32,14 +33,14 @@ TEST(CandidateChoice, NothingIsReportedTwiceOrAboveTheThreshold) {
     CandidateChoice choice(0.1, 0.2F);
     choice.add(candidate_of(0, 0.1F, 0, 1), 1);
     EXPECT_TRUE(choice.at(2));
-    choice.add(candidate_of(0, 0.05F, 0.2, 1.2), 2);  // overlaps what was reported
+    choice.add(candidate_of(0, 0.05F, 0.2, 1.2), 2);  // this candidate overlaps the gesture that was reported
     choice.add(candidate_of(0, 0.25F, 5, 6), 6);      // too far
     EXPECT_FALSE(choice.at(9));
     choice.add(candidate_of(0, 0.2F, 5, 6), 9);
     EXPECT_TRUE(choice.at(10));
 }
 
-/// Ticks of a hand that wanders, draws a stroke, and wanders on.
+/// Ticks of a hand that moves aimlessly, draws a stroke, and moves aimlessly again.
 Course session_with(const Course& stroke, double& start, double& end) {
     Course session;
     double t = 0;
@@ -104,7 +105,7 @@ TEST(Spotter, StartAndEndAreFoundWithinAFewHundredthsOfTheStroke) {
 }
 
 TEST(Spotter, AFlatGestureIsFoundBesideOneWithDepth) {
-    // A stroke with depth and a flat one, drawn while the depth wanders.
+    // A stroke with depth, and a flat stroke during which the depth changes aimlessly.
     const auto helix = drawn([](double u) { return vec3(det::cos(6 * u), 2 * u, det::sin(6 * u)); });
     const auto gestures = {gesture_of("helix", {helix}), gesture_of("ess", {ess()}, {.planar = true})};
     const auto recogniser =

@@ -1,4 +1,5 @@
-// Tests of the gesture wall of the range: a refused gesture, and strokes that the match does not read.
+// Tests of the gesture wall of the practice range: a refused gesture, and strokes that the match does not
+// recognise.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +26,8 @@ TEST(GestureWallOfTheRange, ARefusedGestureIsDrawnAgainAtOnce) {
     practice.wall().record("circle");
     for (int stroke = 0; stroke < 3; ++stroke) player.draw(800, triangle_on_wall);
     ASSERT_TRUE(practice.wall().take_recorded());
-    player.draw(800, triangle_on_wall);  // before anybody has judged the strokes: it is none of them
+    // One stroke more, before the three recorded strokes are judged; it must not count as one of them.
+    player.draw(800, triangle_on_wall);
     EXPECT_EQ(wall_of(practice).lines[0].find("three strokes"), 0U);
     const auto before = &practice.match();
     practice.use_gestures({{}, {"not saved, since it is too like Star"}, Verdict::refused});
@@ -53,7 +55,7 @@ TEST(GestureWallOfTheRange, TheWallTellsAStrokeFromTheWrongEndAndOneLikeNone) {
     Practice practice(range.data(), {input::DeviceSpec{}}, game::DummyKind::still, 1);
     WallPlayer player{practice};
     player.play(20);
-    // The game's S from its lower end to its upper one.
+    // The game's S, drawn from its lower end to its upper end.
     static std::vector<gesture::StrokePoint> ess;
     const auto& gestures = *range.data().match->gestures;
     ess = gestures.gestures()[*gestures.number("s")].strokes.front();
@@ -73,7 +75,7 @@ TEST(GestureWallOfTheRange, TheWallTellsAStrokeFromTheWrongEndAndOneLikeNone) {
     ASSERT_GE(wall.chosen, 0);
     EXPECT_GT(wall.scores[static_cast<std::size_t>(wall.chosen)], 0);
     std::reverse(ess.begin(), ess.end());
-    player.play(3000);  // until the spell that it cast has gone by
+    player.play(3000);  // waits until the spell that was cast has ended
     player.draw(1500, along_ess);
     wall = wall_of(practice);
     ASSERT_GE(wall.lines.size(), 2U);

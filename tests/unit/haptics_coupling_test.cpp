@@ -1,4 +1,4 @@
-// Unit tests of the coupling: frames, signs and bookkeeping.
+// Tests of the virtual coupling: frames, signs and bookkeeping of displacements.
 #include "haptics/coupling.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ CouplingFrame crooked() {
     return f;
 }
 
-/// Force on the object after the hand has moved by `moved` (m, device frame) since the object was taken.
+/// Force on the object after the hand has moved by `moved` (m, device frame) since the object was grasped.
 vec3 pull(const CouplingFrame& f, const Coupling& c, vec3 moved) {
     const vec3 object = interface_point(f, f.taken_device);
     // The step is so short that its mean force equals the force at its start.
@@ -45,7 +45,8 @@ TEST(HapticsCoupling, NothingPullsWhenTaken) {
 TEST(HapticsCoupling, AHandThatMovesRightPullsRightAndIsPulledBackLeft) {
     auto f = crooked();
     const vec3 right_of_player = f.player_to_world * vec3(1, 0, 0);
-    const vec3 right_of_device = glm::transpose(f.device_to_player) * vec3(1, 0, 0);  // the player's right
+    // Unit vector to the player's right.
+    const vec3 right_of_device = glm::transpose(f.device_to_player) * vec3(1, 0, 0);
     const vec3 force = pull(f, lift, 0.01 * right_of_device);
     EXPECT_NEAR(glm::dot(glm::normalize(force), right_of_player), 1, 1e-9);
     const vec3 felt = felt_by_hand(f, force);
@@ -62,7 +63,7 @@ TEST(HapticsCoupling, AnyMoveIsResistedWithTheFeltStiffness) {
         EXPECT_LE(glm::length(felt + felt_stiffness(f, lift.stiffness) * moved), 1e-6 * glm::length(felt));
     }
     EXPECT_NEAR(felt_stiffness(f, lift.stiffness), 300,
-                1e-9);  // 4,000 N/m in the world, 300 N/m at a Touch
+                1e-9);  // 4,000 N/m in the world correspond to 300 N/m at a Touch
 }
 
 TEST(HapticsCoupling, PowerScalesByTheTwoScales) {
@@ -98,7 +99,7 @@ TEST(HapticsCoupling, WhatNothingMovesStillPulls) {
     const auto r = couple(step, {.hand = {0.01, 0, 0}, .hand_velocity = {1, 0, 0}});
     EXPECT_EQ(r.velocity_change, vec3(0));
     EXPECT_EQ(r.displacement, vec3(0));
-    // Mean over an evenly growing stretch.
+    // The mean over a stretch that grows evenly.
     EXPECT_NEAR(r.mean_force.x, 1000 * (0.01 + 0.5e-3) + 10, 1e-9);
 }
 

@@ -1,4 +1,4 @@
-// Unit tests of device files: the shipped ones are read, and each fault is named.
+// Tests of device files: the shipped files are read, and the message about each fault names it.
 #include "haptics/device.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ Expected<DeviceSpec> read(const std::string& toml) {
     return read_device(*config);
 }
 
-/// Error of touch.toml after the line that starts with `key` is replaced.
+/// Error of touch.toml after replacing the line that starts with `key`.
 std::string fault_of(const std::string& key, const std::string& line) {
     auto toml = shipped("touch");
     const auto at = toml.find("\n" + key) + 1;

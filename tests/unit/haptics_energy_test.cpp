@@ -1,4 +1,4 @@
-// Unit tests of the passivity observer and controller: created energy, removed energy, and the budget of
+// Tests of the passivity observer and controller: created energy, removed energy, and the energy budget of
 // active sources.
 #include "haptics/energy.h"
 
@@ -24,7 +24,7 @@ DeviceSpec reference_device(int latency) {
 }
 
 struct Outcome {
-    double created{};   ///< sum of F dx, computed here (J)
+    double created{};   ///< sum of F dx, computed independently here (J)
     double most{};      ///< largest value of `created` (J)
     double farthest{};  ///< largest distance in the last quarter (m)
 };
@@ -115,7 +115,7 @@ TEST(HapticsEnergy, CapAndHeatScaleAllSourcesAlikeAndTheRestIsActive) {
 TEST(HapticsEnergy, WhatFadesAfterASwitchIsPassive) {
     PassivityObserver observer;
     observe(observer, {}, {}, 0, 0);
-    // The spring asks for 1 N and gets it. 2 N of the last source are left.
+    // The spring asks for 1 N and gets it. 2 N of the source that was just removed remain.
     record_output(observer, {3, 0, 0}, {1, 0, 0}, {}, {1, 0, 0}, {2, 0, 0});
     EXPECT_EQ(observer.forces[observer.newest].passive, vec3(3, 0, 0));
     EXPECT_EQ(observer.forces[observer.newest].world, vec3(1, 0, 0))
@@ -141,7 +141,8 @@ TEST(HapticsEnergy, TheControllerTakesOutWhatWasCreatedAndNoMore) {
 
 TEST(HapticsEnergy, TheControllerBeginsWhileASpringStillHoldsWhatItMayGive) {
     PassivityObserver observer;
-    observer.created = -0.05;  // 0.05 J are not returned yet, and the spring holds 5 mJ more than that
+    // 0.05 J are not returned yet, and the energy in the spring is 5 mJ larger than that.
+    observer.created = -0.05;
     EXPECT_NEAR(surplus(observer, 0.055), 0.005 - energy_slack, 1e-15);
     EXPECT_LE(surplus(observer, 0.05), 0) << "a spring that created nothing is left alone";
     observer.created = 1e-4;
@@ -160,7 +161,7 @@ TEST(HapticsEnergy, PendingWorkIsThatOfForcesNotYetFelt) {
 
 TEST(HapticsEnergy, ThePromptVelocityIsLateByHalfATickInATurnAndQuietAtRest) {
     const double quantum = 5.5e-5, radius = 0.01,
-                 rate = 150;  // 1.5 m/s round a circle, with an Omni's encoders
+                 rate = 150;  // the tip moves at 1.5 m/s along a circle, with the encoders of an Omni
     const auto rounded = [quantum](vec3 place) { return quantum * glm::round(place / quantum); };
     const Servo servo = servo_of(reference_device(0), 1);
     ServoState state;
@@ -193,7 +194,7 @@ TEST(HapticsEnergy, AnActiveSourceIsHeldToItsBudget) {
     EXPECT_NEAR(within_budget(observer, {1, 1, 0}).x, 0.5, 1e-12) << "it fades in the last fifth";
     observer.active_work = 0.75 * active_budget;
     EXPECT_EQ(within_budget(observer, {1, 1, 0}), vec3(1, 1, 0)) << "it is whole before";
-    // A steady force pushes a free tip for ever.
+    // A steady force pushes a tip that nothing holds, without end.
     const auto spec = reference_device(0);
     auto device = simulated_device(spec, no_hand);
     device.reach = vec3(100);
@@ -215,7 +216,8 @@ TEST(HapticsEnergy, AnActiveSourceIsHeldToItsBudget) {
 }
 
 TEST(HapticsEnergy, NoSecondSeesMoreThanTheActiveBudget) {
-    // Kicks of any size and a force that turns, on a hand that swings: what pushes and what resists alternate.
+    // Kicks of any size, and a force that rotates, on a hand that oscillates: what pushes and what resists
+    // alternate.
     for (const double rate : {0.3, 0.9, 2.2, 7.0}) {
         auto spec = reference_device(0);
         spec.workspace = {0.2, 0.2, 0.2};
@@ -259,7 +261,7 @@ TEST(HapticsEnergy, ARampKeepsThePartsOfTheForceThatItEnds) {
 
 TEST(HapticsEnergy, AStiffSpringThatWouldRingForEverIsKeptPassive) {
     for (const int latency : {0, 1}) {
-        // Beyond 2 b / T, and beyond its share with a delay.
+        // Beyond 2 b / T, and with a delay beyond the smaller limit that it leaves.
         const double stiffness = latency == 0 ? 2500 : 1500;
         const auto bare = meet_spring(stiffness, false, latency);
         const auto kept = meet_spring(stiffness, true, latency);

@@ -1,5 +1,5 @@
-// Reference solution of the damped oscillator in long double, by other methods than the engine's: the
-// textbook's closed forms where they are accurate, and Taylor steps elsewhere.
+// Reference solution of the damped oscillator in long double, by methods other than the engine's: textbook
+// closed forms where they are accurate, and Taylor steps elsewhere.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -13,8 +13,8 @@ struct Motion {
     Real x, v;
 };
 
-/// Solution of x'' + 2 decay x' + frequency2 x = 0 from (x, v) after t: the textbook's three cases. Not near
-/// critical damping.
+/// Solution of x'' + 2 decay x' + frequency2 x = 0 from (x, v) after the time t, by the three textbook cases.
+/// Not accurate near critical damping.
 inline Motion free_motion(Real decay, Real frequency2, Motion start, Real t) {
     const Real d = decay * decay - frequency2;
     const Real e = std::exp(-decay * t);
@@ -32,7 +32,7 @@ inline Motion free_motion(Real decay, Real frequency2, Motion start, Real t) {
             of_p * p * std::exp(p * t) + of_q * q * std::exp(q * t)};
 }
 
-/// (S, S1, S2) of haptics/oscillator.h by small steps of a Taylor series: slow, and accurate at any damping.
+/// (S, S1, S2) of haptics/oscillator.h by small steps of a Taylor series: slow, but accurate at any damping.
 inline std::array<Real, 3> response(Real decay, Real frequency2, Real t) {
     const Real size = std::max(2 * decay, std::sqrt(frequency2)) * t;
     const auto steps = static_cast<int>(std::ceil(4 * size)) + 1;

@@ -17,8 +17,8 @@ constexpr double endless = std::numeric_limits<double>::infinity();
 using Arrange = std::function<void(int tick, SafetyInput&)>;
 using Spoil = std::function<vec3(int tick, vec3 output)>;
 
-/// Plays a valid second of 1.5 N (zero before), changes the output, and returns the violations that the audit
-/// reports.
+/// Runs a valid second with 1.5 N (zero before), changes the output with `spoil`, and returns the violations
+/// that the audit reports.
 std::uint64_t seen(SafetyRule rule, const Arrange& arrange, const Spoil& spoil) {
     const auto limits = safety_limits(omni_like(), 1);
     SafetyState state;
@@ -31,7 +31,7 @@ std::uint64_t seen(SafetyRule rule, const Arrange& arrange, const Spoil& spoil) 
     return audit.violations(rule);
 }
 
-/// Checks that the audit reports a changed output, and nothing for the unchanged one.
+/// Checks that the audit reports the changed output, and reports nothing for the unchanged output.
 void expect_caught(SafetyRule rule, const Arrange& arrange, const Spoil& spoil) {
     EXPECT_EQ(seen(rule, arrange, [](int, vec3 output) { return output; }), 0) << name(rule);
     EXPECT_GT(seen(rule, arrange, spoil), 0) << name(rule);
@@ -39,7 +39,7 @@ void expect_caught(SafetyRule rule, const Arrange& arrange, const Spoil& spoil) 
 
 void as_usual(int, SafetyInput&) {}
 
-/// The wanted force ends with a switch at tick 500.
+/// At tick 500 the wanted force ends with a switch.
 void force_ends(int tick, SafetyInput& input) {
     input.switched = tick == 500;
     if (tick >= 500) input.wanted = {};
@@ -51,7 +51,7 @@ Arrange from_500(const std::function<void(SafetyInput&)>& change) {
     };
 }
 
-/// Puts another force in the place of the output at tick 500 (N, along y).
+/// Replaces the output from tick 500 on by another force (N, along y).
 Spoil at_500(double bad) {
     return [bad](int tick, vec3 output) { return tick == 500 ? vec3(0, bad, 0) : output; };
 }
@@ -66,7 +66,7 @@ Spoil shifted_at(int when, vec3 shift) {
     return [when, shift](int tick, vec3 output) { return tick == when ? output + shift : output; };
 }
 
-/// Adds a tiny force from tick 500 on.
+/// Adds a tiny force to the output from tick 500 on.
 vec3 leak(int tick, vec3 output) { return tick < 500 ? output : output + vec3(1e-9, 0, 0); }
 
 TEST(HapticsSafetyAudit, ReportsForcesBeyondTheDevice) {
@@ -79,9 +79,10 @@ TEST(HapticsSafetyAudit, ReportsForcesBeyondTheDevice) {
 TEST(HapticsSafetyAudit, ReportsForcesThatNobodyWanted) {
     expect_caught(SafetyRule::unasked, as_usual, at_500(0.001));
     expect_caught(SafetyRule::unasked, as_usual, scaled_at(500, 1.001));
-    // Cool motors get all of the wanted force.
+    // Motors that are cool must give all of the wanted force.
     expect_caught(SafetyRule::unasked, as_usual, scaled_at(500, 0.999));
-    // Warm motors get less of the wanted force but all of the brake, which may have another direction.
+    // Motors that are warm give less of the wanted force but the whole brake, which may have another
+    // direction.
     const auto presses_and_brakes = [](int, SafetyInput& input) {
         input.wanted = {3.3, 0, 0};
         input.brake = {0, 0.2, 0};
@@ -92,13 +93,13 @@ TEST(HapticsSafetyAudit, ReportsForcesThatNobodyWanted) {
 
 TEST(HapticsSafetyAudit, ReportsJumpsAtSwitches) {
     expect_caught(SafetyRule::slew, force_ends, shifted_at(500, {-0.001, 0, 0}));
-    // The gate's opening is a switch.
+    // Opening the gate counts as a switch.
     expect_caught(SafetyRule::slew, as_usual,
                   [](int tick, vec3 output) { return tick == 0 ? vec3(1.5, 0, 0) : output; });
 }
 
 TEST(HapticsSafetyAudit, ReportsAForceThatFollowsASwingingSpringForEver) {
-    // A former fault of this stage: it followed at 40 N/s.
+    // A former fault of the safety stage: the output followed at 40 N/s.
     const auto swings = [](int tick, SafetyInput& input) {
         input.switched = tick == 500;
         if (tick >= 500) input.wanted = {std::sin(0.2 * tick), 0, 0};
@@ -151,7 +152,7 @@ TEST(HapticsSafetyAudit, CountsTicksAndHeat) {
     for (int tick = 0; tick < 25'000; ++tick) audit.record(limits, {.wanted = {0.5, 0, 0}}, {0.5, 0, 0});
     EXPECT_EQ(audit.ticks(), 25'000U);
     EXPECT_NEAR(audit.warmth(), 0.5, 1e-12);
-    EXPECT_EQ(audit.violations(), audit.violations(SafetyRule::slew));  // the change came at once
+    EXPECT_EQ(audit.violations(), audit.violations(SafetyRule::slew));  // the change came without any limit
     for (int tick = 0; tick < 9000; ++tick) audit.record(limits, {}, {});
     EXPECT_NEAR(audit.warmth(), 0.5 * std::sqrt(0.1), 1e-12);
 }

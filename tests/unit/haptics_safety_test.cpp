@@ -1,4 +1,4 @@
-// Unit tests of the safety stage, rule by rule.
+// Tests of the safety stage, rule by rule.
 #include "haptics/safety.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// A stage with its audit. A test fails if the audit counts a violation.
+/// A safety stage with its audit. A test fails if the audit counts a violation.
 struct Stage {
     SafetyLimits limits = safety_limits(omni_like(), 1);
     SafetyState state{};
@@ -51,8 +51,8 @@ TEST(HapticsSafety, LimitsComeFromTheDeviceAndThePlayersShare) {
     EXPECT_EQ(safety_limits(omni_like(), 7).cap, 3.3);
 }
 
-/// A driver may not know what its motors can hold. Such an arm is neither dead from the start nor without a limit: it
-/// takes a burst at its peak, and then less than any known arm holds.
+/// A driver may not know which force its motors can hold continuously. Such an arm is neither useless from
+/// the start nor unlimited: it may give a burst at its peak force, and then less than any known arm can hold.
 TEST(HapticsSafety, AnUnknownContinuousForceIsASmallOne) {
     auto spec = omni_like();
     spec.continuous_force = 0;
@@ -67,15 +67,15 @@ TEST(HapticsSafety, AnUnknownContinuousForceIsASmallOne) {
 
 TEST(HapticsSafety, NothingIsFeltBeforeAForceInRange) {
     Stage at_once;
-    EXPECT_NEAR(at_once.feel({2, 0, 0}).x, 0.04, 1e-12);  // the start is a switch too
+    EXPECT_NEAR(at_once.feel({2, 0, 0}).x, 0.04, 1e-12);  // the start counts as a switch too
     Stage stage;
     EXPECT_EQ(stage.feel({3.31, 0, 0}), vec3(0));
     EXPECT_EQ(stage.cause(), SafetyCause::waiting);
     EXPECT_EQ(stage.feel({not_a_number, 0, 0}), vec3(0));
-    EXPECT_NEAR(stage.feel({2, 0, 0}).x, 0.04, 1e-12);  // the gate opens, which is a switch
+    EXPECT_NEAR(stage.feel({2, 0, 0}).x, 0.04, 1e-12);  // the gate opens, which counts as a switch
     EXPECT_NEAR(stage.feel({2, 0, 0}).x, 0.08, 1e-12);
     EXPECT_NEAR(stage.feel({.wanted = {2, 0, 0}}, 48).x, 2, 1e-12);
-    EXPECT_EQ(stage.feel({-2, 0, 0}).x, -2);  // arrived: follows freely
+    EXPECT_EQ(stage.feel({-2, 0, 0}).x, -2);  // the output has arrived, and follows freely
     EXPECT_EQ(stage.feel({-2, 0, 0}), vec3(-2, 0, 0));
     EXPECT_EQ(stage.cause(), SafetyCause::none);
 }
@@ -119,8 +119,8 @@ TEST(HapticsSafety, ASwitchSlewsAndWithinASourceNothingIsDelayed) {
 }
 
 TEST(HapticsSafety, WhileASwitchFadesTheSourceIsNotDelayed) {
-    // A spring that swings by 0.4 N in 6 ms changes two and a half times as fast as the slew limit. The output
-    // reaches it within 50 ms all the same.
+    // A spring whose force swings by 0.4 N in 6 ms changes two and a half times as fast as the slew limit
+    // allows. The output nevertheless reaches it within 50 ms.
     Stage stage;
     stage.feel(vec3(0));
     const auto swings = [](int tick) { return vec3(2 + 0.4 * std::sin(1e-3 * 250 * tick), 0, 0); };
@@ -136,7 +136,7 @@ TEST(HapticsSafety, AFadeEndsWithinTwiceTheCapWhateverIsWanted) {
     Random random{3};
     for (int round = 0; round < 200; ++round) {
         Stage stage;
-        stage.limits.continuous = 1e3;  // heat then does not hide the force
+        stage.limits.continuous = 1e3;  // so that the heat limit does not hide the force
         stage.feel(vec3(0));
         const auto anything = [&random] {
             return vec3(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3));
@@ -150,7 +150,7 @@ TEST(HapticsSafety, AFadeEndsWithinTwiceTheCapWhateverIsWanted) {
 }
 
 TEST(HapticsSafety, AHandThatYieldsToWhatFadesIsLetGoOf) {
-    // The force of a removed source fades by 40 N/s. A hand that yields to it gets 0.01 J and no more.
+    // The force of a removed source fades by 40 N/s. A hand that yields to it receives 0.01 J and no more.
     for (const double speed : {0.01, 0.1, 0.5}) {
         for (const double way : {1.0, -1.0}) {
             Stage stage;
@@ -205,13 +205,13 @@ TEST(HapticsSafety, PanicIsZeroAtOnceAndComesBackSlowly) {
     EXPECT_EQ(stage.feel({.wanted = {2, 0, 0}, .panic = true}), vec3(0));
     EXPECT_EQ(stage.feel({.wanted = {2, 0, 0}}, 100'000), vec3(0));  // latched
     EXPECT_EQ(stage.cause(), SafetyCause::panic);
-    // A key that is still down has priority, and a force out of range keeps the gate shut.
+    // A panic key that is still down has priority, and a force out of range keeps the gate shut.
     EXPECT_EQ(stage.feel({.wanted = {2, 0, 0}, .panic = true, .rearm = true}), vec3(0));
     EXPECT_EQ(stage.feel({.wanted = {5, 0, 0}, .rearm = true}), vec3(0));
     EXPECT_EQ(stage.cause(), SafetyCause::waiting);
     EXPECT_EQ(stage.feel({5, 0, 0}), vec3(0));
     EXPECT_NEAR(stage.feel({2, 0, 0}).x, 0.04, 1e-12);
-    // A needless request to re-arm changes nothing. A key that is held must not keep the gate shut.
+    // A needless request to re-arm changes nothing. A re-arm key that is held must not keep the gate shut.
     EXPECT_NEAR(stage.feel({.wanted = {2, 0, 0}, .rearm = true}).x, 0.08, 1e-12);
 }
 
@@ -243,7 +243,7 @@ TEST(HapticsSafety, AHandThatFliesIsLeftAloneUntilItHasBeenSlow) {
         EXPECT_EQ(stage.feel({.wanted = {1, 0, 0}, .velocity = wild}), vec3(0));
         EXPECT_EQ(stage.cause(), SafetyCause::over_speed);
         EXPECT_EQ(stage.feel(at(1.9), 99), vec3(0));
-        EXPECT_EQ(stage.feel(at(2)), vec3(0));  // not slow enough: the wait starts again
+        EXPECT_EQ(stage.feel(at(2)), vec3(0));  // not slow enough: the waiting time starts again
         EXPECT_EQ(stage.feel(at(1.9), 100), vec3(0));
         // The cut is over: an ordinary speed is allowed again.
         EXPECT_NEAR(stage.feel(at(3.9)).x, 0.04, 1e-12);
@@ -267,16 +267,16 @@ TEST(HapticsSafety, ThreeBurstsOfExcessInTenSecondsShutItOff) {
     };
     EXPECT_FALSE(shuts_off({21}));
     EXPECT_TRUE(shuts_off({20, 20}));
-    EXPECT_FALSE(shuts_off({19, 19, 19, 19, 19}));  // one long burst
-    EXPECT_TRUE(shuts_off({4999, 4999}));           // the third starts 10 s after the first
+    EXPECT_FALSE(shuts_off({19, 19, 19, 19, 19}));  // a single long burst
+    EXPECT_TRUE(shuts_off({4999, 4999}));           // the third burst starts 10 s after the first
     EXPECT_FALSE(shuts_off({4999, 5000}));
-    EXPECT_TRUE(shuts_off({9000, 2000, 100}));  // the last three of four
+    EXPECT_TRUE(shuts_off({9000, 2000, 100}));  // only the last three of the four count
 
     Stage stage;
     ASSERT_TRUE(bursts(stage, {100, 100}));
     EXPECT_EQ(stage.feel({.wanted = calm}, 50'000), vec3(0));
     EXPECT_NEAR(stage.feel({.wanted = calm, .rearm = true}).x, 0.04, 1e-12);
-    EXPECT_FALSE(bursts(stage, {100}));  // counting starts again from zero
+    EXPECT_FALSE(bursts(stage, {100}));  // the count starts again from zero
 }
 
 TEST(HapticsSafety, ASpringThatTheWorldStretchesClipsAndIsNoFault) {
@@ -290,19 +290,20 @@ TEST(HapticsSafety, ASpringThatTheWorldStretchesClipsAndIsNoFault) {
     };
     EXPECT_FALSE(shut_off_by({.wanted = {0, 125, 0}, .spring = {0, 125, 0}}));
     EXPECT_FALSE(shut_off_by({.wanted = {0, 125, 13}, .spring = {0, 125, 0}}));
-    // Excess besides the spring.
+    // Shut off by the force that is added to the spring.
     EXPECT_TRUE(shut_off_by({.wanted = {0, 125, 14}, .spring = {0, 125, 0}}));
-    // Stretched beyond its limit.
+    // Shut off because the spring is stretched beyond its limit.
     EXPECT_TRUE(shut_off_by({.wanted = {0, 166, 0}, .spring = {0, 166, 0}}));
-    // Excess of the rest of the force.
+    // Shut off by the part of the force that is not the spring.
     EXPECT_TRUE(shut_off_by({.wanted = {0, 1, 0}, .spring = {0, 20, 0}}));
     EXPECT_TRUE(shut_off_by({.wanted = {0, 1, 0}, .spring = {0, not_a_number, 0}}));
     EXPECT_TRUE(shut_off_by({.wanted = {0, not_a_number, 0}, .spring = {0, 1, 0}}));
 }
 
 TEST(HapticsSafety, AFullLobPullUsesTheWholeBudget) {
-    // 2.75 N for 1 s is 0.87 N over 10 s of an Omni's 0.88 N. The stage may just allow it, held
-    // back in the last fifth of the budget. A second one right after it finds the motors warm.
+    // 2.75 N for 1 s equals 0.87 N for 10 s, as a root mean square; an Omni allows 0.88 N. The stage just
+    // allows the burst, and limits it in the last fifth of the budget. A second burst right after it is
+    // limited, because the motors are warm.
     Stage stage;
     stage.feel(vec3(0));
     double asked = 0;
@@ -320,7 +321,7 @@ TEST(HapticsSafety, AFullLobPullUsesTheWholeBudget) {
 }
 
 TEST(HapticsSafety, HeatIsSharedOutSmoothlyAndNeverTooMuch) {
-    // A minute with the pauses that suit a window of bins worst. Here the window moves tick by tick.
+    // A minute with the worst pauses for a stage that sums heat in bins. Here the window moves tick by tick.
     for (const int period : {1, 333, 500, 1499, 10'000, 60'000}) {
         Stage stage;
         stage.feel(vec3(0));
@@ -338,17 +339,17 @@ TEST(HapticsSafety, HeatIsSharedOutSmoothlyAndNeverTooMuch) {
             wanted_before = wants;
         }
         EXPECT_LE(std::sqrt(most / 10'000), 0.88) << period;
-        EXPECT_GE(std::sqrt(most / 10'000), 0.83) << period;  // does not hold back more than necessary
+        EXPECT_GE(std::sqrt(most / 10'000), 0.83) << period;  // the output is not limited more than necessary
         EXPECT_LE(jump, 0.1) << period;                       // change within a tick, up or down (N)
     }
 }
 
 TEST(HapticsSafety, AHandThatPressesOnIsLedToTheContinuousForceAndKeptThere) {
-    // A burst takes nine tenths of the budget B. The rest is shared evenly until the burst leaves the window,
-    // which no control law can avoid. Then the force approaches the continuous one, and no second burst
-    // follows.
+    // A burst takes nine tenths of the budget B. The remaining tenth is spread evenly until the burst leaves
+    // the window; no control law can avoid that. Then the force approaches the continuous one, and no second
+    // burst follows.
     const double budget = 0.88 * 0.88 * 10,
-                 last = 0.88 * std::sqrt(10 / 10.5);  // the window and half a second more
+                 last = 0.88 * std::sqrt(10 / 10.5);  // the length of the window and half a second more
     for (const double wanted : {3.3, 2.0, 1.2}) {
         Stage stage;
         stage.feel(vec3(0));
@@ -466,7 +467,8 @@ TEST(HapticsSafety, TheSameTicksGiveTheSameBits) {
         return hash;
     };
     EXPECT_EQ(run(), run());
-    // Hashes of every build and processor. They change only if the rules are changed on purpose.
+    // The hash must be the same in every build and on every processor. It changes only if the rules are
+    // changed on purpose.
     EXPECT_EQ(run(), 14337129754849735888ULL);
 }
 

@@ -1,5 +1,5 @@
-// Unit tests of what a servo step makes of surfaces and primitives: walls that come, go and turn, and balanced
-// sets.
+// Tests of how the servo step treats surfaces and primitives: walls that appear, disappear and turn, and sets
+// of primitives in balance.
 #include <gtest/gtest.h>
 
 #include <initializer_list>
@@ -39,7 +39,7 @@ TEST(HapticsServo, APatchIsFeltAndItsEndIsASwitch) {
     EXPECT_NEAR(after, 0.6 - rig.servo.limits.slew * tick_seconds, 1e-6) << "slowly";
     for (int tick = 0; tick < 100; ++tick) rig.feel();
     EXPECT_EQ(rig.feel(), vec3(0));
-    // Another patch, unrelated to the last one.
+    // Another patch, whose bodies have nothing to do with those of the last one.
     rig.model.patch = wall_below(0);
     ++rig.model.patch_number;
     rig.model.start = {0, 0.01, 0};
@@ -55,7 +55,7 @@ TEST(HapticsServo, AWallThatComesIsFeltButNotOneThatThePlayerWalksInto) {
         rig.sample.position = {0, 0.001, 0};
         rig.model.patch = wall_below(0);
         rig.feel();
-        rig.sample.position.y = -0.001;  // the hand presses by 1 mm
+        rig.sample.position.y = -0.001;  // the hand presses 1 mm into the wall
         for (int tick = 0; tick < 20; ++tick) rig.feel();
         rig.model.patch.bodies[0].velocity = {0, 0.05, 0};
         if (walks) rig.model.frame_motion.velocity = {0, 0.05, 0};
@@ -64,12 +64,12 @@ TEST(HapticsServo, AWallThatComesIsFeltButNotOneThatThePlayerWalksInto) {
             const double expected = 300 * (0.001 + (walks ? 0 : 5e-5 * tick));
             EXPECT_NEAR(rig.feel().y, expected, gap_newtons) << tick;
         }
-        // The player stands still again. Nothing changes although the offset would decay.
+        // The player stands still again. The contact offset would decay, but nothing changes.
         rig.model.patch.bodies[0].velocity = {};
         rig.model.frame_motion = {};
         for (int tick = 0; tick < 600; ++tick)
             EXPECT_NEAR(rig.feel().y, walks ? 0.3 : 1.2, 60 * gap_newtons) << tick;
-        // Away from the wall the offset decays, and the hand feels the wall at its true place.
+        // Away from the wall the offset decays, and the hand feels the wall at its true position.
         if (!walks) continue;
         EXPECT_NEAR(rig.state.contact_offset.y, 0.003, 1e-6);
         rig.sample.position.y = 0.01;
@@ -80,7 +80,7 @@ TEST(HapticsServo, AWallThatComesIsFeltButNotOneThatThePlayerWalksInto) {
     }
 }
 
-/// A wall that approaches a still hand, with a new model in each tick or in each fifth.
+/// A wall approaches a still hand, with a new model in every tick, or only in every fifth tick.
 TEST(HapticsServo, ByAnOldModelAWallThatComesGoesOnComing) {
     Rig late, fresh;
     for (Rig* rig : {&late, &fresh}) {
@@ -115,7 +115,7 @@ TEST(HapticsServo, TurningTheViewPastAWallDoesNotKickTheHand) {
     rig.model.patch = wall_below(0);
     rig.feel();
     double most = 0;
-    // 60 degrees at 200 degrees per second: the wall approaches by 5 cm.
+    // By turning 60 degrees at 200 degrees per second, the wall approaches by 5 cm.
     for (int tick = 1; tick <= 300; ++tick) {
         const double turn = 0.0035;
         const vec3 normal = rotation({0, 0, 1}, turn * tick) * vec3(0, 1, 0);
@@ -150,7 +150,7 @@ PrimitiveSet primitives_of(std::initializer_list<Primitive> list) {
 }
 Primitive floor_plane(double strength) { return {PrimitiveKind::plane, {}, {0, 1, 0}, strength}; }
 
-/// A rig with its tip at a place for so long that the slew limit is over.
+/// A rig whose tip has been at one place so long that the slew limit no longer acts.
 Rig rig_at(vec3 position, const PrimitiveSet& set, double stiffness = 300, double damping = 0) {
     Rig rig;
     rig.model.primitives = set;
@@ -177,7 +177,7 @@ TEST(HapticsServo, AStrongPlaneStopsTheHandWithStiffnessTimesDepth) {
             EXPECT_LT(glm::length(pressed.state.proxy - vec3(0.01, 0, 0.03)), 1e-12);
         }
     }
-    // Yields beyond its strength.
+    // Pressed beyond the plane's strength, it yields.
     Rig through = rig_at({0, -0.005, 0}, primitives_of({floor_plane(0.5)}));
     expect_force(through, {0, 0.5, 0});
 }
@@ -186,7 +186,8 @@ TEST(HapticsServo, ADirectedForcePushesAndPointAndLinePull) {
     Rig directed = rig_at({0.01, 0, 0}, primitives_of({{PrimitiveKind::directed, {}, {0, 0, 1}, 0.4}}));
     expect_force(directed, {0, 0, 0.4});
     EXPECT_LT(glm::length(directed.state.proxy - vec3(0.01, 0, 0.4 / 300)), 1e-15);
-    const auto point = primitives_of({{PrimitiveKind::point, {}, {}, 0.6}});  // captures within 2 mm
+    // The point attracts within 2 mm.
+    const auto point = primitives_of({{PrimitiveKind::point, {}, {}, 0.6}});
     Rig held = rig_at({0.001, 0, 0}, point), far = rig_at({0.03, 0, 0.04}, point);
     expect_force(held, {-0.3, 0, 0});
     expect_force(far, {-0.36, 0, -0.48});
@@ -229,7 +230,7 @@ TEST(HapticsServo, ASetThatComesGoesOrJumpsIsASwitchAndOneThatGlidesIsNot) {
 
     rig = rig_at({0, -0.001, 0}, primitives_of({floor_plane(100)}));
     rig.model.primitives = primitives_of({{PrimitiveKind::plane, {0, 0.001, 0}, {0, 1, 0}, 100}});
-    expect_force(rig, {0, 0.6, 0});  // at once: 300 N/s
+    expect_force(rig, {0, 0.6, 0});  // the force follows without delay: 300 N/s
 }
 
 TEST(HapticsServo, APlaneCreatesNoMoreThanTheDelayOfATickDoes) {

@@ -1,4 +1,4 @@
-// Unit tests of the servo step: pulses, velocity of the tip, tether, steady force, detents and safety.
+// Tests of the servo step: pulses, velocity of the tip, tether, steady force, detents and safety.
 #include "haptics/servo.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace thaum::haptics::servo_tests {
 namespace {
 
 TEST(HapticsServo, ATipThatIsHereAndThereInTurnIsTooFast) {
-    for (const double apart : {0.0039, 0.0041, 0.03}) {  // m per tick, for a limit of 4 m/s
+    for (const double apart : {0.0039, 0.0041, 0.03}) {  // distance for each tick (m); the limit is 4 m/s
         Rig rig;
         rig.model.steady_force = {{0, 0, 0.5}, 1};
         for (int tick = 0; tick < 50; ++tick) rig.feel();
@@ -28,9 +28,9 @@ TEST(HapticsServo, ATipThatIsHereAndThereInTurnIsTooFast) {
 }
 
 TEST(HapticsServo, AnEncodersQuantumIsNoSpeed) {
-    // Speeds just below the limit, in an oblique direction, rounded to a quantum. Every other sample may come
+    // Speeds just below the limit, in an oblique direction, rounded to a quantum. Every second sample may be
     // late. At rest the encoders flicker.
-    const double quantum = 2e-4;  // m, four times the coarsest of the shipped devices
+    const double quantum = 2e-4;  // quantum (m): four times the coarsest of the shipped devices
     const auto rounded = [quantum](vec3 place) { return quantum * glm::round(place / quantum); };
     for (const bool late : {false, true}) {
         Rig rig;
@@ -61,8 +61,8 @@ TEST(HapticsServo, AnEncodersQuantumIsNoSpeed) {
 }
 
 TEST(HapticsServo, WhatATetherHoldsIsThatOfWhereItIsByNow) {
-    // An old model moves the anchor on, and the spring stretches as its force says. Of what the observer received,
-    // it may give back that energy and no more.
+    // With an old model the anchor moves on, and the spring is stretched in accordance with its force. The
+    // observer received that energy, so the spring may give it back, but no more.
     Rig rig;
     rig.feel();
     rig.model.tether = {
@@ -72,7 +72,7 @@ TEST(HapticsServo, WhatATetherHoldsIsThatOfWhereItIsByNow) {
     rig.state.energy.created = -1;
     rig.feel();
     EXPECT_NEAR(rig.state.energy.created, -200 * stretch * stretch / 2, 1e-15);
-    // A model too old for any force stops the anchor there, and asks for nothing wild.
+    // With a model too old for any force, the anchor stops, and the wanted force stays moderate.
     rig.sample.model_age = 4'000'000'000;
     for (int tick = 0; tick < 100; ++tick) rig.feel();
     EXPECT_EQ(rig.state.safety.excess_count, 0U);
@@ -82,14 +82,15 @@ TEST(HapticsServo, AThingCaughtBehindACornerDoesNotShutTheForcesOff) {
     Rig rig;
     rig.feel();
     for (int time = 0; time < 6; ++time) {
-        // The lift wand's spring, stretched as far as a small thing may be away, and released.
+        // The spring of the lift wand, stretched as far as a small object may be away, then released.
         rig.model.tether = {.anchor = {0.4, 0, 0}, .stiffness = 300, .number = rig.model.tether.number + 1};
         for (int tick = 0; tick < 200; ++tick) rig.feel();
-        EXPECT_GT(rig.state.safety.output.x, 0.1) << time;  // warm after some time
+        // Smaller after some time, because the motors are warm.
+        EXPECT_GT(rig.state.safety.output.x, 0.1) << time;
         rig.model.tether = {.number = rig.model.tether.number + 1};
         for (int tick = 0; tick < 200; ++tick) rig.feel();
     }
-    // A world that stretches it too far is still a fault.
+    // If the world stretches the spring too far, that is still a fault.
     for (int time = 0; time < 3; ++time) {
         rig.model.tether = {.anchor = {40, 0, 0}, .stiffness = 300, .number = rig.model.tether.number + 1};
         for (int tick = 0; tick < 50; ++tick) rig.feel();
@@ -132,7 +133,7 @@ TEST(HapticsServo, ABoltsKickHasItsWholeImpulse) {
         EXPECT_EQ(force.z > 0, tick < 15) << tick;
     }
     EXPECT_NEAR(impulse, 2 / pi * 1.2 * 0.015, 1e-12);
-    EXPECT_GT(fastest, 200);  // N/s: no slew limit acts on it
+    EXPECT_GT(fastest, 200);  // speed of the change (N/s): no slew limit acts on it
     EXPECT_EQ(rig.cause(), SafetyCause::none);
 }
 
@@ -143,11 +144,11 @@ TEST(HapticsServo, ALeanIsFeltAsItIsAndGoesSlowlyWhereItJumps) {
     vec3 before{};
     for (int tick = 0; tick < 13; ++tick) {
         const vec3 force = rig.feel();
-        EXPECT_LE(glm::length(force - before), 40 * tick_seconds + 1e-12) << tick;  // the slew limit
+        EXPECT_LE(glm::length(force - before), 40 * tick_seconds + 1e-12) << tick;  // within the slew limit
         before = force;
     }
     EXPECT_EQ(before, vec3(0, 0, 0.5));
-    rig.model.steady_force.force.z = 0.9;  // the same number: it grew without a jump
+    rig.model.steady_force.force.z = 0.9;  // the same number: the force grew without a switch
     EXPECT_EQ(rig.feel(), vec3(0, 0, 0.9));
 }
 
@@ -211,14 +212,14 @@ TEST(HapticsServo, APulseIsPlayedOnceAndOnlyIfItIsNewer) {
     EXPECT_EQ(impulse(), 0);
     rig.model.pulse.number = 12;
     EXPECT_NEAR(impulse(), 2 / pi * 10, 1e-12);
-    // Up to where the numbers wrap.
+    // The last numbers are those at which numbers wrap around.
     for (const std::uint32_t number : {1U << 31U, (1U << 31U) + 100, ~0U}) {
         rig.model.pulse.number = number;
         EXPECT_NEAR(impulse(), 2 / pi * 10, 1e-12);
     }
     rig.model.pulse.number = 1;
     EXPECT_NEAR(impulse(), 2 / pi * 10, 1e-12);
-    rig.model.pulse = {{1, 0, 0}, 0, 2};  // no length, no kick
+    rig.model.pulse = {{1, 0, 0}, 0, 2};  // without a length there is no kick
     EXPECT_EQ(impulse(), 0);
 }
 
@@ -235,7 +236,7 @@ TEST(HapticsServo, PulsesAddAndAFifthTakesTheOldestsPlaceWithoutAJump) {
     EXPECT_NEAR(before.y, 0.4, 0.001);
     EXPECT_NEAR(before.x, 0.9, 0.001);
     const vec3 force = rig.feel_pulse({0, 0, 0.1}, 200);
-    // The oldest pulse was cut off at 0.3 N, which is a switch.
+    // The oldest pulse was cut off at 0.3 N, which counts as a switch.
     EXPECT_NEAR(glm::length(force - before), 0.04, 1e-12);
     for (int tick = 0; tick < 20; ++tick) before = rig.feel();
     EXPECT_NEAR(before.x, 0.57, 0.01);
@@ -264,8 +265,8 @@ TEST(HapticsServo, TheVelocityIsThatOfTheWindow) {
             EXPECT_EQ(rig.cause() == SafetyCause::over_speed, share > 1 && tick > 0) << tick;
         }
     }
-    // A sample read twice, as from a device that is served slower, and an encoder's quantum do not count as
-    // speed.
+    // A sample that is read twice, as from a device that is read too often, and the quantum of an encoder do
+    // not count as speed.
     Rig rig;
     for (int tick = 0; tick < 200; ++tick) {
         if (tick % 8 == 0) rig.sample.position.y += 0.02;
@@ -314,9 +315,9 @@ TEST(HapticsServo, TheSameTicksGiveTheSameBits) {
         std::uint64_t hash = 0;
         forces = 0;
         for (int tick = 0; tick < 5000; ++tick) {
-            // One number a statement: the order in which arguments are evaluated is the compiler's choice.
+            // One random number for each statement, because compilers evaluate arguments in different orders.
             const double back = random.uniform(-1, 1), right = random.uniform(-1, 1);
-            rig.sample.position += 3e-3 * vec3(right, 0, back);  // below 4 m/s
+            rig.sample.position += 3e-3 * vec3(right, 0, back);  // a speed below 4 m/s
             if (random.below(40) == 0) {
                 const vec3 peak{random.uniform(-2, 2), 0, random.uniform(-2, 2)};
                 rig.feel_pulse(peak, static_cast<std::uint32_t>(1 + random.below(90)));
@@ -330,7 +331,8 @@ TEST(HapticsServo, TheSameTicksGiveTheSameBits) {
         return hash;
     };
     EXPECT_EQ(run(), run());
-    // Hashes of every build and processor. They change only if the rules are changed on purpose.
+    // The hash must be the same in every build and on every processor. It changes only if the rules are
+    // changed on purpose.
     EXPECT_EQ(run(), 1484776655602309500ULL);
     EXPECT_EQ(forces, 7033616599626527150ULL);
 }

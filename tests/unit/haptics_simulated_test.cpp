@@ -1,4 +1,4 @@
-// Unit tests of the simulated device: input, output, and dry friction at rest.
+// Tests of the simulated device: input, output, and dry friction at rest.
 #include "haptics/simulated.h"
 
 #include <gtest/gtest.h>
@@ -80,7 +80,7 @@ TEST(HapticsSimulated, TheEndStopsHoldAndDoNotBounce) {
     EXPECT_EQ(state.position.x, 0.05);
     EXPECT_EQ(state.velocity.x, 0);
     state = step(device, state, {}, {-2, 0, 0});
-    EXPECT_LT(state.position.x, 0.05);  // and does not stick
+    EXPECT_LT(state.position.x, 0.05);  // the device moves on and does not stick
 }
 
 TEST(HapticsSimulated, FrictionHoldsUpToItsLimitAndNotBeyond) {
@@ -116,7 +116,7 @@ TEST(HapticsSimulated, AHeldDeviceRestsAnywhereInTheBandOfItsFriction) {
         EXPECT_LE(std::abs(state.position.x), band * (1 + 1e-12));
         const double there = state.position.x;
         for (int t = 0; t < 1000; ++t) state = step(device, state, {}, {});
-        EXPECT_EQ(state.position.x, there);  // stays to the bit
+        EXPECT_EQ(state.position.x, there);  // the device stays exactly where it was
     }
 }
 
@@ -137,7 +137,8 @@ TEST(HapticsSimulated, TheSameTicksGiveTheSameBits) {
         return hash;
     };
     EXPECT_EQ(run(), run());
-    // Hashes of every build and processor. They change only if the model is changed on purpose.
+    // The hash must be the same in every build and on every processor. It changes only if the model is
+    // changed on purpose.
     EXPECT_EQ(run(), 4712942992120687017ULL);
 }
 

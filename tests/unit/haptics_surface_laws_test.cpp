@@ -1,5 +1,5 @@
-// Unit tests of laws that surfaces must obey at any speed and for any input: energy, symmetry, closed meshes
-// that nothing leaves or enters, finite results and equal bits.
+// Tests of laws that surfaces must obey at any speed and for any input: energy, symmetry, closed meshes that
+// no tip can leave or enter, finite results and equal bits.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -17,7 +17,7 @@ namespace {
 
 // ---- laws ---------------------------------------------------------------------------------------------------------
 
-/// Work along a closed slow path by the trapezoid rule (J).
+/// Work along a closed slow path, by the trapezoid rule (J).
 double work_round(Probe& probe, vec3 centre, vec3 u, vec3 v, int ticks) {
     vec3 tip = centre + u;
     vec3 force = probe.at(tip).force;
@@ -49,7 +49,7 @@ TEST(Surface, AClosedPathWithoutFrictionDoesNoWork) {
             probe.at({0.01, 0.02, 0});
             const double work =
                 work_round(probe, {0, -0.002, 0}, {0.008, 0.003, 0}, {0, -0.005, 0.007}, ticks);
-            // The rule is of second order where the force has a kink.
+            // The trapezoid rule is of second order where the force has a kink.
             const double step = 2 * pi * 0.009 / ticks;
             EXPECT_LT(std::abs(work), 0.5 * stiffness * step * step) << scene << " at " << ticks;
         }
@@ -63,7 +63,8 @@ TEST(Surface, FrictionOnlyTakesEnergy) {
     EXPECT_LT(work, -1e-6);
 }
 
-/// A rotation or reflection of everything turns the result alike. The order of the patch does not matter.
+/// If everything is rotated or reflected, so is the result. The order of surfaces in the patch does not
+/// matter.
 TEST(Surface, TurnedAndMirroredItFeelsTheSame) {
     Random random{5};
     for (int n = 0; n < 100; ++n) {
@@ -122,7 +123,7 @@ TEST(Surface, NoSpeedTakesTheProxyThroughAClosedMesh) {
             vec3 tip(0, 0.05, 0);
             for (int n = 0; n < 100'000; ++n) {
                 const double size = std::pow(10.0, random.uniform(-6, 1));
-                // Often exactly at edges and corners, where a crack would show.
+                // Often exactly at edges and corners, where a gap between triangles would show.
                 const vec3 spot = n % 3 == 0 ? half * vec3(1, 1, n % 2 == 0 ? 1 : 0) : vec3(0);
                 tip = n % 5 == 0 ? tip + random_vec(random, 1e-3) : spot + random_vec(random, size);
                 probe.at(tip);
@@ -143,7 +144,7 @@ TEST(Surface, FromTheInsideOfATwoSidedBoxThereIsNoWayOut) {
         const vec3 tip = random_vec(random, size);
         const ContactResult t = probe.at(tip);
         ASSERT_TRUE(inside(probe.state.proxy, half)) << n;
-        // It is also the nearest place, because the box is convex.
+        // The proxy is also at the nearest place, because the box is convex.
         expect_near(t.proxy, glm::clamp(tip, -half, half), 1e-8);
     }
 }
@@ -164,7 +165,7 @@ TEST(Surface, BeyondThePatchNothingIsGuessed) {
     EXPECT_EQ(probe.state.limited, 0U);
 }
 
-/// Coordinates from zero to infinity, and one that is no number.
+/// Coordinates from zero to infinity, and NaN.
 constexpr std::array<double, 10> hard_values{0,
                                              -0.0,
                                              1e-300,

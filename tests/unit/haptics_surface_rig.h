@@ -12,9 +12,10 @@
 namespace thaum::haptics::surface_tests {
 
 inline constexpr double dt = tick_seconds;
-inline constexpr double stiffness = 500;                            // N/m
-inline constexpr double gap_force = 1.5 * stiffness * surface_gap;  // known error with friction (N)
-inline constexpr double rounding = 1e-9;                            // accepted rounding error of a force (N)
+inline constexpr double stiffness = 500;  // N/m
+// Known error of the force with friction (N).
+inline constexpr double gap_force = 1.5 * stiffness * surface_gap;
+inline constexpr double rounding = 1e-9;  // accepted rounding error of a force (N)
 
 inline std::uint32_t add_body(SurfacePatch& patch,
                               const SurfaceMaterial& material = {.stiffness = stiffness}) {
@@ -42,13 +43,13 @@ inline SurfacePatch floor_patch(const SurfaceMaterial& material = {.stiffness = 
     return patch;
 }
 
-/// A tip that appears at a place without moving there.
+/// A tip that jumps to a place, without a path in between.
 struct Probe {
     SurfacePatch patch{};
     SurfaceState state{};
 
     ContactResult at(vec3 tip, vec3 velocity = {}) { return touch(patch, state, {tip, velocity}, dt); }
-    /// Moves the bodies by their velocities for one tick. The tip stays.
+    /// Moves the bodies by their velocities for one tick. The tip stays where it is.
     void advance() {
         for (std::uint32_t i = 0; i < patch.count; ++i) {
             Surface& s = patch.surfaces[i];

@@ -35,7 +35,8 @@ TEST(Surface, APlaneIsASpringAlongItsNormal) {
     }
 }
 
-/// Foot of the tip on the intersection line of two planes through the origin.
+/// The expected proxy is the foot of the perpendicular from the tip to the intersection line of two planes
+/// through the origin.
 TEST(Surface, InACreaseAndACornerItIsAsNearAsBothAllow) {
     Random random{2};
     int creases = 0, corners = 0;
@@ -47,14 +48,15 @@ TEST(Surface, InACreaseAndACornerItIsAsNearAsBothAllow) {
             add(probe.patch, SurfaceKind::plane, {}, normal);
         }
         if (std::abs(glm::dot(normals[0], glm::cross(normals[1], normals[2]))) < 0.05) continue;
-        // The corner is nearest in the cone that the negative normals span; likewise for each crease.
+        // The corner is the nearest place if the tip is in the cone that the negative normals span; likewise
+        // for each crease.
         const vec3 depths(random.uniform(0, 0.01), random.uniform(0, 0.01), random.uniform(0, 0.01));
         const bool corner = n % 2 == 0;
         const vec3 tip =
             -depths.x * normals[0] - depths.y * normals[1] - (corner ? depths.z : 0) * normals[2];
         vec3 nearest(0);
         if (!corner) {
-            // Along the crease to the free side of the third plane.
+            // The direction along the crease that leads to the free side of the third plane.
             vec3 crease = glm::normalize(glm::cross(normals[0], normals[1]));
             if (glm::dot(crease, normals[2]) < 0) crease = -crease;
             nearest = 0.1 * crease;
@@ -112,7 +114,7 @@ TEST(Surface, RoundASphereItKeepsUpWithTheTip) {
     add(probe.patch, SurfaceKind::sphere, {}, {0.05, 0, 0});
     probe.at({0, 0.06, 0});
     for (int tick = 0; tick < 2000; ++tick) {
-        const double angle = 0.002 * tick;  // 0.1 m/s on the surface
+        const double angle = 0.002 * tick;  // the tip moves at 0.1 m/s on the surface
         const vec3 out(det::sin(angle), det::cos(angle), 0);
         expect_near(probe.at(0.045 * out).force, stiffness * 0.005 * out, 1e-6);
     }
@@ -129,9 +131,9 @@ TEST(Surface, ItSlidesRoundAConvexEdge) {
             add(probe.patch, SurfaceKind::box, {}, half);
         probe.at({0.03, 0.03, 0.001});
         for (int step = 0; step <= 40; ++step) {
-            const double x = 0.03 + 0.0005 * step;  // at 5 mm under the top, up to the side
+            const double x = 0.03 + 0.0005 * step;  // the tip moves, at 5 mm below the top, towards the side
             const vec3 force = probe.at({x, 0.015, 0.001}).force;
-            // The proxy stays on top while the side is farther, and the top's edge holds it there.
+            // The proxy stays on top while the side is farther away, and the edge of the top holds it there.
             if (step < 40)
                 expect_near(force, {0, stiffness * 0.005, 0}, gap_force + rounding, std::to_string(step));
         }
@@ -156,7 +158,7 @@ TEST(Surface, AFlatMeshFeelsLikeAPlane) {
     mesh.at({0.001, 0.001, 0.001});
     vec3 before = plane.at({0.001, -0.005, 0.001}).force;
     for (int tick = 0; tick < 1000; ++tick) {
-        // 0.1 m/s back and forth over the edges, along them and through the corners
+        // the tip moves at 0.1 m/s back and forth over the edges, along them and through the corners
         const double t = std::abs(2.0 * tick / 1000 - 1);
         const vec3 tip(0.038 * t + 0.001, -0.005, tick % 2 == 0 ? 0.038 * t * t + 0.001 : 0.01);
         const vec3 here = mesh.at(tip).force;
@@ -174,7 +176,7 @@ TEST(Surface, ItSticksUpToTheStaticConeAndSlidesAtTheDynamicOne) {
         probe.at({0, 0.001, 0});
         probe.at({0, -depth, 0});
         const double normal_force = stiffness * depth;
-        for (int i = 0; i < 60; ++i) {  // up to the angle whose tangent is 0.6
+        for (int i = 0; i < 60; ++i) {  // tilts up to the angle whose tangent is 0.6
             const double x = depth * 0.01 * i;
             expect_near(probe.at({x, -depth, 0}).force, {-stiffness * x, normal_force, 0},
                         gap_force + rounding);
@@ -185,7 +187,7 @@ TEST(Surface, ItSticksUpToTheStaticConeAndSlidesAtTheDynamicOne) {
             expect_near(force, {-0.4 * normal_force, normal_force, 0}, gap_force + rounding, "slides");
             EXPECT_EQ(probe.state.sliding, 1U);
         }
-        // It stops and sticks there, and static friction counts again.
+        // The proxy stops and sticks there, and static friction applies again.
         probe.at({depth * 1.99, -depth, 0});
         EXPECT_EQ(probe.state.sliding, 0U);
         const vec3 more = probe.at({depth * (1.99 + 0.19), -depth, 0}).force;
@@ -220,7 +222,7 @@ TEST(Surface, ACreaseRubsOnBothSides) {
     const double depth = 0.005;
     ContactResult last;
     for (int i = 0; i <= 100; ++i) last = probe.at({0, -depth, 0.0005 * i});
-    // Each wall has the depth s, and both rub: 2 mu depth s.
+    // The tip is at the depth s in each wall, and both rub: 2 mu depth s.
     expect_near(last.force, stiffness * depth * vec3(0, 1, -2 * s * 0.4), 4 * gap_force + rounding);
     EXPECT_EQ(last.contacts, 2U);
 }
@@ -279,7 +281,7 @@ TEST(Surface, AWallThatMovesIsFeltInEveryTickItOverlaps) {
     }
 }
 
-/// A box that flies and turns, with places fixed to it.
+/// A box that moves and turns, with points fixed to it.
 TEST(Surface, APatchThatGoesOnIsWhereItsBodiesAre) {
     Random random{5};
     for (int n = 0; n < 100; ++n) {
@@ -356,7 +358,7 @@ TEST(Surface, ARoughWallTakesTheProxyAlong) {
     }
 }
 
-/// A probe that sticks to a turning disc goes round with it.
+/// A proxy that sticks to a turning disc moves round with it.
 TEST(Surface, ASpinningBodyTurnsTheProxyAboutItsAxis) {
     SurfacePatch patch;
     add_body(patch, {.stiffness = stiffness, .static_friction = 10, .dynamic_friction = 10});

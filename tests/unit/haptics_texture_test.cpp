@@ -1,5 +1,5 @@
-// Unit tests of textures on surfaces against closed forms: paper 004's sinusoidal grating with both normals,
-// and the bump map.
+// Tests of textures on surfaces against closed forms: paper 004's sinusoidal grating with both normals, and
+// the bump map.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,8 +11,10 @@
 namespace thaum::haptics {
 namespace {
 
-constexpr double wall_stiffness = 500, crest = 2e-4, period = 0.004;  // N/m, m (amplitude), m
-constexpr double force_rounding = 1e-6;                               // N; 1e-7 N of it is the surface's gap
+// Stiffness (N/m), amplitude (m) and period (m).
+constexpr double wall_stiffness = 500, crest = 2e-4, period = 0.004;
+// Tolerance (N), of which 1e-7 N is the gap between proxy and surface.
+constexpr double force_rounding = 1e-6;
 
 SurfacePatch textured(TextureKind kind, double friction = 0) {
     SurfacePatch patch;
@@ -31,7 +33,7 @@ SurfacePatch textured(TextureKind kind, double friction = 0) {
 double grating(double x) { return crest * (std::sin(2 * pi * x / period) + 1); }
 double grating_slope(double x) { return crest * 2 * pi / period * std::cos(2 * pi * x / period); }
 
-/// Moves in from a place above, so that the proxy is over the tip.
+/// Moves the tip in from a place above, so that the proxy is above the tip.
 vec3 feel(const SurfacePatch& patch, vec3 tip) {
     SurfaceState state{.proxy = {tip.x, 0.01, tip.z}, .begun = 1};
     return touch(patch, state, {tip, {}}, tick_seconds).force;
@@ -40,7 +42,7 @@ vec3 feel(const SurfacePatch& patch, vec3 tip) {
 TEST(Texture, AnImpactGratingPushesAlongTheWallByThePapersDepth) {
     const auto patch = textured(TextureKind::impact);
     for (int i = 0; i < 200; ++i) {
-        const double x = 1e-4 * i - 0.01, z = 2e-3 * std::sin(i);  // z: above the wall
+        const double x = 1e-4 * i - 0.01, z = 2e-3 * std::sin(i);  // z is the height above the wall
         const vec3 force = feel(patch, {x, z, 0.3});
         const double depth = z > 0 ? 0 : grating(x) - z;  // p_1(t)
         EXPECT_NEAR(force.y, wall_stiffness * depth, force_rounding) << i;

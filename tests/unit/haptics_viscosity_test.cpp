@@ -1,4 +1,4 @@
-// Unit tests of the viscous space round a hand that draws.
+// Tests of the viscous space around a hand that draws.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ TEST(Viscosity, AnEvenMotionIsResistedInProportionToItsSpeed) {
             ServoState state;
             const HapticModel model{.viscosity = viscosity};
             vec3 force{};
-            // Long enough for the fade at the switch, short enough for the motors to stay cold.
+            // Long enough for the fade-in after the switch, short enough for the motors to stay cold.
             for (int tick = 0; tick < 400; ++tick)
                 force = servo_step(servo, state, model, {vec3(0, speed * tick * tick_seconds, 0), 0});
             EXPECT_NEAR(force.y, -felt * speed, 1e-9) << spec.name << ", " << speed;
@@ -44,7 +44,7 @@ TEST(Viscosity, AThrownDeviceSlowsDownExponentially) {
     auto hand = resting_at({-0.05, 0, 0});
     ServoState state;
     const HapticModel model{.viscosity = viscosity};
-    // The hand moves the device evenly until the forces have faded in, then lets go.
+    // The hand moves the device evenly until the forces have faded in, then releases it.
     double at_400 = 0, at_600 = 0;
     for (int tick = 0; tick <= 600; ++tick) {
         if (tick <= 300) hand.velocity.x = 0.1;

@@ -62,11 +62,11 @@ TEST(HidReport, AnyAmplitudesGiveALegalReport) {
     EXPECT_EQ(bytes_of(hid_report(frame)), silent_report()) << "motors without an actuator";
 }
 
-/// What a fake device does, and what it got.
+/// State and settings of a fake device, and the reports that it got.
 struct FakeDevice {
     bool plugged{true}, accepts{true}, allowed{true};
-    double report_s{};  ///< time for a report (s)
-    double now_s{10};   ///< the clock of the jacket
+    double report_s{};  ///< time that a report takes (s)
+    double now_s{10};   ///< clock of the jacket (s)
     int opened{}, closed{};
     std::vector<std::string> reports{};
 
@@ -140,7 +140,7 @@ TEST(HidJacket, OneThatIsPulledOutIsNoticedEvenInSilence) {
     EXPECT_FALSE(jacket->is_connected());
     EXPECT_EQ(jacket->fault(), "it is gone");
     EXPECT_EQ(jacket->open().error().message, "it is not plugged in");
-    jacket->write(some_frame(), 2);  // a closed jacket takes all calls
+    jacket->write(some_frame(), 2);  // a closed jacket ignores calls
     jacket->silence();
     device.plugged = true;
     ASSERT_TRUE(jacket->open());

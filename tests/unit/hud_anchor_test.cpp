@@ -20,7 +20,7 @@ protected:
         ADD_FAILURE() << "no anchor";
         return {};
     }
-    /// Cages of a player's mark in a player's view.
+    /// Marks (cages around the anchor) that a player's view shows.
     std::vector<render::Instance> marks(std::uint32_t viewer) const {
         std::vector<render::Instance> instances;
         add_instances(arena_scene, picture, viewer, instances);

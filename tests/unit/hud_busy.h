@@ -1,4 +1,5 @@
-// unit/hud_busy.h: the HUD at its busiest, in every kind of view, and a search for its words.
+// unit/hud_busy.h: the HUD with as much content as possible, in every kind of view, and a search for its
+// texts.
 #pragma once
 #include <string_view>
 
@@ -7,7 +8,7 @@
 
 namespace thaum::game::hud_tests {
 
-inline constexpr float readable = 12;  ///< least em of words at 1280 x 720 (px)
+inline constexpr float readable = 12;  ///< least em of readable text at 1280 x 720 (px)
 
 inline HudSettings busy_settings(render::Split split, Watch watch, double scale) {
     HudSettings settings{.split = split, .watch = watch, .text_scale = scale};
@@ -18,7 +19,7 @@ inline HudSettings busy_settings(render::Split split, Watch watch, double scale)
     return settings;
 }
 
-/// Calls f(settings, name) for a full view and both splits, at all sizes of the text.
+/// Calls f(settings, name) for a full view and for both ways to split the window, at all text sizes.
 template <class F>
 void each_view(F f) {
     for (double scale = 1; scale <= 2.5; scale += 0.5) {

@@ -22,7 +22,7 @@ protected:
         stand(picture, match_data()->wizard, 0, {0, 0, 12}, {0, 1.5, 0});
     }
 
-    /// Ingredients of iron's colour in a player's view.
+    /// Ingredients with the colour of iron in a player's view.
     std::vector<render::Instance> carried(std::uint32_t viewer) const {
         std::vector<render::Instance> instances;
         add_instances(arena_scene, picture, viewer, instances);
@@ -34,7 +34,7 @@ protected:
         return instances;
     }
 
-    /// Expects that a point (m, eye frame) is near the wand hand, in the picture of every shape of view.
+    /// Expects that a point (m, eye frame) appears near the wand hand in a view of any shape.
     static void expect_near_hand(vec3 point) {
         EXPECT_LT(glm::distance(point, vec3(own_hand)), 0.25);
         for (const double aspect : {320.0 / 480, 640.0 / 720, 1280.0 / 720, 1280.0 / 360, 2560.0 / 540}) {

@@ -33,7 +33,8 @@ TEST(StrokeWords, SayWhatWasReadHowSureAndHowHard) {
     EXPECT_FALSE(said(StrokeOutcome::cast, 1, 0.6).failed);
 }
 
-/// Presses buttons and a wand's key for some ticks, while the mouse moves by `counts` to the right in each.
+/// Presses buttons and a wand's key for some ticks, while the mouse moves to the right by `counts` in each
+/// tick.
 void press(Simulation& match, std::initializer_list<input::Button> buttons, std::uint8_t wand,
            std::int32_t counts, Tick lasts) {
     input::InputFrame frame;
@@ -66,7 +67,7 @@ TEST(StrokeWords, OfAKeyChordHaveItsKeyAndClaimNoReading) {
     press(*match, {trace}, 4, 0, 40);
     press(*match, {}, 0, 0, 40);
     EXPECT_EQ(caption_in(*match), "[4] Recall, but it calls the thing lifted last; lift one first");
-    press(*match, {trace}, 0, 5, 400);  // 20 cm to the right
+    press(*match, {trace}, 0, 5, 400);  // the mouse moves 20 cm to the right
     press(*match, {}, 0, 0, 40);
     EXPECT_EQ(caption_in(*match).substr(0, 1), "n") << "a line is not read; the chord is over";
 }
@@ -111,7 +112,8 @@ TEST(StrokeWords, TellWhyAStrokeDidNothing) {
 
 TEST(StrokeWords, TellTheReasonOfTheSpellItself) {
     const auto match = new_match();
-    const auto recall = [&] {  // the key chord of the star, which calls back the thing that was lifted last
+    // Uses the star spell by its combination of keys, which calls back the object that was lifted last.
+    const auto recall = [&] {
         input::InputFrame frame;
         for (int t = 0; t < 60; ++t) {
             frame.devices[0].press(input::Button::trace);
@@ -123,7 +125,7 @@ TEST(StrokeWords, TellTheReasonOfTheSpellItself) {
         return stroke_caption(picture.wizards[0].casting, *picture.shown).words;
     };
     EXPECT_EQ(recall(), "[4] Recall, but it calls the thing lifted last; lift one first");
-    // A thing that lies beyond the spell's reach.
+    // An object out of the spell's reach.
     auto& world = match->world_to_change();
     ecs::Entity thing;
     world.view<const Prop, const Body>().each([&](ecs::Entity e, const Prop&, const Body&) { thing = e; });
@@ -186,7 +188,7 @@ TEST(StrokeWords, AreGoneAfterAMoment) {
     EXPECT_EQ(stroke_caption(casting, *picture.shown).words, "") << "rules without spells";
 }
 
-/// Draws a quarter of a circle into the player's picture.
+/// Adds a quarter of a circle to the stroke in the player's picture.
 void draw_arc(StrokePicture& stroke, float force) {
     stroke.count = 20;
     stroke.drawing = true;
@@ -213,7 +215,7 @@ TEST(SpellStrip, TakesThePlaceOfTheWandsWhileTraceIsHeld) {
     EXPECT_TRUE(has_text(overlay_of(picture, settings), "harsh"));
 }
 
-/// Colours of the words of an overlay that contain `part`.
+/// Colours of those texts of an overlay that contain `part`.
 std::vector<fvec4> paints_of(const render::Overlay& overlay, std::string_view part) {
     std::vector<fvec4> found;
     for (const auto* words : texts_with(overlay, part)) found.push_back(words->colour);
@@ -305,7 +307,8 @@ TEST(ForceBand, OfAChordHasTheForceOfTheChord) {
     EXPECT_FALSE(has_text(overlay_of(picture), "gentle"));
 }
 
-/// Lines of an overlay between two heights of the first view, which the HUD without strokes does not have.
+/// Number of lines of an overlay, between two heights of the first view, that the HUD has only because of the
+/// stroke.
 std::size_t lines_of_stroke(const CastingPicture& casting, const ViewLayout& layout, render::Overlay& out) {
     out.items.clear();
     static const auto shown = new_casting_picture().shown;
@@ -316,13 +319,13 @@ std::size_t lines_of_stroke(const CastingPicture& casting, const ViewLayout& lay
 TEST(StrokeTrail, IsWiderWithForceAndStaysInItsView) {
     auto picture = new_casting_picture();
     auto& casting = picture.wizards[0].casting;
-    casting.gestures.reset();  // no stroke is a likely spell
+    casting.gestures.reset();  // without gestures no stroke is likely to be a spell
     const auto layout = *lay_out({}, {640, 480}, 5).views[0];
     render::Overlay gentle, harsh;
     draw_arc(casting.stroke, 0.3F);
     ASSERT_GT(lines_of_stroke(casting, layout, gentle), 30U);
     draw_arc(casting.stroke, 2);
-    for (auto& p : casting.stroke.points) p.x *= 30;  // a hand that goes far
+    for (auto& p : casting.stroke.points) p.x *= 30;  // a hand that moves far
     ASSERT_EQ(lines_of_stroke(casting, layout, harsh), gentle.items.size());
     const auto& thin = std::get<render::LineItem>(gentle.items[0]);
     const auto& thick = std::get<render::LineItem>(harsh.items[0]);
@@ -335,7 +338,7 @@ TEST(StrokeTrail, IsWiderWithForceAndStaysInItsView) {
     }
 }
 
-/// Longest line of a drawn circle whose hand rests in the middle for some points (px).
+/// Longest line of a drawn circle during which the hand rests in the middle for some points (px).
 float longest_line(std::uint32_t rest) {
     auto picture = new_casting_picture();
     auto& casting = picture.wizards[0].casting;
@@ -362,7 +365,8 @@ TEST(StrokeTrail, IsDrawnAsItWasHoweverLongAHandRests) {
 
 TEST(StrokePicture, HasPiecesOfEqualLengthOfALongStroke) {
     std::vector<float> longest;
-    for (const std::size_t rest : {0U, 5000U}) {  // points at rest among 3,000 that go evenly along a line
+    // Number of points at rest among 3,000 points that move evenly along a line.
+    for (const std::size_t rest : {0U, 5000U}) {
         const auto at = [&](std::size_t i) {
             return fvec2(static_cast<float>(i < 1500 ? i : i < 1500 + rest ? 1500 : i - rest), 0);
         };

@@ -1,6 +1,7 @@
-// Measures whether the marks of danger stand out from what is behind them, for usual eyes and for eyes that lack one kind
-// of cones. Each mark is drawn over ten scenes, from the dark corner to the glowing brew. At every place along it some part
-// must have a contrast of 3 : 1 to the same pixel of the picture without the HUD (WCAG 2.1, 1.4.11).
+// Measures whether the marks that warn of danger stand out from the picture behind them, for normal vision
+// and for three kinds of colour blindness. Each mark is drawn over ten scenes, from the dark corner to the
+// glowing brew. Everywhere along a mark, some part of it must have a contrast of 3 : 1 to the same pixel of
+// the picture without the HUD (WCAG 2.1, 1.4.11).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,8 +22,8 @@ using hud_tests::match_data;
 constexpr render::Size window{1280, 720};
 constexpr double least_contrast = 3;
 
-/// How a kind of eyes sees a colour in linear light: Machado, Oliveira and Fernandes, A Physiologically-based Model for
-/// Simulation of Color Vision Deficiency (2009), severity 1. Rows give red, green and blue.
+/// How a kind of eye sees a colour, in linear light: Machado, Oliveira and Fernandes, A Physiologically-based
+/// Model for Simulation of Color Vision Deficiency (2009), severity 1. Rows give red, green and blue.
 struct Eyes {
     std::string_view name;
     std::array<fvec3, 3> rows;
@@ -43,7 +44,7 @@ const Eyes kinds_of_eyes[] = {
        {0.004733F, 0.691367F, 0.303900F}}}},
 };
 
-/// Relative luminance of a colour in linear light, as these eyes see it (ITU-R BT.709).
+/// Relative luminance of a colour in linear light, as seen by these eyes (ITU-R BT.709).
 double luminance(fvec3 linear, const Eyes& eyes) {
     const auto seen = [&](std::size_t row) {
         return std::clamp(static_cast<double>(glm::dot(eyes.rows[row], linear)), 0.0, 1.0);
@@ -68,10 +69,10 @@ struct Drawn {
     render::Image with, without;
 };
 
-/// Places across a mark, one behind the other.
+/// A line of places across a mark.
 using Across = std::vector<fvec2>;
 
-/// Places from `inner` to `outer` (px) at a clock's angle (rad).
+/// Places from `inner` to `outer` (px) in a direction given as on a clock (rad).
 Across along_ray(fvec2 centre, float angle, float inner, float outer) {
     Across places;
     for (float r = inner; r <= outer; r += 0.5F)
@@ -127,7 +128,7 @@ protected:
         return {std::move(with), renderer->read_pixels()};
     }
 
-    /// Expects that each of these rows of places has the least contrast for all eyes.
+    /// Expects that on each of these lines some place has the required contrast for all eyes.
     static void expect_seen(const Drawn& drawn, const std::vector<Across>& mark, const char* where) {
         for (const auto& eyes : kinds_of_eyes)
             for (std::size_t i = 0; i < mark.size(); ++i)
@@ -172,7 +173,7 @@ TEST_F(Contrast, OfLowHealth) {
     }
 }
 
-/// The measure itself: what has no edges is lost to some eyes somewhere.
+/// Test of the measure itself: without an edge, a mark is invisible to some eyes on some backgrounds.
 TEST(ContrastMeasure, RedOnBrickIsLostToSomeEyes) {
     const auto red = fvec3(render::colour(0xFF4A3A, 1.0F)), brick = fvec3(render::colour(0xA4686C, 1.0F));
     EXPECT_LT(contrast(luminance(red, kinds_of_eyes[0]), luminance(brick, kinds_of_eyes[0])), least_contrast);

@@ -1,4 +1,5 @@
-// Tests of the HUD's layout: at every size of text and window each panel has a place of its own, and words stay in it.
+// Tests of the HUD's layout: at every size of text and window no panels overlap, and texts stay inside their
+// panels.
 #include "game/hud/layout.h"
 
 #include <thread>
@@ -29,7 +30,7 @@ constexpr std::array<Arranged, 6> arrangements{
 constexpr std::array<render::Size, 8> windows{
     {{640, 480}, {640, 360}, {800, 600}, {1280, 720}, {1366, 768}, {1920, 1080}, {2560, 1080}, {3840, 2160}}};
 
-/// The bar of a replay with as many words as it can have.
+/// The bar of a replay with the longest possible texts.
 ReplayBar busy_bar() {
     return {
         .length = 600'000,
@@ -143,7 +144,8 @@ TEST(HudLayout, LargerTextIsLargerUpToWhatTheViewHolds) {
             float before = 0;
             for (double scale = 1; scale <= 2.5; scale += 0.25) {
                 const auto layout = lay_out(settings_of(how, scale), window, 5);
-                if (layout.replay) continue;  // its bar takes room from the views as the text grows
+                // In a replay the bar takes more room from the views as the text grows.
+                if (layout.replay) continue;
                 EXPECT_GE(layout.unit, before);
                 before = layout.unit;
             }
@@ -240,9 +242,9 @@ TEST(FittedWords, BreakAtSpacesAndShrinkOnlyIfTheyMust) {
     EXPECT_TRUE(fit("", 10, {40, 13}).lines.empty());
 }
 
-// ---- what is really said ----------------------------------------------------------------------------------
+// ---- texts that a match shows -----------------------------------------------------------------------------
 
-/// A match in which everything is said at once.
+/// A match with as many texts as possible at once.
 Picture talkative() {
     auto picture = picture_of(*new_match());
     for (auto& p : picture.wizards) {
@@ -301,7 +303,7 @@ TEST(HudLayout, NoTwoTextsOverlapWhenAllIsSaidAtOnce) {
     const auto picture = talkative();
     std::size_t said = 0;
     each_case([&](HudSettings settings, render::Size window, const std::string& name) {
-        settings.forces = name.size() % 2 == 0;  // with the curve, and without it
+        settings.forces = name.size() % 2 == 0;  // some cases with the curve of forces, some without
         settings.heard = {HeardWish::all, HeardWish::all};
         settings.prompts = {PromptWish::always, PromptWish::always};
         for (auto& one : settings.controls) one = {.fire = "Left mouse", .stir = "E", .throw_ = "F"};
@@ -317,7 +319,7 @@ TEST(HudLayout, NoTwoTextsOverlapWhenAllIsSaidAtOnce) {
     EXPECT_GT(said, 20U * arrangements.size() * windows.size() * 7);
 }
 
-/// The end of a match with a full table of hits.
+/// The end of a match, with a full table of hits.
 Picture finished() {
     auto picture = picture_of(*new_match());
     picture.phase = Phase::over;
@@ -369,7 +371,7 @@ TEST(ResultPanel, GrowsWithTheTextAsFarAsTheWindowHolds) {
     EXPECT_GE(size_at(2.5, {1280, 720}), 2 * size_at(1, {1280, 720}));
 }
 
-/// Texts of a panel with their places and sizes.
+/// Texts of a panel, with their places and sizes.
 std::vector<std::tuple<std::string, float, float, float>> places_of_words(const Picture& picture,
                                                                           const HudSettings& settings,
                                                                           render::Size window) {
@@ -387,7 +389,7 @@ TEST(ResultPanel, IsTheSameWhateverPanelWasDrawnBefore) {
         render::Size window{1280, 720};
     };
     std::vector<Drawn> panels(7, {finished(), {}});
-    panels[1].settings.names[0] = "Somebody else";  // who has lost
+    panels[1].settings.names[0] = "Somebody else";  // name of the player who has lost
     panels[2].window = {640, 480};
     panels[3].settings.text_scale = 2.5;
     panels[4].picture.wizards[0].vitals.kills += 17;
@@ -425,7 +427,7 @@ TEST(HudLayout, ANameOfFifteenLettersIsAsLargeAsAShortOne) {
     EXPECT_GE(size_of(settings_of(arrangements[1], 2.5), {640, 480}, "WWWWWWWWWWWWWWWW"), 5);
 }
 
-/// The longest of the Apprentice's words, with the keys of one of the keyboard's halves.
+/// The longest text of the Apprentice, with the keys of one half of the keyboard.
 Picture in_lesson() {
     auto picture = picture_of(*new_match());
     picture.practice.on = true;
@@ -436,7 +438,7 @@ Picture in_lesson() {
     return picture;
 }
 
-/// Size of the first text that has a part; 0 if there is none.
+/// Size of the first text that contains `part`; 0 if there is none.
 float size_of_text(const render::Overlay& overlay, std::string_view part) {
     const auto found = texts_with(overlay, part);
     return found.empty() ? 0 : found[0]->size;

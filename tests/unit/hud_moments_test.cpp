@@ -1,5 +1,5 @@
-// Tests of what the HUD says about a moment: the count to the start, what killed, what the hand feels, and the way of
-// a drawn shot.
+// Tests of what the HUD shows at certain moments: the countdown, what killed a player, what the hand feels,
+// and the predicted path of a shot.
 #include <set>
 
 #include "game/components/crystal.h"
@@ -114,7 +114,7 @@ TEST(WandStrip, ShowsWhatTakesTheNextWandWhereWandsHaveNoKeys) {
     EXPECT_NE(text_item(overlay_of(picture, settings), "2"), nullptr);
 }
 
-// ---- what killed --------------------------------------------------------------------------------------------
+// ---- cause of a death ---------------------------------------------------------------------------------------
 
 Event death_by_thing(std::uint32_t killer) {
     return {.kind = EventKind::death,
@@ -131,7 +131,7 @@ TEST(Feed, NamesTheThingThatKilled) {
     EXPECT_EQ(event_words("{cause}", death_by_thing(0), {}), "blow");
 }
 
-/// Line of the feed for a death.
+/// Line of the kill feed for a death.
 std::string death_line(std::uint32_t by, EventKind cause) {
     const auto& row = row_of(match_data()->presentation->events, EventKind::death);
     const Event event{
@@ -181,7 +181,7 @@ TEST(Feed, FindsTheThingInTheVictimsLastBlow) {
     EXPECT_TRUE(has_text(overlay_of(picture), "thrown barrel"));
 }
 
-// ---- forces in words ----------------------------------------------------------------------------------------
+// ---- captions of forces -------------------------------------------------------------------------------------
 
 TEST(FeltSource, IsTheStrongestOfAll) {
     auto hand = empty_hand_state();
@@ -232,9 +232,9 @@ TEST(FeltSource, IsSaidWithABarAndWithoutNumbersUnlessTheCurveIsShown) {
     EXPECT_FALSE(has_text(overlay_of(picture), "Recoil")) << "a force that nobody feels";
 }
 
-// ---- the way of a drawn shot --------------------------------------------------------------------------------
+// ---- path of a shot while it is drawn -----------------------------------------------------------------------
 
-/// Distance of a point from the way of a drawn shot (m).
+/// Distance of a point from the drawn path of a shot (m).
 double distance_from_way(const PlayerPicture& drawn, vec3 point) {
     double nearest = 1e9;
     for (std::uint32_t i = 0; i + 1 < drawn.wand.arc_points; ++i) {
@@ -245,7 +245,7 @@ double distance_from_way(const PlayerPicture& drawn, vec3 point) {
     return nearest;
 }
 
-/// Largest distance of the stone from the way between its first and its last point (m).
+/// Largest distance of the stone from the drawn path, between the path's ends (m).
 double worst_of_flight(Simulation& match, const input::InputFrame& frame, const PlayerPicture& drawn) {
     double worst = 0;
     bool on_its_way = false, arrived = false;
@@ -282,7 +282,7 @@ TEST(DrawnShot, ShowsTheWayThatTheStoneThenFlies) {
     EXPECT_GT(glm::distance(*drawn.wand.spring, drawn.wand.reach), 0.05) << "the spring is stretched";
     frame.devices[0].buttons = 0;
     frame.devices[0].counts[input::hand::trigger] = 0;
-    // Between the picture and the shot the hand returns a little.
+    // Between the picture and the shot, the hand moves back a little.
     EXPECT_LT(worst_of_flight(match, frame, drawn), 0.3);
     EXPECT_EQ(picture_of(match).wizards[0].wand.arc_points, 0U);
 }

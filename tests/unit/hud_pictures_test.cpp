@@ -1,5 +1,5 @@
-// Compares fixed scenes with stored pictures by perceptual distance. A person has looked at every stored
-// picture. After an intended change look at the new pictures and store them:
+// Compares fixed scenes with stored pictures by perceptual distance. A person has checked every stored
+// picture. After an intended change, check the new pictures and store them:
 //
 //     THAUM_KEEP_PICTURES=tests/pictures build/release/tests/test_hud
 #include <gtest/gtest.h>
@@ -28,11 +28,10 @@ using render::Quality;
 const std::filesystem::path source = THAUM_SOURCE_DIR;
 constexpr render::Size window{1278, 720};
 constexpr int reduced_by = 3;
-// Other processors round differently, which moves some edges by a pixel. A missing thing changes the
-// picture far more.
+// On other processors rounding moves some edges by a pixel. A missing object changes the picture far more.
 constexpr double most_mean = 1, most_worst = 7;
 
-/// Picture at a third of the size. Each pixel is the mean of 3 x 3 pixels.
+/// Picture reduced to a third of the size. Each pixel is the mean of 3 x 3 pixels.
 Image reduced(const Image& in) {
     Image out{in.width / reduced_by, in.height / reduced_by, {}};
     for (int y = 0; y < out.height; ++y) {
@@ -56,7 +55,7 @@ std::optional<Image> stored(const std::string& name) {
     return render::read_png(source / "tests/pictures" / (name + ".png"));
 }
 
-// Numbers of wands: MatchData::wands is sorted by name.
+// Indices of wands in MatchData::wands, which is sorted by name.
 constexpr std::uint32_t blast = 0, bolt = 1, lob = 3;
 
 struct Scene {
@@ -133,7 +132,7 @@ protected:
         return scene;
     }
 
-    /// A dark corner that only a flying bolt lights.
+    /// A dark corner that is lit only by a flying bolt.
     Scene night_corner() const {
         Scene scene{start, {.watch = Watch::first}};
         stand(scene.picture, 0, {13.5, 0, -12.5}, {20, 1.2, -19});
@@ -167,7 +166,7 @@ TEST_F(StoredPictures, TheCauldronIsTheBrightestThing) {
         scene.settings.quality = quality;
         const auto image = drawn(scene);
         int best = 0, best_x = 0, best_y = 0;
-        // Looks for the brightest 8 x 8 pixels, away from the numbers of the HUD.
+        // Finds the brightest 8 x 8 pixels, outside the numbers of the HUD.
         for (int y = 50; y + 8 < 180; y += 4) {
             for (int x = 0; x + 8 < image.width; x += 4) {
                 int sum = 0;
@@ -274,7 +273,7 @@ protected:
         show_brew(picture, overlay, look);
         std::vector<render::Instance> instances, fixed, moving;
         add_instances(arena_scene, start, no_player, instances);
-        // Removes the painted brew of an empty bowl.
+        // Removes the painted surface that an empty bowl shows instead of a brew.
         std::erase_if(instances, [&](const render::Instance& i) {
             return i.mesh == *arena_scene.painted_brew || i.mesh == arena_scene.bubble;
         });
@@ -320,7 +319,7 @@ TEST_F(StoredBrews, TwoSubstancesAtRest) {
         expect_stored(text("brew_rest_", level), seen(before_bowl, in_bowl, quality));
     }
     expect_stored("brew_above", seen({0.01, 3.7, 0}, {0, 0.9, 0}, Quality::medium));
-    // From the side and from below, the bowl hides the whole brew.
+    // Seen from the side and from below, the bowl hides the whole brew.
     const auto low = seen({-3.2, 0.6, 1}, {0, 0.6, 0}, Quality::medium);
     look.volume.texels = {};
     EXPECT_EQ(render::distance(low, seen({-3.2, 0.6, 1}, {0, 0.6, 0}, Quality::medium)).worst, 0);
@@ -350,7 +349,7 @@ TEST_F(StoredPictures, TheLargestTextInBothSplits) {
     expect_stored("text_stacked", scene, {Quality::medium});
 }
 
-/// Both wizards near the bowl, with one of everything that can be drawn in the sight of both.
+/// Both wizards near the bowl, with one of everything that can be drawn in both views.
 class SplitPictures : public StoredBrews {
 protected:
     void SetUp() override {
@@ -383,7 +382,7 @@ protected:
         return renderer->read_pixels();
     }
 
-    /// The same frame with the contents of all views but one removed. The empty views stay, because the
+    /// The same frame with the contents of all views except one removed. The empty views stay, because the
     /// window is cleared to their fog.
     static render::Frame alone(render::Frame frame, std::size_t view) {
         for (std::size_t i = 0; i < frame.views.size(); ++i) {
@@ -428,7 +427,8 @@ TEST_F(SplitPictures, EachViewIsThatViewDrawnAlone) {
             settings.split = split;
             settings.quality = quality;
             expect_views_alone({640, 360});
-            // Above this height the views are drawn smaller and scaled up, except at high quality.
+            // If the window is higher than this, the views are drawn smaller and enlarged, except at high
+            // quality.
             if (quality != Quality::high) expect_views_alone({701, 809});
         }
     }

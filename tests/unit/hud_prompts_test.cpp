@@ -1,4 +1,5 @@
-// Tests of prompts: they name the bound control of what can be done, and fade as it is done.
+// Tests of prompts: they name the control for what the player can do, and disappear once the player has done
+// it.
 #include "game/data/control_names.h"
 #include "game/hud/prompts.h"
 
@@ -181,7 +182,7 @@ TEST(Prompts, AWizardThrownFromOrbOrCrystalIsTold) {
     }
 }
 
-/// Two pictures 10 ticks apart, of which the second one differs as `change` makes it.
+/// Two pictures 10 ticks apart. `change` modifies the second one.
 template <class F>
 PromptUses uses_of(Picture before, F change) {
     before.tick = 100;

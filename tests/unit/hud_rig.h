@@ -49,7 +49,7 @@ protected:
     std::optional<render::Renderer> renderer;
 };
 
-/// Draws an arena: a DrawingTest with the meshes of the court.
+/// A DrawingTest with the meshes of an arena, the court.
 class ArenaDrawingTest : public DrawingTest {
 protected:
     using DrawingTest::DrawingTest;
@@ -62,7 +62,7 @@ protected:
     ArenaScene arena_scene;
 };
 
-/// Places a wizard with the feet at a position, looking at a point.
+/// Places a wizard's feet at a position, looking at a point.
 inline void stand(Picture& p, const WizardRules& rules, std::uint32_t player, vec3 feet, vec3 at) {
     auto& w = p.wizards[player];
     w.vitals.centre = feet + vec3(0, rules.height / 2, 0);

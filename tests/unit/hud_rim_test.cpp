@@ -1,4 +1,5 @@
-// Tests of the card at the cauldron, and of the HUD at its busiest: all words are readable, and none overlap.
+// Tests of the card at the cauldron, and of the HUD with as much content as possible: all texts are readable,
+// and none overlap.
 #include "game/hud/rim_card.h"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ void put_circle(RecipePicture& recipe) {
     }
 }
 
-/// A step of a recipe, with the longest words that it can have.
+/// A recipe at one of its steps, with the longest possible texts.
 RecipePicture recipe_at(RecipeStep step) {
     RecipePicture recipe;
     recipe.step = step;
@@ -57,7 +58,8 @@ RecipePicture recipe_at(RecipeStep step) {
     return recipe;
 }
 
-/// A player at the cauldron in the middle of everything: a brew with a clock, a potion that acts, a stroke in words.
+/// A player at the cauldron with everything shown at once: a brew with a clock, an active potion, the result
+/// of a stroke.
 Picture busy_at(RecipeStep step) {
     auto picture = picture_of(*new_match());
     picture.cauldron.contents[0] = step == RecipeStep::choose ? "" : "ember";
@@ -94,7 +96,7 @@ TEST(RimCard, EveryLineThatAPlayerNeedsIsReadableInEveryView) {
           {"Ironhide: ", "circle", "Right mouse", "mixed 57 %", "12 s", "gently", "Haste 13 s"}},
          {RecipeStep::spoilt, {"Nothing comes", "12 s", "Haste 13 s"}}}};
     for (const auto& [step, words] : needed) {
-        const auto& parts = words;  // clang lets no lambda capture a structured binding
+        const auto& parts = words;  // a copy, because clang cannot capture a structured binding in a lambda
         const auto picture = busy_at(step);
         each_view([&](const HudSettings& settings, const std::string& name) {
             const auto overlay = overlay_of(picture, settings);
@@ -116,7 +118,7 @@ TEST(RimCard, ASpoiltRecipeKeepsTheMeasureOfItsBrew) {
     recipe.reached = 0.9;
     const auto before = rim_card_of(picture, {}, 0);
     EXPECT_NEAR(before.gauge.mixed, 0.9, 1e-6);
-    recipe.step = RecipeStep::spoilt;  // "Too late"
+    recipe.step = RecipeStep::spoilt;  // the step that shows "Too late"
     const auto after = rim_card_of(picture, {}, 0);
     EXPECT_EQ(after.gauge.mixed, before.gauge.mixed) << "the brew has not come apart";
     EXPECT_FALSE(after.gauge.window);
@@ -189,7 +191,7 @@ TEST(RimCard, NamesEveryRecipeThatCanGoOn) {
     EXPECT_EQ(words_of_step(picture.wizards[0], {}), "Azoth: fetch salt next   or Venom: ember");
 }
 
-/// The practice range with the gesture wall on and much to say beside it.
+/// The practice range with the gesture wall on and as many other texts as possible.
 Picture at_wall() {
     auto picture = busy_at(RecipeStep::spoilt);
     picture.practice.on = true;
@@ -231,7 +233,7 @@ TEST(GestureWall, CoversNoWordsAndNamesTheSpells) {
             const auto words = words_of(overlay_of(picture, settings, window), *font);
             const auto where = text(window.width, " at ", scale);
             expect_apart(words, where);
-            // All words of the wall are in its box: below the first title, beside nothing else.
+            // All texts of the wall are in its box, below its first title, and no other text is there.
             const auto said = [&](std::string_view part) {
                 return std::find_if(words.begin(), words.end(),
                                     [&](const auto& w) { return w.words.find(part) != std::string::npos; });
@@ -265,7 +267,7 @@ TEST(GestureWall, WordsAreReadableAndScoresStandOnOneLine) {
     }
 }
 
-/// Places of the lines of a stroke in an overlay: of a width of their own (px).
+/// Box around the lines of a stroke in an overlay, which are found by their line width (px).
 Panel box_of_lines(const render::Overlay& overlay, float width) {
     Panel box{fvec2(1e6F), fvec2(-1e6F)};
     for (const auto* line : items_of<render::LineItem>(overlay)) {

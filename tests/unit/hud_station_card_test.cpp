@@ -1,4 +1,4 @@
-// Tests of the cards at the orb and at a crystal: all words are readable, and none overlap.
+// Tests of the cards at the orb and at a crystal: all texts are readable, and none overlap.
 #include "game/hud/station_card.h"
 
 #include <algorithm>
@@ -22,7 +22,8 @@ HudSettings with_keys(HudSettings settings) {
     return settings;
 }
 
-/// Much to say beside the card: a potion, both halves of the Great Work, a feed, sounds in words.
+/// Many other texts beside the card: a potion, both halves of the Great Work, a kill feed, captions of
+/// sounds.
 Picture busy() {
     auto picture = picture_of(*new_match());
     for (auto& p : picture.wizards) {
@@ -254,7 +255,7 @@ TEST(StationCard, HalvesOfTheGreatWorkAreInTheBoxOfTheHealth) {
     EXPECT_EQ(gold(), 4U);
 }
 
-// ---- taken from a match -------------------------------------------------------------------------------------
+// ---- cards from a match -------------------------------------------------------------------------------------
 
 TEST(StationPicture, TellsWhatAWizardDoesAtTheOrb) {
     auto match = new_match();

@@ -1,5 +1,5 @@
-// Tests of the orb and the crystals in the picture: they are drawn in every view, follow what happens, and cost nothing
-// where nobody looks.
+// Tests of the orb and the crystals in the picture: they are drawn in every view, follow the match, and cost
+// no time where they are out of view.
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -24,7 +24,8 @@ protected:
         renderer->draw(make_frame(arena_scene, picture, settings, window_, memory));
         return renderer->read_pixels();
     }
-    /// A picture without motion: scans are sharp in the second one.
+    /// A picture without motion. Scans are drawn sharply only in the second picture of an unchanged scene, so
+    /// two are drawn.
     Image settled(const Picture& picture, const HudSettings& settings) {
         drawn(picture, settings);
         return drawn(picture, settings);
@@ -34,7 +35,7 @@ protected:
     FrameMemory memory;
 };
 
-/// A view is half of the window.
+/// The half of the window that one view covers.
 struct Half {
     int left{}, top{}, right{}, bottom{};
 };
@@ -43,7 +44,7 @@ Half half_of(render::Split split, std::uint32_t player) {
     return {view.x, view.y, view.x + view.width, view.y + view.height};
 }
 
-/// Pixels of a half that differ by more than `least` in a channel.
+/// Number of pixels of a half that differ by more than `least` in some channel.
 int different(const Image& a, const Image& b, const Half& half, int least = 24) {
     int count = 0;
     for (int y = half.top; y < half.bottom; ++y) {
@@ -59,7 +60,7 @@ int different(const Image& a, const Image& b, const Half& half, int least = 24) 
     return count;
 }
 
-/// One wizard before the orb, the other one before a crystal.
+/// One wizard in front of the orb, the other one in front of a crystal.
 Picture at_both(const Picture& start, const WizardRules& rules, std::uint32_t at_orb) {
     auto picture = start;
     const vec3 orb = picture.orb.middle, crystal = picture.crystals[0].middle;

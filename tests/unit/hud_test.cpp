@@ -1,4 +1,4 @@
-// Tests of drawn pictures: both views, meshes, positions of drawn things, results and captions.
+// Tests of drawn pictures: both views, meshes, positions of drawn objects, results and captions.
 #include "game/hud/layout.h"
 #include "game/scene/figures.h"
 
@@ -16,7 +16,7 @@
 namespace thaum::game::hud_tests {
 namespace {
 
-// ---- drawn ------------------------------------------------------------------------------------------------
+// ---- drawn pictures ---------------------------------------------------------------------------------------
 
 class Drawn : public ArenaDrawingTest {
 protected:
@@ -42,7 +42,7 @@ protected:
         return count;
     }
 
-    /// Number of the 8 levels of brightness that occur on more than 1 % of the pixels.
+    /// Number of brightness levels, of 8, that occur on more than 1 % of the pixels.
     static int shades(const render::Image& image, const render::Rect& in) {
         std::array<int, 8> levels{};
         for (int y = in.y; y < in.y + in.height; ++y) {
@@ -191,7 +191,8 @@ TEST_F(Drawn, EveryThingOfTheArenaHasAMeshOfItsOwnKind) {
     EXPECT_LE(arena_scene.lights.size(), render::max_lights);
 }
 
-/// Places of a point of the first player's own wand as it is drawn (eye frame), for a displacement by the hand.
+/// Position of a point of the first player's own wand as it is drawn (eye frame), for a displacement by the
+/// hand.
 vec3 own_wand_point(const ArenaScene& arena_scene, Picture& picture, vec3 reach, float along) {
     auto& wizard = picture.wizards[0];
     wizard.wand.reach = reach;
@@ -221,7 +222,7 @@ TEST_F(Drawn, TheOwnWandStaysInThePictureWhereverTheHandGoes) {
             const vec3 reach = 0.6 * vec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
             expect_in_view(own_wand_point(arena_scene, picture, reach, 1), aspect, reach);
         }
-        // The whole wand, at the full draw of the mouse's hand.
+        // The hand's displacement when the mouse draws the wand fully; the whole wand must be in view.
         const vec3 draw(0, -0.51, 0.3);
         for (const float along : {0.5F, 1.0F})
             expect_in_view(own_wand_point(arena_scene, picture, draw, along), aspect, draw);
@@ -323,12 +324,12 @@ TEST_F(Drawn, ContactShadeFollowsRampsAndHangsOverNoEdge) {
     ASSERT_EQ(level.size(), 1U);
     EXPECT_EQ(level[0].model[0].y, 0);
     EXPECT_NEAR(level[0].tint.r, 1, 1e-3);
-    // The ramp out of the pit falls from 0 at x = 8 m to -5 m at x = 0.
+    // The ramp out of the pit descends from a height of 0 at x = 8 m to -5 m at x = 0.
     const auto tilted = shades_at({4, -2.5, 9});
     ASSERT_EQ(tilted.size(), 1U);
     EXPECT_NEAR(tilted[0].model[0].y / tilted[0].model[0].x, 5.0 / 8, 1e-5);
     EXPECT_NEAR(tilted[0].model[3].y, -2.5, 0.05);
-    const auto edge = shades_at({-5, 0, 5.6});  // 0.4 m from the edge of the pit
+    const auto edge = shades_at({-5, 0, 5.6});  // a wizard 0.4 m from the edge of the pit
     ASSERT_EQ(edge.size(), 1U);
     EXPECT_LT(glm::length(edge[0].model[2]), 0.4F);
     EXPECT_LT(shades_at({-15, 1.5, 15})[0].tint.r, 0.5F) << "weaker in a jump";
@@ -411,7 +412,7 @@ TEST(Feed, NamesPlayersAsTheScreenDoes) {
     EXPECT_EQ(event_words("{by} beats {whom}", kill, {"Zoë", "{by}"}), "Zoë beats {by}");
 }
 
-// ---- captions of the device -------------------------------------------------------------------------------
+// ---- captions of the haptic device ------------------------------------------------------------------------
 
 TEST(DeviceCaption, ADriversMessageStandsInItsPlayersViewAboveOurText) {
     const render::Size size{1280, 720};
@@ -445,7 +446,8 @@ TEST(Captions, ThatAreOffLeaveFaultsAndOfferNoWordsOnTheBrew) {
     picture.wizards[0].stations.at_rim = true;
     picture.wizards[1] = picture.wizards[0];
     HudSettings settings;
-    /// Number of views that show the words, which have a dark copy below them where they have no plate.
+    /// Number of views that show the words. Words without a plate behind them are drawn twice, with a dark
+    /// copy below.
     const auto shown = [&](std::string_view words) {
         const auto overlay = overlay_of(picture, settings);
         const auto views = views_of(settings, size);
@@ -516,7 +518,7 @@ TEST(DeviceCaption, LongOnesAreSmallerAndBrokenSoThatTheViewHoldsThem) {
 }
 
 TEST(PowerUpMesh, TheKindsDifferInOutlineAndAreSmall) {
-    // Cells of a 16 x 16 raster that each kind covers, seen from the front.
+    // Cells of a 16 x 16 grid that each kind covers, seen from the front.
     std::vector<std::array<bool, 256>> outlines;
     for (const auto kind : {PowerUpKind::vial, PowerUpKind::heart, PowerUpKind::spark}) {
         const auto mesh = power_up_mesh(kind);

@@ -1,4 +1,4 @@
-// unit/hud_words.h: the words of an overlay and where they are.
+// unit/hud_words.h: the texts of an overlay and where they are.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ struct SaidWords {
     Panel box;
 };
 
-/// The words of an overlay and where they are. Each is drawn twice, because a dark copy lies below it.
+/// The texts of an overlay and where they are. Each is drawn twice, because a dark copy lies below it.
 inline std::vector<SaidWords> words_of(const render::Overlay& overlay, render::Font& font) {
     std::vector<SaidWords> all;
     const render::TextItem* before = nullptr;

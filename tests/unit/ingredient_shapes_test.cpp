@@ -1,4 +1,4 @@
-// Tests of the shapes of ingredients: nobody needs their colours.
+// Tests of the shapes of ingredients: they can be told apart without colours.
 #include "game/scene/ingredient_shapes.h"
 
 #include <bitset>
@@ -13,9 +13,9 @@ namespace thaum::game::hud_tests {
 namespace {
 
 constexpr int cells = 48, turns = 8;
-constexpr float reach = 0.45F;  ///< half the side of an outline's square (m)
+constexpr float reach = 0.45F;  ///< half the side of the square in which outlines are compared (m)
 
-/// Outline of a shape from the side.
+/// Outline of a shape seen from the side, as covered cells.
 using Outline = std::bitset<cells * cells>;
 
 bool is_within(fvec2 p, const std::array<fvec2, 3>& corners) {
@@ -45,7 +45,8 @@ Outline outline_of(IngredientShape shape, int turn) {
     return outline;
 }
 
-/// Greatest overlap of two shapes' outlines, as a share of what both cover, from any two sides.
+/// Largest similarity of two shapes' outlines seen from any two sides: the overlap as a share of the area
+/// that either covers.
 double likeness(IngredientShape one, IngredientShape other) {
     double most = 0;
     for (int a = 0; a < turns; ++a) {
@@ -96,7 +97,7 @@ TEST(IngredientShapes, OfNichesAreInThePicture) {
     EXPECT_EQ(shapes.size(), ingredient_shapes);
 }
 
-/// First fault of a file that replaces `from` by `to`.
+/// First fault in a file in which `from` is replaced by `to`.
 std::string fault_of(std::string_view from, std::string_view to) {
     const auto file = cauldron_file(from, to);
     read_cauldron_rules(file);

@@ -51,7 +51,7 @@ TEST(InputBindings, NoDefaultKeyServesTwoPlayersAtOneKeyboard) {
     const auto one = default_bindings(DeviceKind::keyboard_mouse, code_of);
     const auto two = default_bindings(DeviceKind::keyboard_half, code_of);
     for (std::size_t a = 0; a < actions; ++a) {
-        if (static_cast<Action>(a) == Action::panic) continue;  // switches off everybody's forces
+        if (static_cast<Action>(a) == Action::panic) continue;  // this action ends the forces of all players
         for (const auto& control : one.controls[a]) {
             for (const auto& other : two.controls) {
                 EXPECT_EQ(std::count(other.begin(), other.end(), control), 0)
@@ -114,7 +114,7 @@ TEST(InputBindings, UnknownNamesTellFileLineAndKey) {
     EXPECT_FALSE(read("version = 1\n[pad]\nfire = \"pad a,,pad b\"\n"));
 }
 
-/// Names of the invented codes used here.
+/// Names of the invented key codes that this test uses.
 std::string name_of_code(int code) {
     for (const auto& name : default_key_names()) {
         if (code_of(name) == code) return name;

@@ -93,7 +93,7 @@ TEST(InputCollector, TwoControlsOfOneAction) {
     HandsCollector hands(bindings);
     hands.key('x', true);
     hands.mouse_button(left_button, true);
-    hands.key('x', true);  // a repeated event changes nothing
+    hands.key('x', true);  // a repeated press of the same key changes nothing
     hands.key('x', false);
     EXPECT_TRUE(hands.take().down(Button::fire));
     EXPECT_TRUE(hands.take().down(Button::fire));
@@ -105,7 +105,7 @@ TEST(InputCollector, KeysMove) {
     auto hands = mouse();
     hands.key('w', true);
     hands.key('a', true);
-    hands.key('q', true);  // not bound
+    hands.key('q', true);  // a key that is not bound has no effect
     auto sample = hands.take();
     EXPECT_EQ(sample.counts[hand::forward], 127);
     EXPECT_EQ(sample.counts[hand::strafe], -127);
@@ -137,7 +137,7 @@ TEST(InputCollector, SticksHaveARoundDeadZone) {
     EXPECT_EQ(hands.take().counts[hand::strafe], 0);
     hands.pad(pad_with(PadAxis::left_x, -1));
     EXPECT_EQ(hands.take().counts[hand::strafe], -127);
-    hands.pad(pad_with(PadAxis::right_y, 0.578));  // half of the remaining radius
+    hands.pad(pad_with(PadAxis::right_y, 0.578));  // half of the radius outside the dead zone
     EXPECT_EQ(hands.take().counts[hand::turn_up], 64);
 
     PadState corner;
@@ -177,7 +177,8 @@ TEST(InputCollector, PadButtonsAndUnplugging) {
     EXPECT_EQ(hands.take(), DeviceSample{});
 }
 
-/// No finger has two things to do: one thumb walks, the other one moves the ladle, and the index fingers hold and drop.
+/// Each finger has only one thing to do: one thumb walks, the other moves the ladle, and the index fingers
+/// hold and drop.
 TEST(InputCollector, APadStirsAndDropsWithBothThumbsOnTheSticks) {
     auto hands = pad();
     PadState state;
@@ -203,7 +204,7 @@ TEST(InputCollector, LosingFocusLetsGoOfEverything) {
     hands.take();
     hands.focus_lost();
     EXPECT_EQ(hands.take(), DeviceSample{});
-    hands.key('w', false);  // arrives late, or never
+    hands.key('w', false);  // this event arrives late, or never
     EXPECT_EQ(hands.take(), DeviceSample{});
     hands.key('w', true);
     EXPECT_EQ(hands.take().counts[hand::forward], 127);
@@ -211,18 +212,18 @@ TEST(InputCollector, LosingFocusLetsGoOfEverything) {
     EXPECT_EQ(hands.take(), DeviceSample{});
 }
 
-/// Motion and wheel steps of many events or samples (counts).
+/// Sums of motion and of wheel steps over many events or samples (counts).
 struct Counts {
     std::int64_t right = 0, up = 0, wheel = 0;
     bool operator==(const Counts&) const = default;
 };
 
-/// Takes samples, and adds up their counts and presses.
+/// Takes samples, and sums their counts and presses.
 struct SampleReader {
     HandsCollector& hands;
     Counts counts{};
     bool was_down = false;
-    std::atomic<int> presses{0};  ///< presses that have ended
+    std::atomic<int> presses{0};  ///< number of presses that have ended
 
     void take() {
         const auto sample = hands.take();
@@ -230,14 +231,14 @@ struct SampleReader {
         counts.up += sample.counts[hand::look_up];
         counts.wheel += sample.counts[hand::wheel];
         const bool down = sample.down(Button::fire);
-        // Counted after the press, so that the next press is a new edge.
+        // Counted only after the release, so that the next press is seen as a new one.
         if (was_down && !down) presses.fetch_add(1);
         was_down = down;
     }
 };
 
-/// Moves, turns the wheel and presses. Each press is shorter than a tick, and waits until the reader has
-/// counted the last one.
+/// Moves the mouse, turns the wheel and presses a button. Each press is shorter than a tick, and the sender
+/// waits until the reader has counted it.
 struct EventSender {
     HandsCollector& hands;
     const SampleReader& reader;
@@ -292,7 +293,7 @@ TEST(InputCollector, AToggleStaysOnFromOnePressToTheNext) {
         auto sample = hands.take();
         EXPECT_EQ(sample.down(Button::fire), on);
         hands.mouse_button(left_button, false);
-        hands.key(*length_code_of("a"), true);  // other actions do not mind
+        hands.key(*length_code_of("a"), true);  // other actions are unaffected by a toggle
         sample = hands.take();
         EXPECT_EQ(sample.down(Button::fire), on);
         EXPECT_EQ(sample.counts[hand::trigger], on ? 255 : 0);
@@ -301,7 +302,7 @@ TEST(InputCollector, AToggleStaysOnFromOnePressToTheNext) {
     }
     hands.focus_lost();
     EXPECT_FALSE(hands.take().down(Button::fire));
-    // After the focus was lost, the first press turns the action on again.
+    // After the focus was lost, the first press turns the toggled action on again.
     hands.mouse_button(left_button, true);
     EXPECT_TRUE(hands.take().down(Button::fire));
 }
@@ -410,7 +411,7 @@ TEST(InputCollector, ATurnBeginsAnewAtRestAndByAnotherDirection) {
 TEST(InputCollector, ASlowStartNeverStopsAFineTurnAndLeavesTheRestAlone) {
     auto hands = pad();
     hands.set_turn_ramp(0.2);
-    auto state = pad_with(PadAxis::right_y, 0.16);  // just beyond the dead zone
+    auto state = pad_with(PadAxis::right_y, 0.16);  // a position just outside the dead zone
     state.axes[static_cast<std::size_t>(PadAxis::left_x)] = 1;
     hands.pad(state);
     const auto sample = hands.take();

@@ -1,4 +1,4 @@
-// Unit tests of the end of a log and of the limits of its blocks, with correct checksums.
+// Tests of the end of a log and of the limits of its blocks, with correct checksums.
 #include <gtest/gtest.h>
 #include <zstd.h>
 
@@ -24,14 +24,14 @@ TEST(InputLog, TheEndBlockHasTheHashesOfTheLastState) {
         EXPECT_EQ(reader.hashes().size(), count / 128 + (count % 128 == 0 && count > 0 ? 0 : 1));
         EXPECT_EQ(reader.result(), "end");
     }
-    // A last block and an end block that differ cannot both be right.
+    // If the last block and the end block disagree, one of them is wrong.
     auto writer = LogWriter::create(folder / "two", samples::header()).value();
     samples::record(writer, 128, samples::calm_frame);
     ASSERT_TRUE(writer.close("end", HashRecord{128, 1, 2}));
     EXPECT_EQ(LogReader::open(folder / "two").value().ending(), LogEnding::damaged);
 }
 
-/// A few bytes that claim megabytes, with correct checksums, are refused by their claim.
+/// A few bytes that claim to hold megabytes, with correct checksums, are refused because of the claim.
 TEST(InputLog, ABlockThatClaimsMoreThanItCanHoldIsRefused) {
     const Folder folder;
     const auto log = samples::small_log(folder);
@@ -57,12 +57,12 @@ TEST(InputLog, ABlockThatClaimsMoreThanItCanHoldIsRefused) {
     EXPECT_LT(zeros.size(), 5000U);
     for (const std::size_t claim : {std::size_t{22'000'000}, detail::raw_limit, std::size_t{1000}})
         EXPECT_TRUE(refused(zeros, claim)) << claim;
-    // Two frames, of which the second would be needless work.
+    // The block holds two frames, where one would do. The second one is refused as needless work.
     auto two = packed(1000);
     const auto more = packed(0);
     two.insert(two.end(), more.begin(), more.end());
     EXPECT_TRUE(refused(two, 1000));
-    // A block of one tick cannot hold as much as one of 512.
+    // A block of one tick may not be as large as one of 512 ticks.
     Bytes header(log.begin() + static_cast<std::ptrdiff_t>(place.begin),
                  log.begin() + static_cast<std::ptrdiff_t>(place.begin + detail::block_header_size));
     samples::put_at(header, 6, std::uint16_t{1});

@@ -1,5 +1,5 @@
-// Unit tests of the formats of the log: format 1 is read for good, and format 2 has room for values that this program
-// does not know.
+// Tests of the formats of the log: format 1 can always be read, and format 2 has room for values that this
+// program does not know.
 #include <gtest/gtest.h>
 #include <zstd.h>
 
@@ -32,12 +32,12 @@ Expected<LogHeader> decoded(const Bytes& file) {
     return preamble ? detail::decode_header(file, *preamble) : preamble.error();
 }
 
-/// The header with this body, or the words of its refusal.
+/// Empty if the header with this body is accepted, otherwise the message of the error.
 std::string refusal(const Bytes& like, std::span<const std::byte> body) {
     return message_of(decoded(signed_header(like, body)));
 }
 
-/// Offset behind a string of the body.
+/// Offset after a string in the body.
 std::size_t behind(const Bytes& body, std::string_view name) {
     const auto bytes = std::as_bytes(std::span(name));
     const auto found = std::search(body.begin(), body.end(), bytes.begin(), bytes.end());
@@ -176,7 +176,7 @@ TEST(InputLogFormat2, ASectionThatIsMissingCutOrTooLongIsRefused) {
 
 TEST(InputLogFormat2, ACountThatTheFileCannotHoldCostsNothing) {
     const HeaderSample sample;
-    for (std::size_t i = 2; i < 9; ++i) {  // sections that begin with the count of a list
+    for (std::size_t i = 2; i < 9; ++i) {  // these sections begin with the number of a list's items
         for (const std::uint32_t count : {0xffffffffU, 1001U}) {
             auto body = sample.body;
             samples::put_at(body, sample.sections[i] + 8, count);
@@ -193,7 +193,7 @@ TEST(InputLogFormat2, AListThatIsTooLongIsRefusedBeforeItsItemsAreRead) {
     const auto at = [](Bytes& bytes, std::size_t offset) {
         return bytes.begin() + static_cast<std::ptrdiff_t>(offset);
     };
-    // Header with `count` empty strings as overrides, and the allocations that its refusal takes.
+    // Makes a header with `count` empty overrides, and returns the number of allocations until it is refused.
     const auto allocations_of = [&](std::uint32_t count, bool accepted) {
         auto overrides = section(6, 1, 4 + 4 * count, 4 + 4 * std::size_t{count});
         samples::put_at(overrides, 8, count);
@@ -272,7 +272,7 @@ TEST(InputLogFormat2, ASettingOfAnotherSizeOrBeyondItsLimitIsRefused) {
     ASSERT_EQ(decoded(sample.file), sample.header);
     const auto settings_at = behind(sample.body, "device 0");
     auto body = sample.body;
-    // The last of the settings is the last byte of this device, and its size stands before its seven values.
+    // The last setting's last byte is the last byte of this device, and its size precedes its seven values.
     const auto last = settings_at + 4 + samples::u32_at(body, settings_at) - 1;
     ASSERT_EQ(body[last], std::byte{77});
     body[last] = std::byte{101};
@@ -309,7 +309,7 @@ TEST(InputLogFormat2, NamesOnTheScreenAreKeptAndOlderReadersSkipThem) {
     const auto file = detail::encode_header(header).value();
     EXPECT_EQ(decoded(file), header);
     EXPECT_TRUE(decoded(without.file).value().names.empty());
-    // The names are the last section, and all before it are the bytes of a log without names.
+    // The names are the last section. All bytes before them equal those of a log without names.
     const auto body = body_of(file);
     ASSERT_TRUE(std::equal(without.body.begin(), without.body.end(), body.begin()));
     ByteReader names(std::span<const std::byte>(body).subspan(without.body.size()));
@@ -335,7 +335,7 @@ TEST(InputLogFormat2, NamesForNobodyAndOverlongNamesAreRefused) {
 
 // Columns ------------------------------------------------------------------------------------------
 
-/// Unpacked block of one tick of one device, in which one column has a value and all others are zero.
+/// An unpacked block with one tick of one device, in which one column has a value and all others are zero.
 Bytes raw_tick(std::size_t columns, std::size_t column, std::uint32_t value) {
     Bytes raw;
     ByteWriter out(raw);
@@ -349,7 +349,7 @@ Bytes raw_tick(std::size_t columns, std::size_t column, std::uint32_t value) {
     return raw;
 }
 
-/// The sample of a block of one tick; nothing if the block is refused.
+/// The sample of a block with one tick; std::nullopt if the block is refused.
 std::optional<DeviceSample> unpacked(const Bytes& raw, std::uint32_t format) {
     Bytes packed(ZSTD_compressBound(raw.size()));
     packed.resize(ZSTD_compress(packed.data(), packed.size(), raw.data(), raw.size(), 1));

@@ -1,4 +1,4 @@
-// Logs for tests: a temporary folder, headers, frames as a function of the tick, and the bytes of a file.
+// Logs for tests: a temporary folder, headers, frames computed from the tick, and the bytes of a file.
 #pragma once
 #include <fcntl.h>
 #include <unistd.h>
@@ -19,7 +19,7 @@ struct Folder : TemporaryFolder {
     std::filesystem::path operator/(std::string_view name) const { return path() / name; }
 };
 
-/// One file whose bytes change often, which is far quicker than a new file each time.
+/// A file whose contents change often; much faster than creating a new file each time.
 class Scratch {
 public:
     explicit Scratch(std::filesystem::path where)
@@ -28,7 +28,7 @@ public:
     Scratch& operator=(const Scratch&) = delete;
     ~Scratch() { ::close(fd_); }
 
-    /// Returns false if the disk did not take the bytes.
+    /// Returns false if the bytes could not be written.
     bool set(std::span<const std::byte> bytes) const {
         return set_from(0, bytes) && ::ftruncate(fd_, static_cast<off_t>(bytes.size())) == 0;
     }
@@ -78,7 +78,7 @@ inline LogHeader header(std::size_t devices = 2) {
     return h;
 }
 
-/// The same header as format 1 holds it, with two devices.
+/// A header with two devices that format 1 can hold.
 inline LogHeader header_1() {
     auto h = header(2);
     h.physics_library = h.physics_precision = {};
@@ -109,7 +109,7 @@ inline InputFrame random_frame(Tick tick, std::size_t devices, std::uint64_t see
     return frame;
 }
 
-/// Frames that are mostly the same from tick to tick, so that a log is small.
+/// Frames that change little from tick to tick, so that a log stays small.
 inline InputFrame calm_frame(Tick tick) {
     InputFrame frame;
     frame.devices[0].counts[hand::look_right] = static_cast<std::int32_t>(tick / 100);
@@ -130,7 +130,7 @@ inline InputFrame frame_1(Tick tick) {
 
 inline HashRecord hash_of(Tick tick) { return {tick, hash_value(tick, 1), hash_value(tick, 2)}; }
 
-/// Appends as the game does: a frame, then at every multiple of 128 the hashes of the state after it.
+/// Appends in the way of the game: a frame, then, at every multiple of 128, the hashes of the state after it.
 template <class Frame>
 void record(LogWriter& writer, Tick count, Frame frame_at) {
     for (Tick t = writer.ticks(); count > 0; --count) {
@@ -140,7 +140,7 @@ void record(LogWriter& writer, Tick count, Frame frame_at) {
     }
 }
 
-/// Writes the file over an existing log, which no writer of ours does.
+/// Overwrites an existing log, which our own writers never do.
 inline Expected<void> put_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {
     std::filesystem::remove(path);
     return write_file(path, bytes);
@@ -162,7 +162,7 @@ inline std::uint32_t u32_at(const Bytes& bytes, std::size_t at) {
     return ByteReader(std::span(bytes).subspan(at)).get<std::uint32_t>();
 }
 
-/// A closed log of 1,100 ticks by header_1() and frame_1(), which a program of format 1 has recorded.
+/// A closed log of 1,100 ticks with header_1() and frame_1(), recorded by a program that wrote format 1.
 inline Bytes log_1() { return bytes_of(THAUM_SOURCE_DIR "/tests/fuzz/seeds/log/format_1.thaumlog"); }
 
 /// A log of 1,100 ticks in three blocks and the end, with its frames.
@@ -171,14 +171,14 @@ struct StoredLog {
     InputFrame (*frame_at)(Tick);
 };
 
-/// A log of each format.
+/// One log in each format.
 inline std::vector<StoredLog> logs_of_all_formats(const Folder& folder) {
     return {{small_log(folder), calm_frame}, {log_1(), frame_1}};
 }
 
 struct BlockPlace {
     std::size_t begin, end;  ///< offsets in the file (bytes)
-    Tick first, last;        ///< first and last tick
+    Tick first, last;        ///< the block's first and last tick
 };
 
 /// Positions of the blocks of an undamaged log, with the end block.
@@ -207,7 +207,7 @@ void put_at(Bytes& bytes, std::size_t at, T value) {
     std::memcpy(bytes.data() + at, &value, sizeof value);
 }
 
-/// Block at `at` with another payload. Its checksums and sizes are correct.
+/// The block at `at` with another payload, and with correct checksums and sizes.
 inline Bytes signed_block(const Bytes& log, std::size_t at, std::span<const std::byte> payload,
                           std::size_t raw_size) {
     Bytes block(log.begin() + static_cast<std::ptrdiff_t>(at),

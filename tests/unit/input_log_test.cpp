@@ -28,7 +28,7 @@ using samples::blocks_of;
 using samples::contains;
 using samples::Folder;
 
-/// Reads everything readable and compares it with the recorded values.
+/// Reads everything that can be read and compares it with the recorded values.
 template <class Frame>
 void expect_frames(LogReader& reader, Frame frame_at) {
     InputFrame frame;
@@ -239,7 +239,7 @@ TEST(InputLog, EveryTruncationReadsToItsLastWholeBlock) {
     }
 }
 
-/// A file as after a power cut: the size is right, the last pages are missing.
+/// A file as after a power cut: its size is right, but the last pages are zeros.
 TEST(InputLog, ATailOfZerosReadsAsCutOff) {
     const Folder folder;
     const auto log = samples::small_log(folder);
@@ -264,15 +264,16 @@ TEST(InputLog, ATailOfZerosReadsAsCutOff) {
     const auto reader = LogReader::open(file.path).value();
     EXPECT_EQ(reader.ending(), LogEnding::cut_off);
     EXPECT_EQ(reader.ticks(), blocks[1].last);
-    // Zeros in the middle are damage, because something was written after them.
+    // Zeros in the middle mean damage, because something was written after them.
     auto hole = log;
     std::fill_n(hole.begin() + static_cast<std::ptrdiff_t>(blocks[1].begin), 64, std::byte{});
     ASSERT_TRUE(file.set(hole));
     EXPECT_EQ(LogReader::open(file.path)->ending(), LogEnding::damaged);
 }
 
-/// Flips bits of one byte of a log after another. Each change must be found at the block that contains it. Opening a log
-/// takes long with the address sanitizer, which therefore sees one change of each byte, in turn.
+/// Changes each byte of a log in turn by flipping its bits. Each change must be reported at the block that
+/// contains it. Opening a log takes long with the address sanitizer, which therefore sees one change of each
+/// byte, in turn.
 void expect_flips_found(const samples::StoredLog& stored, const samples::Scratch& file) {
     constexpr std::array flips{0x01, 0x80, 0xff};
     const auto& log = stored.bytes;
@@ -354,7 +355,7 @@ TEST(InputLog, ChangedAfterOpeningIsDamage) {
     EXPECT_EQ(reader.ending(), LogEnding::damaged);
 }
 
-/// 100 MiB of zeros in a few kilobytes, with a small stated size. Only the stated size is unpacked.
+/// 100 MiB of zeros packed into a few kilobytes, with a small stated size. Only the stated size is unpacked.
 TEST(InputLog, AZipBombIsRefused) {
     const Folder folder;
     const auto log = samples::small_log(folder);
@@ -372,7 +373,8 @@ TEST(InputLog, AZipBombIsRefused) {
     }
 }
 
-// A file size limit fails `write` as a full disk does: part of a block is written, then an error comes.
+// With a file size limit, `write` fails as with a full disk: part of a block is written, then an error
+// follows.
 TEST(InputLog, FullDiskKeepsAValidLog) {
     const Folder folder;
     const auto frame_at = [](Tick t) { return samples::random_frame(t, 2); };
@@ -403,7 +405,7 @@ struct Progress {
     std::atomic<Tick> appended{0}, on_disk{0};
 };
 
-/// Records a match at about 60 times real time until it is killed. Never returns.
+/// Records a match at about 60 times real time until the process is killed. Never returns.
 [[noreturn]] void record_forever(const std::filesystem::path& path, Progress& progress) {
     auto writer = LogWriter::create(path, samples::header()).value();
     for (Tick t = 0;; ++t) {
@@ -476,7 +478,8 @@ TEST(InputLog, TooSlowADiskStopsRecordingAndKeepsAWholeLog) {
     EXPECT_GT(writer.extra_blocks(), 0U);
     const auto closed = writer.close("");
     auto reader = LogReader::open(folder / "log").value();
-    if (!closed) {  // memory is faster than zstd, so this always happens unless this thread slept
+    // This is always so, because memory is faster than zstd, unless this thread did not run for a while.
+    if (!closed) {
         EXPECT_TRUE(contains(closed.error().message, text("kept up to tick ", reader.ticks())));
         EXPECT_EQ(reader.ending(), LogEnding::cut_off);
     }
@@ -485,8 +488,8 @@ TEST(InputLog, TooSlowADiskStopsRecordingAndKeepsAWholeLog) {
 
 // Size ----------------------------------------------------------------------------------------------
 
-/// Two players who never rest: a mouse at 1 kHz with changing speed, keys and buttons; a gamepad at 250 Hz
-/// whose sticks wander and tremble.
+/// Input of two players who never rest: a mouse at 1 kHz with changing speed, keys and buttons; a gamepad at
+/// 250 Hz whose sticks wander and tremble.
 class BusyHands {
 public:
     InputFrame next() {

@@ -1,4 +1,5 @@
-// Tests of the sticks' dead zone and response curve, alone and in the counts of two players at once.
+// Tests of the dead zone and response curve of sticks, alone and in the counts of two players at the same
+// time.
 #include "input/stick.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@ namespace {
 
 constexpr double curves[] = {0, 0.1, 0.3, 0.5, 0.7, 0.9, 1};
 
-/// Rate of a turn in the match, as a share of the full rate.
+/// Turn rate in the match, as a share of the full rate.
 double rate_of(double push, double curve) { return turn_share(deflection_for(push, curve)); }
 
 TEST(InputStick, EveryCurveIsFixedAtRestAndAtTheEnds) {
@@ -37,7 +38,8 @@ TEST(InputStick, EveryCurveGrowsAndIsTheSameOnBothSides) {
     }
 }
 
-/// The stated law, reached through the curve of the match: (1 - curve) x + curve x^3.
+/// The documented law (1 - curve) x + curve x^3, which results from the collector and the curve of the match
+/// together.
 TEST(InputStick, TheRateOfATurnFollowsTheChosenCurve) {
     for (const double curve : curves) {
         for (int i = 1; i <= 1000; ++i) {
@@ -93,7 +95,7 @@ TEST(InputStick, BrokenNumbersAreReplaced) {
     EXPECT_EQ(none.curve, StickResponse{}.curve);
 }
 
-// ---- in the counts ----------------------------------------------------------------------------------------
+// ---- response in the counts of a sample -------------------------------------------------------------------
 
 Bindings pad_bindings() {
     return default_bindings(DeviceKind::pad, [](std::string_view) { return 1; });

@@ -16,7 +16,7 @@ namespace thaum::input::rig {
 /// Time after which a test gives up waiting for something that must come (ms).
 inline constexpr int patience_ms = 60'000;
 
-/// Bytes of a trace in tests/tactile: hexadecimal, two digits a byte; lines with # are comments.
+/// Bytes of a trace in tests/tactile: two hexadecimal digits for each byte; lines with # are comments.
 inline std::string trace(const std::string& name) {
     const auto file =
         read_text_file(std::filesystem::path(THAUM_SOURCE_DIR) / "tests/tactile" / name, 1U << 16U).value();
@@ -30,7 +30,7 @@ inline std::string trace(const std::string& name) {
     return bytes;
 }
 
-/// A frame of a jacket in which the actuators of the list have amplitudes, and the others are off.
+/// A frame for a jacket. The listed actuators have amplitudes, all others are off.
 inline tactile::TactileFrame jacket_frame(std::size_t count,
                                           std::initializer_list<std::pair<std::size_t, float>> on,
                                           Tick time_to_live = 100) {

@@ -1,5 +1,5 @@
-// The players' jackets: the words of the setting, who has which, and that the jackets of two players get their own
-// frames. Tests wait for what the threads did, not for a time.
+// Tests of the players' jackets: the words of the setting, which player has which jacket, and that each
+// jacket gets its own player's frames. Tests wait for the threads' actions, not for a fixed time.
 #include "game/jackets/jacket.h"
 
 #include <gtest/gtest.h>
@@ -199,7 +199,7 @@ TEST(Jacket, TheSettingsFileRefusesNonsenseAndOneJacketForTwoPlayers) {
     EXPECT_EQ(apart.settings.players[1].jacket, "osc:vest:2");
 }
 
-/// Fakes of jackets, by port.
+/// Fake jackets, by their port.
 class Jackets {
 public:
     LiveTactile::MakeJacket maker() {
@@ -283,7 +283,7 @@ TEST(LiveJacketThreads, OneThatCannotBeOpenedCostsOneLineAndNoFrames) {
     EXPECT_EQ(tactile.jacket_layout(0), "");
 }
 
-/// Passes frames until the receiver has a certain message.
+/// Passes frames until the receiver has got a certain message.
 bool reaches(LiveTactile& tactile, std::uint32_t player, UdpReceiver& receiver,
              const tactile::TactileFrame& frame) {
     const auto wanted = osc_message(frame, frame.count);

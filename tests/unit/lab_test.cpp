@@ -1,5 +1,5 @@
-// Tests of the lab's session: equal inputs give equal bits, live changes keep the flow and the amounts, a
-// saved session continues, and invalid input is refused without any loss.
+// Tests of a session of the brew lab: equal inputs give equal bits, changes of settings keep the flow and the
+// amounts, a saved session continues, and invalid input is refused without any loss.
 #include <gtest/gtest.h>
 
 #include "core/file.h"
@@ -58,7 +58,8 @@ TEST(Lab, ALadleMovesTheFluidAndEqualInputsGiveEqualBits) {
         LabState one = lab_of(settings), other = lab_of(settings);
         std::string rows, rows_of_other;
         const LabFigures figures = run(one, stirred(Stirring::circle), 40, 0, &rows);
-        run(other, stirred(Stirring::circle), 40, 1, &rows_of_other);  // with the fluid on another thread
+        // This run computes the fluid on another thread.
+        run(other, stirred(Stirring::circle), 40, 1, &rows_of_other);
         EXPECT_GT(figures.fluid.speed, 0.1);
         EXPECT_EQ(rows, rows_of_other);
         EXPECT_EQ(save_lab(one), save_lab(other));
@@ -71,7 +72,8 @@ TEST(Lab, TheLadleNeverDrivesTheFlowFasterThanItself) {
     for (int i = 0; i < 60; ++i) {
         // The ladle jumps across the whole bowl in each step, faster than any hand.
         const LabFigures figures = step_lab(lab, {.ladle = vec3(i % 2 == 0 ? 1 : -1, -0.4, 0)}, jobs);
-        ASSERT_LE(figures.fluid.speed, 12) << i;  // 8 m/s by the ladle, and more by the flow itself
+        // 8 m/s come from the ladle, and some more from the flow itself.
+        ASSERT_LE(figures.fluid.speed, 12) << i;
     }
     const LabFigures figures = step_lab(lab, {.ladle = vec3(std::nan(""), 0, 0)}, jobs);
     EXPECT_FALSE(lab.ladle.has_value());
@@ -137,7 +139,7 @@ TEST(Lab, InvalidInputIsRefusedAndTheOldStateStays) {
     has(refused([](LabSettings& s) { s.substances[1].substance.diffusion = -1; }), "substance 2: diffusion");
     has(refused([](LabSettings& s) { s.order = 3; }), "order must be 2 or 4");
     has(refused([](LabSettings& s) { s.gravity = std::nan(""); }), "gravity");
-    // A refused change in an input is reported with the figures.
+    // A refused change in the input is reported in the figures.
     Jobs jobs(0);
     LabSettings thin = lab.settings;
     thin.viscosity = -1;

@@ -1,4 +1,5 @@
-// Tests of the spell that is told while its stroke is drawn: when it is told, that it stays, and how it is shown.
+// Tests of the likely spell that the HUD names while a stroke is drawn: when it is named, that it stays, and
+// how it is shown.
 #include "game/hud/likely_spell.h"
 
 #include <cmath>
@@ -51,7 +52,7 @@ TEST(LikelySpell, DependsOnTheStrokeAlone) {
             draw_part(other, "star", share);
             likely_spell(other, *picture.shown);
         }
-        for (const auto* gesture : {"circle", "v"}) {  // the memory forgets the stroke
+        for (const auto* gesture : {"circle", "v"}) {  // makes the memory forget the stroke
             draw_part(other, gesture, 0.5);
             likely_spell(other, *picture.shown);
         }
@@ -108,7 +109,7 @@ TEST(LikelySpell, ColoursTheStrokeAndShowsItsNameInTheView) {
     }
 }
 
-/// Place of a colour in CIELAB, where a distance of 2.3 is just seen (sRGB, D65).
+/// A colour in CIELAB, in which a distance of 2.3 is just visible (sRGB, D65).
 fvec3 in_lab(fvec4 paint) {
     const auto root = [](float t) { return t > 0.008856F ? std::cbrt(t) : 7.787F * t + 16.0F / 116; };
     const float x = 0.4124F * paint.r + 0.3576F * paint.g + 0.1805F * paint.b,
@@ -139,7 +140,7 @@ TEST(LikelySpell, StandsOnAPlateInItsPanelWithTheStrokeOnAPageBesideIt) {
     for (const auto& spell : picture.shown->spells) {
         draw_part(casting, spell.gesture, 0.7);
         auto layout = *lay_out({.watch = Watch::first}, {1280, 720}, 5).views[0];
-        layout.strokes.low.x = layout.centre.x - layout.ring;  // as beside the gesture wall
+        layout.strokes.low.x = layout.centre.x - layout.ring;  // the layout as beside the gesture wall
         render::Overlay out;
         add_stroke(out, casting, *picture.shown, 0, layout);
         const auto within = [](const Panel& box, fvec2 p) {

@@ -1,5 +1,5 @@
-// Words of --hands, the list of real arms that a live session opens for them, their players, and what is said
-// about arms that are lost.
+// Tests of the option --hands, of the real arms that a live session opens for it, of the arms' players, and
+// of the notices about arms that are lost.
 #include "game/live/arm.h"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ TEST(Hands, WordsThatAreWrongAreRefused) {
         EXPECT_FALSE(hands_named(words)) << words;
 }
 
-// ---- opening ----------------------------------------------------------------------------------------------
+// ---- opening arms -----------------------------------------------------------------------------------------
 
 const haptics::DeviceSpec wanted{.name = "Touch", .peak_force = 3.3};
 
@@ -82,7 +82,7 @@ TEST(LiveArms, EachSeatGetsItsArm) {
     EXPECT_EQ(*opened("mouse,pad"), Names{});
 }
 
-/// A numbered arm is kept for its seat, whichever seat comes first.
+/// An arm with a number is reserved for its seat, whichever seat comes first.
 TEST(LiveArms, TheWordWithoutANumberTakesAFreeArm) {
     plug_in_arms("name=Left;name=Right");
     EXPECT_EQ(*opened("arm,arm:0"), (Names{"Right A1 for 1", "Left A0 for 2"}));
@@ -105,7 +105,7 @@ TEST(LiveArms, AnArmThatIsNotThereIsRefused) {
     EXPECT_EQ(*opened("arm"), (Names{"Left A0 for 1"})) << "a refusal leaves the arms free";
 }
 
-/// Both arms tick beside each other until the session ends, and one that vanishes is opened again.
+/// Both arms run independently until the session ends, and an arm that vanishes is opened again.
 TEST(LiveArms, AreWatchedEachForItself) {
     plug_in_arms("vanish=100,back=1;name=Right");
     const auto seats = hands("arm,arm");
@@ -128,9 +128,9 @@ TEST(LiveArms, AreWatchedEachForItself) {
     EXPECT_EQ(right.status().state, input::ArmPresence::present);
 }
 
-// ---- players ----------------------------------------------------------------------------------------------
+// ---- players of arms --------------------------------------------------------------------------------------
 
-/// Players of `count` arms for the seats of the start screen, or of a plan in which arm i is for seat i.
+/// Players of `count` arms, for the seats of the start screen or of a plan in which arm i belongs to seat i.
 std::vector<std::uint32_t> players_of(const TakenSeats& seats, std::uint32_t count, bool start_screen) {
     LiveArms arms;
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -168,7 +168,7 @@ TEST(LiveArms, StandAfterTheHandsOfBothPlayersInTheMatch) {
     EXPECT_EQ(devices[2].name, "Left A0");
 }
 
-// ---- notices ----------------------------------------------------------------------------------------------
+// ---- notices about lost arms ------------------------------------------------------------------------------
 
 TEST(ArmNotices, ALossAndAReturnAreSaidOnce) {
     ArmNotice notice;
@@ -194,7 +194,7 @@ TEST(ArmNotices, AnArmThatIsLostFromTheStartIsSaid) {
     EXPECT_EQ(update(notice, "Touch", lost), "The arm is too warm");
 }
 
-/// The fault's words may change while the arm stays away.
+/// The description of the fault may change while the arm is away.
 TEST(ArmNotices, ShowTheNewestFault) {
     ArmNotice notice;
     input::ArmStatus lost{.state = input::ArmPresence::lost, .text = "It is gone"};

@@ -1,4 +1,5 @@
-// What players of a session feel in a match: the figure, a jacket, and sounds on it, each only while it is wanted.
+// Tests of what players of a session feel on the body during a match: the body figure on the screen, a
+// jacket, and sounds on the jacket, each only while it is switched on.
 #include "game/live/body.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@
 namespace thaum::app {
 namespace {
 
-/// A session of two bots without loudspeakers, in which player 1 has a fake of a jacket.
+/// A session of two bots without loudspeakers, in which player 1 has a fake jacket.
 struct FeltDuel {
     FeltDuel() {
         auto bank = audio::load_sounds(game::test::assets() / "sounds");
@@ -30,7 +31,7 @@ struct FeltDuel {
         tactile.apply(settings);
         while (tactile.jacket_layout(0) != layout) std::this_thread::yield();
     }
-    /// Plays a match of some seconds. Returns the picture at its end.
+    /// Plays a match for some seconds. Returns the picture at its end.
     game::Picture play(double seconds) {
         auto duel = game::test::make_duel(1);
         MatchSound words(nullptr);
@@ -40,7 +41,7 @@ struct FeltDuel {
         for (Tick t = 0; t < ticks(seconds); ++t) {
             duel.run(1);
             match.follow(*duel.match, words);
-            // Frames wait in a queue of 32.
+            // Up to 32 frames wait in a queue.
             const auto wanted = before + t / tactile::frame_ticks;
             while (t % 128 == 0 && given() + 8 < wanted) std::this_thread::yield();
         }
@@ -93,7 +94,7 @@ TEST(LiveBodyThreads, SoundsReachAJacketWithoutLoudspeakersAndChangeNothing) {
 
 TEST(LiveBodyThreads, ThePlayerWhoDoesNotWantSoundsFeelsNone) {
     FeltDuel duel;
-    duel.settings.players[1].jacket_sound = 1;  // has no jacket
+    duel.settings.players[1].jacket_sound = 1;  // this player has no jacket
     duel.apply();
     duel.play(2);
     const auto frames = duel.frames();
@@ -122,7 +123,8 @@ TEST(LiveBodyThreads, AnOwnLayoutTakesThePlaceOfTheUsualOne) {
         return 0;
     });
     EXPECT_GT(most, 0) << "the duel is felt";
-    duel.felt->with([&] { return duel.felt->wants_every = false; });  // as a real jacket
+    // The fake now takes only the newest frame, like a real jacket.
+    duel.felt->with([&] { return duel.felt->wants_every = false; });
     BodyTrial trial(*duel.body, duel.tactile);
     const auto before = duel.frames();
     ASSERT_TRUE(trial.start(0, tactile::Purpose::blast, {}, 0));
@@ -143,7 +145,7 @@ TEST(LiveBodyThreads, TheFigureIsMadeForThePlayersWhoSeeIt) {
     EXPECT_TRUE(seen);
 }
 
-/// One faulty file ends no other feeling. A layout without actuators, which stands in for a faulty one, feels nothing.
+/// A faulty file affects nothing else. A layout without actuators, which replaces a faulty one, stays silent.
 TEST(LiveBody, AFaultyFileCostsItselfAlone) {
     const TemporaryFolder folder;
     std::filesystem::copy(game::test::assets() / "tactile", folder.path() / "tactile",

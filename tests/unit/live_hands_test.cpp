@@ -1,4 +1,5 @@
-// Tests of the players' hands: pads that are unplugged and come back, half of the keyboard, and new bindings.
+// Tests of the players' input devices: pads that are unplugged and plugged in again, half of the keyboard,
+// and new bindings.
 #include "game/live/hands.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@ using input::Button;
 using input::PadAxis;
 using input::PadButton;
 
-/// Player 1 with mouse and keyboard, player 2 with the first pad.
+/// Player 1 has mouse and keyboard, player 2 the first pad.
 class PlayerHandsTest : public testing::Test {
 protected:
     PlayerHandsTest() { hands_.begin_match(settings_, {rig::pad_with()}); }
@@ -194,7 +195,7 @@ TEST_F(PlayerHandsTest, AFreePadStandsInForALostOne) {
     EXPECT_EQ(sample().counts[input::hand::trigger], 255);
     look(full_trigger_, idle_);
     EXPECT_EQ(sample().counts[input::hand::trigger], 0) << "the pad that came back has no player";
-    // The pad of another player is not free.
+    // The other player's pad is not free.
     seats_ = rig::seats_for(rig::first_pad_seat, rig::second_pad_seat);
     hands_.begin_match(settings_, {idle_, idle_});
     EXPECT_FALSE(look(unplugged_, pressed_).all_back);
@@ -220,7 +221,8 @@ TEST_F(PlayerHandsTest, NewSettingsReachTheHands) {
     EXPECT_EQ(now.counts[input::hand::forward], 127);
     EXPECT_EQ(now.counts[input::hand::look_right], 20);
     EXPECT_EQ(now.counts[input::hand::look_up], 20);
-    // The seats of the next match are taken with the new settings, so nothing is left to multiply.
+    // The devices of the next match are made with the new sensitivity, so the collector applies no additional
+    // factor.
     hands_.begin_match(settings, {});
     hands_.each([&](auto& hands) { hands.mouse_move(10, 10); });
     EXPECT_EQ(sample(0).counts[input::hand::look_right], 10);
@@ -240,7 +242,7 @@ TEST_F(PlayerHandsTest, EachPlayersSticksRespondAsThatPlayerChose) {
     look(half, half);
     EXPECT_EQ(turn(0), 0);
     EXPECT_NEAR(input::turn_share(turn(1) / 127.0), 0.5, 0.01);
-    // Changed in the pause, it holds from the next position on.
+    // A dead zone that is changed during a pause applies from the next position on.
     settings.players[0].stick_dead_zone = 0;
     settings.players[1].stick_dead_zone = 0.6;
     hands_.rebind(settings);

@@ -15,7 +15,7 @@ using input::PadButton;
 
 class LiveMenuTest : public testing::Test {
 protected:
-    /// Opens the pause with its title. A menu without a title is not drawn.
+    /// Opens the pause menu with its title. A menu without a title is not drawn.
     void open_pause() {
         menu_.open("pause");
         menu_.set_pause({"Paused", ""});
@@ -41,7 +41,7 @@ protected:
     void choose(std::string_view label) {
         while (cursor() != row_of(label)) press("down");
     }
-    /// A point in a part of a row (px).
+    /// A point in a part of a menu row (px).
     fvec2 point_of(std::string_view label, game::MenuPart part = game::MenuPart::row) const {
         const auto row = row_of(label);
         const auto picture = menu_.picture();
@@ -69,7 +69,7 @@ protected:
     static constexpr auto first = LiveMenu::repeat_after_ns, next = LiveMenu::repeat_every_ns;
 };
 
-// ---- news ---------------------------------------------------------------------------------------------------
+// ---- changes while the menu is open -------------------------------------------------------------------------
 
 TEST_F(LiveMenuTest, AJoystickThatIsPluggedInLeavesTheChosenRowChosen) {
     menu_.open("start");
@@ -205,7 +205,7 @@ TEST_F(LiveMenuTest, AClosedMenuForgetsAHeldDirection) {
     EXPECT_EQ(cursor(), 0U);
 }
 
-// ---- the mouse --------------------------------------------------------------------------------------------
+// ---- mouse ------------------------------------------------------------------------------------------------
 
 TEST_F(LiveMenuTest, TheMouseChoosesTheRowUnderIt) {
     open_pause();
@@ -430,7 +430,8 @@ TEST_F(LiveMenuTest, TheLeaveKeyLeavesFromThePauseItself) {
     EXPECT_EQ(menu_.take_request(), MenuRequest::none) << "on a page below the pause";
 }
 
-/// A request waits until the session carries it out. Presses of the same moment are meant for what comes then.
+/// A request stays until the session carries it out. Presses at the same moment are kept for the menu that
+/// follows.
 TEST_F(LiveMenuTest, ARequestIsNotLostByLaterEvents) {
     menu_.open("start");
     press_all({"x", "x", "escape", "down"});

@@ -1,4 +1,4 @@
-// Tests of a lost focus, of the time after the round's end, and of the words on the pause.
+// Tests of losing the window's focus, of the time after the end of a round, and of the texts of the pause.
 #include "game/live/pause.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Tests of where the logs of a session's matches lie, and of the data of the next match.
+// Tests of where the logs of a session's matches are stored, and of the data for the next match.
 #include "game/live/recording.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ protected:
         header_.devices.resize(2);
     }
 
-    /// Records a match without ticks. Returns an error's message, or an empty string.
+    /// Records a match without ticks. Returns the message of an error, or an empty string.
     std::string record(const LogPlace& place, std::uint64_t number) const {
         return message_of(record_match(place, number, header_));
     }

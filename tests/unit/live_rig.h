@@ -25,13 +25,13 @@ struct TestPath {
 
 inline int key(std::string_view name) { return *key_code_of(name); }
 
-/// Code of the first control of an action, which is a key, a button or an axis.
+/// Code of the first control of an action: a key, a button or an axis.
 inline int code_of(const Settings& settings, input::DeviceKind kind, input::Action action) {
     return settings.bindings_of(kind).of(action).at(0).code;
 }
 inline int code_of(const Settings& settings, SessionKey key) { return settings.of(key).at(0).code; }
 
-/// A pad that is plugged in, with some buttons held.
+/// A pad that is plugged in, with some buttons down.
 inline input::PadState pad_with(std::initializer_list<input::PadButton> held = {}) {
     input::PadState pad{.present = true, .name = "Make-believe pad"};
     for (const auto button : held) pad.buttons |= 1U << static_cast<unsigned>(button);

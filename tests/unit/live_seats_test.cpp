@@ -1,4 +1,4 @@
-// Tests of seats: which devices players get from the command line or the start screen, and what is taken.
+// Tests of seats: which devices players get from the command line or the start screen, and which are in use.
 #include "game/live/seats.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ TEST(JoinedSeats, ABotTakesAnEmptySeatAndADummyTheSecondOneOfPractice) {
     EXPECT_EQ(seats[game::dummys].kind, SeatKind::dummy);
 }
 
-/// Values after all moves of a player's faders, and their number.
+/// Values after all changes of a player's faders, and the number of changes.
 std::pair<FaderInput::Values, int> moved(FaderInput& faders, FaderInput::Values values) {
     int moves = 0;
     for (auto change = faders.take(); change.fader != 0; change = faders.take(), ++moves) {
@@ -68,7 +68,7 @@ TEST(TakenSeats, ChangedFadersBecomeMovesOfTheirPlayer) {
     want_faders(settings, seats);
     EXPECT_EQ(moved(faders, at_start).second, 0) << "nothing was changed";
 
-    settings.players[0].recoil = 0;  // the other player's
+    settings.players[0].recoil = 0;  // a setting of the other player
     settings.players[1].recoil = 0.25;
     settings.players[1].force = own_force;
     settings.players[1].own_force_percent = 60;

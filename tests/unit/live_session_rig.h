@@ -1,5 +1,5 @@
-// unit/live_session_rig.h: a session of the main thread, without window, threads and clock. The test acts as the simulation
-// thread: it sets the match's state and reads the requests to the match.
+// unit/live_session_rig.h: a live session (the main thread's part), without window, threads and clock. The
+// test acts as the simulation thread: it sets the match's state and reads the requests to the match.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -25,14 +25,14 @@ protected:
         shared_.ready = true;
     }
 
-    /// Begins a match of the plan's seats, or of the start screen's, with one pad plugged in.
+    /// Begins a match with the seats of the plan or of the start screen, with one pad plugged in.
     void begin(const Pads& pads = {rig::pad_with()}) {
         session_.emplace(shared_, plan_);
         session_->take_seats(pads);
         session_->begin_match(pads);
         pads_ = pads;
     }
-    /// Begins the range for the player with the mouse.
+    /// Begins the practice range for the player with the mouse.
     void begin_range() {
         plan_.practice = game::DummyKind::still;
         plan_.seats = {rig::mouse_seat, Seat{.kind = SeatKind::dummy}};
@@ -51,7 +51,7 @@ protected:
         session_->key(key, false, now_);
     }
     void press(std::string_view name) { press(rig::key(name)); }
-    /// Chooses a row of the menu.
+    /// Chooses a row of the menu by its label.
     void choose(std::string_view label) {
         const auto& menu = session_->menu();
         const auto rows = menu.picture().rows.size();
@@ -89,7 +89,7 @@ protected:
     input::DeviceSample sample(std::uint32_t player) { return rig::taken(shared_.seats, player); }
 
     LivePlan plan_;
-    /// Makes the motors of a pad that has a device file; a test may change it.
+    /// Makes the motors of a pad that has a device file; a test may replace it.
     LiveTactile::MakeOutput make_motors_ = [](const input::PadState&) { return nullptr; };
     LiveShared shared_{[this](const input::PadState& pad) { return make_motors_(pad); }};
     std::optional<LiveSession> session_;

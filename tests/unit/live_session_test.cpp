@@ -1,5 +1,5 @@
-// Tests of a whole session of the main thread, without window, threads and clock. The test acts as the
-// simulation thread: it sets the match's state and reads the requests to the match.
+// Tests of a whole live session (the main thread's part), without window, threads and clock. The test acts as
+// the simulation thread: it sets the match's state and reads the requests to the match.
 #include "game/live/session.h"
 
 #include <gtest/gtest.h>
@@ -130,7 +130,7 @@ TEST_F(LiveSessionTest, ARoundThatBeginsWithoutAPadPauses) {
     shared_.progress.state = PlayState::over;
     pads_ = {};
     step();
-    requests().pause = game::no_player;  // there is nothing to pause between two rounds
+    requests().pause = game::no_player;  // between two rounds there is nothing to pause
     step();
     EXPECT_EQ(requests().pause, game::no_player);
     go_on();
@@ -148,7 +148,7 @@ TEST_F(LiveSessionTest, ThePauseWithoutAPadOffersTheKeypadAndAWayOut) {
     go_on();
     session_->key(rig::key("kp_8"), true, now_);
     EXPECT_EQ(sample(1).counts[input::hand::forward], 127);
-    // Nobody is locked in: the row at the end leaves.
+    // Players can always leave: the last row of the menu does it.
     begin(Pads{});
     pause(1);
     enter("Quit");

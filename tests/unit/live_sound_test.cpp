@@ -1,4 +1,5 @@
-// Tests of the sound of a live session with a device of the test: menus, matches, words, and a device that goes.
+// Tests of the sound of a live session with a fake device: menus, matches, messages, and a device that is
+// unplugged.
 #include "game/live/sound.h"
 
 #include <algorithm>
@@ -15,15 +16,15 @@
 namespace thaum::app::live_tests {
 namespace {
 
-/// Count and energy of the blocks that a device has played, for both threads.
+/// Number and energy of the blocks that a device has played; used by both threads.
 struct Heard {
     std::mutex mutex;
     double energy{};
     std::size_t blocks{};
-    bool there = true;  ///< the device can be opened, and stays
+    bool there = true;  ///< true: the device can be opened and stays connected
 };
 
-/// Takes a block at each look.
+/// Accepts one block at each call.
 class HeardDevice final : public audio::SoundDevice {
 public:
     explicit HeardDevice(std::shared_ptr<Heard> heard) : heard_(std::move(heard)) {}
@@ -55,7 +56,7 @@ struct SoundOfSession {
                                             std::make_unique<HeardDevice>(heard));
     }
 
-    /// Waits until the device has played so many further blocks, and returns their energy.
+    /// Waits until the device has played this many more blocks, and returns their energy.
     double play(std::size_t blocks) {
         const auto [first, before] = now();
         for (;;) {

@@ -99,7 +99,7 @@ TEST_F(LiveStartScreenTest, AnUnpluggedPadGivesUpItsSeat) {
     EXPECT_FALSE(screen().menu.seats[0].taken);
 }
 
-/// A pad with every button pressed, and its triggers and sticks at their ends.
+/// A pad with every button down, and its triggers and sticks at their limits.
 input::PadState whole_pad() {
     auto pad = rig::pad_with();
     pad.buttons = 0x7FFF;

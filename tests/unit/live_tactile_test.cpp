@@ -1,5 +1,6 @@
-// The motors of the players' pads: who has which, how strong they are, and that they follow the seats of a session. The
-// motors are fakes. Tests wait for what the threads did, not for a time.
+// Tests of the motors of the players' pads: which player has which motors, how strong they are, and that they
+// follow the seats of a session. The motors are fakes. Tests wait for the threads' actions, not for a fixed
+// time.
 #include "game/live/tactile.h"
 
 #include <gtest/gtest.h>
@@ -95,7 +96,7 @@ TEST(LiveTactileThreads, EachPlayerFeelsWithTheirOwnPadAndStrength) {
     EXPECT_TRUE(tactile.feels(0));
     EXPECT_EQ(first->with([&] { return first->frames.back().amplitude[1]; }), 0.25F)
         << "the other player's frames";
-    // A setting acts at once, and 0 % silences.
+    // A changed setting takes effect at once, and 0 % switches the motors off.
     settings.players[0].rumble = 0.25;
     tactile.apply(settings);
     while (played(tactile, 0, *first, frame_of(1, 1, long_life)) != std::pair(0.25F, 0.25F)) {}
@@ -119,7 +120,7 @@ TEST(LiveTactileThreads, APadThatIsPulledOutLeavesItsPlayerWithoutMotorsUntilItI
     pad.present = true;
     tactile.use_pad(0, &pad);
     played(tactile, 0, *felt, frame_of(1, 0, long_life));
-    // The player goes on with another pad.
+    // The player continues with another pad.
     const auto free_pad = pad_of("/dev/input/event2");
     tactile.use_pad(0, &free_pad);
     played(tactile, 0, *other, frame_of(1, 0, long_life));
@@ -161,7 +162,7 @@ TEST_F(LiveTactileSession, MotorsFollowThePadsOfTheSeats) {
     felt->wait([&] { return felt->opened == 1; });
     EXPECT_EQ(motors.made, 1) << "player 1 has the mouse, and the second pad is nobody's";
     played(tactile, 1, *felt, frame_of(1, 0, long_life));
-    // The pad is lost, and half of the keyboard takes over.
+    // The pad is unplugged, and half of the keyboard takes its place.
     pads_[0].present = false;
     step();
     felt->wait([&] { return felt->closed == 1; });
@@ -169,18 +170,18 @@ TEST_F(LiveTactileSession, MotorsFollowThePadsOfTheSeats) {
     pads_[0] = pad_of("/dev/input/event1");
     step();
     EXPECT_EQ(motors.made, 1) << "the player has half of the keyboard now";
-    // A button of the pad brings it back.
+    // A press of a button gives the pad back to the player.
     pads_[0].buttons = 1;
     step();
     EXPECT_EQ(motors.made, 2);
     played(tactile, 1, *felt, frame_of(1, 0, long_life));
-    // Lost again, the player goes on with the free pad.
+    // Unplugged again, so the player continues with the free pad.
     pads_[0] = {};
     step();
     pads_[1].buttons = 1;
     step();
     played(tactile, 1, *other, frame_of(1, 0, long_life));
-    // The start screen lets all pads go.
+    // The start screen releases all pads.
     session_->open_start_screen(now_);
     session_->step_start_screen(pads_, now_);
     other->wait([&] { return other->closed == 1; });

@@ -24,7 +24,7 @@ protected:
         session_.emplace(shared_, plan_);
     }
 
-    /// Ends the match also if a test has failed.
+    /// Ends the match even if a test has failed.
     ~LiveThreadsTest() override { shared_.stop = true; }
 
     void start_match(Recording recording, const std::string& fault = {}) {
@@ -39,7 +39,7 @@ protected:
         shared_.requests.end = true;
         simulating_.join();
     }
-    /// Waits for the match's next state. Returns false after a time that only a hang takes.
+    /// Waits until the match reaches a state. Returns false after a time that is exceeded only by a hang.
     bool becomes(PlayState state) {
         while (shared_.progress.state != state) {
             if (!woken_.try_acquire_for(std::chrono::seconds(600))) return false;
@@ -61,7 +61,7 @@ protected:
     std::optional<LiveSession> session_;
     Pads pads_{rig::pad_with()};
     std::counting_semaphore<> woken_{0};
-    std::jthread simulating_{};  ///< last, so that it ends while the other members still live
+    std::jthread simulating_{};  ///< last member, so that the thread ends while the other members still exist
 };
 
 TEST_F(LiveThreadsTest, AMatchPausesGoesOnAndEndsAndItsLogReplays) {
@@ -94,7 +94,7 @@ TEST_F(LiveThreadsTest, AMatchPausesGoesOnAndEndsAndItsLogReplays) {
 }
 
 TEST_F(LiveThreadsTest, WhileAForceIsSoughtTheWholeForceComesOut) {
-    plan_.settings.players[0].force = 0;  // the player wants none
+    plan_.settings.players[0].force = 0;  // this player wants no forces
     plan_.seats = {rig::mouse_seat, Seat{.kind = SeatKind::dummy}};
     plan_.practice = game::DummyKind::still;
     session_.emplace(shared_, plan_);

@@ -1,4 +1,4 @@
-// Tests of the search for joysticks that may not be read, in folders as Linux has them.
+// Tests of finding joysticks that the user may not read, in folders laid out as Linux does.
 #include "input/locked_sticks.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace thaum::input {
 namespace {
 
-/// The rights of nobody, for as long as it lives, if the test has those of root.
+/// If the test runs as root, gives up root's rights as long as the object exists.
 struct AsNobody {
     static constexpr uid_t nobody = 65534;
     bool was_root = ::geteuid() == 0;

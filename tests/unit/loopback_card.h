@@ -1,4 +1,4 @@
-// A loopback device of OpenAL that stands for a sound card, of any rate, with two or eight channels.
+// A loopback device of OpenAL that serves as a sound card with any rate and two or eight channels.
 #pragma once
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// Tests of menus: the pages of settings, random events on all pages, the rows' help, and the places where rows are
-// drawn and clicked.
+// Tests of menus: the pages of settings, random events on all pages, the help texts of rows, and where rows
+// are drawn and clicked.
 #include <utility>
 
 #include "core/random.h"
@@ -14,7 +14,7 @@ namespace {
 
 // ---- settings ---------------------------------------------------------------------------------------------
 
-/// Index in all_settings() of each setting on a page.
+/// Indices in all_settings() of the settings that a page shows.
 std::vector<std::size_t> settings_of(SettingPage page) {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < all_settings().size(); ++i)
@@ -28,7 +28,7 @@ void expect_rows_change(const MenuState& page, const std::vector<std::size_t>& s
         const MenuEvent less{.kind = Kind::left, .device = keyboard, .row = row};
         const MenuEvent more{.kind = Kind::right, .device = keyboard, .row = row};
         auto changed = step(page, more, context());
-        // The value was at the end of its range.
+        // The value was already at the end of its range.
         if (changed.settings == page.settings) changed = step(page, less, context());
         const auto edits = changes(page.settings, changed.settings);
         const auto& setting = all_settings()[settings[row]];
@@ -288,10 +288,10 @@ TEST(MixerPage, OpensForThePlayerWhoAsks) {
     EXPECT_EQ(opened_by(second_pad), "Ember") << "a device without a seat opens the first page";
 }
 
-// ---- anything at all --------------------------------------------------------------------------------------
+// ---- random events ----------------------------------------------------------------------------------------
 
-/// After random events the state can be drawn, no control is bound twice in conflict, and the settings can
-/// be written.
+/// After random events the state can still be drawn, no control is bound to two conflicting actions, and the
+/// settings can be written.
 TEST(MenuUnderWildHands, StaysWhole) {
     Random dice = random_stream(7, 1);
     const auto roll = [&](std::uint64_t n) { return static_cast<int>(dice.next() % n); };
@@ -367,7 +367,7 @@ struct Box {
     fvec2 low, high;
 };
 
-/// Whether two boxes share more than the empty edge of a line.
+/// Whether two boxes overlap by more than the empty edge of a line.
 bool overlap(const Box& a, const Box& b) {
     const auto shared = glm::min(a.high, b.high) - glm::max(a.low, b.low);
     return shared.x > 1 && shared.y > 0.25F * std::min(a.high.y - a.low.y, b.high.y - b.low.y);
@@ -380,7 +380,7 @@ std::vector<Box> boxes_of_text(const render::Overlay& overlay, render::Font& fon
         const auto* words = std::get_if<render::TextItem>(&item);
         const auto* shade = std::exchange(before, words);
         if (words == nullptr) continue;
-        // The dark copy below a text lies under it on purpose.
+        // The dark copy below a text overlaps it on purpose.
         if (shade != nullptr && shade->text == words->text) boxes.pop_back();
         const auto size = font.measure(words->text, words->size);
         const float share = words->align == render::Align::left    ? 0
@@ -425,7 +425,7 @@ TEST(MenuDrawing, PointingAtARowOfALongPageLeavesItWhereItIs) {
     constexpr render::Size size{1280, 720};
     auto s = mixer_page();
     const auto row_at = [&](fvec2 point) { return game::place_at(picture_of(s, context()), size, 2, point); };
-    for (int i = 0; i < 6; ++i) s = with(s, Kind::down);  // the page is scrolled
+    for (int i = 0; i < 6; ++i) s = with(s, Kind::down);  // scrolls the page
     int pointed = 0;
     for (float y = 0; y < 720; y += 7) {
         const fvec2 point(640, y);
@@ -446,7 +446,7 @@ TEST(MenuDrawing, PointingAtARowOfALongPageLeavesItWhereItIs) {
     EXPECT_NE(row_at({640, 400})->row, shown_before->row) << "keys scroll the page";
 }
 
-/// Size of the text that has these words, in a menu at 640 x 480 and 250 % (px).
+/// Size of the text with these words, in a menu at 640 x 480 and 250 % text size (px).
 float size_of(const game::MenuPicture& picture, std::string_view words) {
     render::Overlay overlay;
     add_menu(overlay, picture, {640, 480}, 2.5);
@@ -469,7 +469,7 @@ TEST(MenuDrawing, AMatchStaysReadableInASmallWindow) {
     }
 }
 
-/// Every row of every page: its label and value are at least 0.6 of the size of a short row.
+/// In every row of every page, label and value are at least 0.6 times as large as in a short row.
 TEST(MenuDrawing, LabelsAndValuesStayReadableInASmallWindow) {
     int rows = 0;
     for (auto s : all_pages()) {
@@ -511,8 +511,8 @@ TEST(MenuDrawing, ArrowsStayWhileAValueChanges) {
     EXPECT_LT(less[0], 320) << "the value needs more than half of the row";
 }
 
-/// Tries points over the whole window. Each visible row is found where it is drawn, in order, and the
-/// chosen row is always visible.
+/// Tries points all over the window. Each visible row is found where it is drawn, in order, and the chosen
+/// row is always visible.
 TEST(MenuDrawing, RowsAreFoundWhereTheyAreDrawn) {
     auto s = bindings_of("Mouse and keyboard");
     for (const double scale : {1.0, 2.5}) {

@@ -1,4 +1,4 @@
-// unit/menu_rig.h: a menu's context, and events of it, for tests of the menu.
+// unit/menu_rig.h: a context and events of a menu, for tests of the menu.
 #pragma once
 #include <gtest/gtest.h>
 

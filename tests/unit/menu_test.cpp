@@ -1,4 +1,5 @@
-// Tests of menus: the start screen, the pause and the pages of controls. Events in, state and rows out.
+// Tests of menus: the start screen, the pause and the pages of controls. Given events, the state and rows are
+// checked.
 #include <fstream>
 
 #include "core/file.h"
@@ -46,7 +47,7 @@ TEST(StartScreen, ASeatIsGivenUpByBackAndByUnplugging) {
     EXPECT_EQ(s.seats[0], first_pad);
     s = with(s, Kind::gone, first_pad);
     EXPECT_FALSE(s.seats[0]);
-    // A pad without a seat joins with any button, Back included. Back on a keyboard does not join.
+    // A pad without a seat joins the game with any button, including Back. Back on a keyboard does not join.
     EXPECT_EQ(with(s, Kind::back, first_pad).seats[0], first_pad);
     s = with(s, Kind::back, keyboard);
     EXPECT_FALSE(s.seats[0]);
@@ -145,7 +146,7 @@ TEST(StartScreen, OffersTheLevelsMatchesAndArenasThatTheDataFolderHas) {
     };
     EXPECT_EQ(arena_labels(before), (std::vector<std::string>{"Boiling Court", "The Well"}));
 
-    // Adds a longer match, a file that is no match, and a broken level.
+    // Adds a longer match, a file that is not a match, and an invalid level.
     auto rules = read_text_file(source / "rules" / "quick.toml", 1U << 16U).value();
     const auto at = rules.find("seconds = 240");
     ASSERT_NE(at, std::string::npos);
@@ -183,10 +184,10 @@ TEST(StartScreen, AnotherDeviceJoinsWhateverRowIsChosen) {
     EXPECT_EQ(s.request, MenuRequest::none);
     EXPECT_EQ(s.seats[0], first_pad);
     EXPECT_EQ(with(s, Kind::confirm, half).seats[1], half);
-    // A seated device, or a third one, acts on the row.
+    // Both a device that has a seat and a third device can use the row.
     EXPECT_EQ(with(s, Kind::confirm, first_pad).request, MenuRequest::quit);
     EXPECT_EQ(with(with(s, Kind::confirm, half), Kind::confirm, second_pad).request, MenuRequest::quit);
-    // A click means its row.
+    // A click acts on the row under the mouse.
     const MenuEvent click{.kind = Kind::confirm, .device = keyboard, .row = row_named(s, "Settings")};
     EXPECT_EQ(step(start_page(), click, context()).pages.back().page, "settings");
 }
@@ -267,14 +268,14 @@ TEST(StartScreen, OnePressOnAChosenRowForOnePlayerStartsIfNobodyHasJoined) {
     const auto shown = picture_of(start_page(), first);
     EXPECT_EQ(shown.line, "press Enter or A to start, or any other key to join");
     EXPECT_NE(shown.hint.find("start: Enter, A, click"), std::string::npos) << shown.hint;
-    // Whoever has joined waits for a duel: another device's press joins, too.
+    // After one player has joined, the start screen waits: a press on another device joins, too.
     const auto one = step(start_page(), {.kind = Kind::other, .device = keyboard}, first);
     EXPECT_EQ(one.request, MenuRequest::none);
     EXPECT_EQ(picture_of(one, first).line, "press again to start, or a second player joins");
     const auto two = confirm(one, first_pad);
     EXPECT_EQ(two.request, MenuRequest::none);
     EXPECT_EQ(two.seats[1], first_pad);
-    // The row of the duel keeps its two presses.
+    // Starting the duel by its row still takes two presses.
     auto s = step(start_page(), {.kind = Kind::down, .device = first_pad}, first);
     EXPECT_EQ(picture_of(s, first).line, "press to join");
     s = confirm(s, keyboard);
@@ -356,7 +357,7 @@ TEST(BindingsPage, AnActionTakesTheNextControlAndNothingElseHappensMeanwhile) {
     EXPECT_EQ(picture_of(waiting, context()).cursor, picture_of(s, context()).cursor);
     EXPECT_FALSE(with(s, Kind::back).waiting);
     EXPECT_EQ(with(s, Kind::back).settings, s.settings);
-    // A pad's button cannot be bound to a keyboard.
+    // A button of a pad cannot be bound in the keyboard's list.
     const auto wrong = press(s, button(PadButton::a));
     EXPECT_TRUE(wrong.waiting);
     EXPECT_FALSE(wrong.note.empty());

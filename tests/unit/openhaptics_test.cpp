@@ -1,4 +1,5 @@
-// The OpenHaptics driver against our own libHD.so, which enforces the library's rules and goes wrong when told to.
+// Tests of the OpenHaptics driver with a fake libHD.so, which enforces the library's rules and fails on
+// request.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
@@ -34,7 +35,7 @@ FakeHdReport report() { return function<FakeHdReport (*)()>("fakeHdReport")(); }
 
 void tell(const std::string& words) { ::setenv("FAKE_HD", words.c_str(), 1); }
 
-/// Waits until it holds, for as long as the slowest machine may take.
+/// Waits until the condition holds, for as long as the slowest machine may need.
 template <class F>
 bool soon(F holds) {
     for (int i = 0; i < 5000; ++i) {
@@ -49,7 +50,7 @@ void expect_no_rule_broken() {
     for (std::size_t rule = 0; rule < broken.size(); ++rule) EXPECT_EQ(broken[rule], 0U) << "rule " << rule;
 }
 
-/// The arm that the driver finds in this library.
+/// Opens the arm that the driver finds with this library.
 Expected<std::unique_ptr<OpenArm>> open_by(const std::string& library) {
     ::setenv("THAUM_LIBHD", library.c_str(), 1);
     for (const auto& place : arm_places())
@@ -66,7 +67,7 @@ std::string refusal(const std::string& words) { return message_of(open_fake(word
 
 bool has(const std::string& line, std::string_view part) { return line.find(part) != std::string::npos; }
 
-/// The hand of a test: what it measures at each tick, and the force that it asks for.
+/// A simulated user of the arm: what it measures in each tick, and the force that it asks for.
 struct Hand {
     std::atomic<std::uint64_t> ticks{0}, unusable{0};
     std::atomic<std::int32_t> x_um{0}, y_urad{0};
@@ -86,7 +87,7 @@ struct Hand {
     ArmTick tick() { return {step, this}; }
 };
 
-/// A file with the way of a hand.
+/// A file with the path of a hand.
 struct Way {
     explicit Way(std::string_view lines) { std::ofstream(file) << lines; }
     const TemporaryFolder folder{};
@@ -174,8 +175,8 @@ TEST(OpenHaptics, TicksByTheRules) {
     expect_no_rule_broken();
 }
 
-/// The hand holds 10 mm to the right against a spring: where forces are in N, metres in metres and the frames
-/// agree, both springs balance, but for the dry friction.
+/// The simulated hand holds 10 mm to the right against a spring. If forces are in N, positions in m and the
+/// frames agree, both springs balance except for the dry friction.
 TEST(OpenHaptics, AWallHoldsTheHandAsItsStiffnessSays) {
     const Way right("0 10 0 0 0\n");
     Hand hand;
@@ -188,7 +189,7 @@ TEST(OpenHaptics, AWallHoldsTheHandAsItsStiffnessSays) {
     EXPECT_NEAR(now.position[0], 0.00667, 0.0005);
     EXPECT_NEAR(now.force[0], -200 * now.position[0], 0.02);
     EXPECT_NEAR(hand.x_um, now.position[0] * 1e6, 56);
-    // The make-believe stylus turns by 10 rad/m.
+    // The fake stylus turns by 10 rad/m.
     EXPECT_NEAR(hand.y_urad, hand.x_um * 10, 560);
     arm.reset();
     expect_no_rule_broken();
@@ -249,7 +250,7 @@ TEST(OpenHaptics, LeavesTheArmWithoutForceWhateverTheNumberOfItsTask) {
     expect_no_rule_broken();
 }
 
-// ---- things that go wrong ---------------------------------------------------------------------------------
+// ---- faults of library and arm ----------------------------------------------------------------------------
 
 TEST(OpenHaptics, AnArmThatVanishesIsLost) {
     Hand hand;
@@ -316,7 +317,7 @@ TEST(OpenHaptics, LateTicksAreCounted) {
 
 FakeHdReport report_of(int arm) { return function<FakeHdReport (*)(int)>("fakeHdReportOf")(arm); }
 
-/// The arms of the default device and of the one named Right, with a script each.
+/// The default arm and the arm named Right, each with its own script.
 struct TwoArms {
     std::unique_ptr<OpenArm> first{}, second{};
     Hand left{}, right{};
@@ -348,7 +349,7 @@ struct TwoArms {
     }
 };
 
-/// Each hand holds another place, and each arm gets another force: nothing of one arm reaches the other.
+/// Each hand is held at another place, and each arm gets another force: nothing of one arm reaches the other.
 TEST(OpenHaptics, TwoArmsHaveTheirOwnPlacesAndForces) {
     const Way right("0 10 0 0 0\n"), left("0 -10 0 0 1\n");
     TwoArms arms("path=" + left.file, "path=" + right.file);
@@ -368,7 +369,7 @@ TEST(OpenHaptics, TwoArmsHaveTheirOwnPlacesAndForces) {
     expect_no_rule_broken();
 }
 
-/// The library's thread must stand still while an arm is opened or closed: the other arm then has no force.
+/// The library's thread must stop while an arm is opened or closed; the other arm then has no force.
 TEST(OpenHaptics, OpeningAndClosingOneLeavesTheOther) {
     TwoArms arms("", "");
     arms.left.push = 1;
@@ -392,7 +393,7 @@ TEST(OpenHaptics, OpeningAndClosingOneLeavesTheOther) {
     EXPECT_EQ(report_of(1).left[2], 0);
 }
 
-/// A lost arm is looked for again and again. That must not stop the other one each time.
+/// The program tries to open a lost arm again and again. That must not stop the other arm each time.
 TEST(OpenHaptics, AnArmThatIsGoneDoesNotDisturbTheOther) {
     TwoArms arms("", "vanish=100,back=1000000");
     arms.left.push = arms.right.push = 1;
@@ -411,7 +412,7 @@ TEST(OpenHaptics, AnArmThatIsGoneDoesNotDisturbTheOther) {
     expect_no_rule_broken();
 }
 
-/// One thread of the library serves both arms: where one arm's step fails, neither keeps its force.
+/// One thread of the library serves both arms. If one arm's step crashes, neither keeps its force.
 TEST(ArmEnds, AFaultInTheLibrarysThreadLeavesNoArmWithAForce) {
     ::testing::FLAGS_gtest_death_test_style = "fast";
     const Way one(""), two("");
@@ -435,9 +436,9 @@ TEST(ArmEnds, AFaultInTheLibrarysThreadLeavesNoArmWithAForce) {
     }
 }
 
-// ---- the judge --------------------------------------------------------------------------------------------
+// ---- the fake library itself ------------------------------------------------------------------------------
 
-/// The make-believe library sees what it is there to see.
+/// The fake library detects the faults that it was made to detect.
 TEST(FakeHd, SeesWhereRulesAreBroken) {
     tell("");
     using Handle = unsigned int;

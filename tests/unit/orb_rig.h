@@ -12,7 +12,8 @@
 
 namespace thaum::game::test {
 
-/// A match with both wizards beside the orb: the first in the east, the second in the south. Inputs are set in `frame`.
+/// A match with both wizards beside the orb, the first to the east and the second to the south. Tests set
+/// inputs in `frame`.
 class Seance {
 public:
     explicit Seance(std::uint64_t seed = 1, std::vector<std::string> overrides = {}) {
@@ -71,7 +72,7 @@ public:
         run(gameplay_period);
     }
 
-    /// Moves the hand by so many metres, 0.1 mm in each tick.
+    /// Moves the hand along `way` (m), by 0.1 mm in each tick.
     void move_hand(vec3 way, std::uint32_t player = 0) {
         const auto steps = [](double metres) { return static_cast<int>(std::lround(metres * 1e4)); };
         const std::array<int, 3> left{steps(way.x), steps(way.y), steps(way.z)};
@@ -87,7 +88,7 @@ public:
         counts = {};
     }
 
-    /// Puts the hand at a place of its device (m), at rest.
+    /// Puts the hand at a position of its device (m), at rest.
     void put_hand(vec3 place, std::uint32_t player = 0) {
         auto& hand_state = change().get<HandState>(wizard(player));
         hand_state.home = place;

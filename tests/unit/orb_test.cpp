@@ -1,4 +1,5 @@
-// Tests of the orb: where its core lies, who scries, what it costs, which modes are worn, and what the orb tells.
+// Tests of the orb: where its core is, which wizards scry, what it costs, which modes a wizard wears, and
+// what the orb shows.
 #include <set>
 #include "game/stations/orb/scrying.h"
 
@@ -11,7 +12,7 @@ namespace {
 
 using input::Button;
 
-/// First fault of orb.toml after a change of its text; empty: none.
+/// First fault in orb.toml after a change of its text; empty: none.
 std::string fault_after(std::string_view from, std::string_view to) {
     auto words = read_text_file(assets() / "orb.toml", 1U << 20U).value();
     const auto at = words.find(from);
@@ -231,7 +232,8 @@ TEST(OrbModes, TraceDrawsTheCurveOfTheLast) {
     EXPECT_EQ(seance.part<Scrying>().drawing, 1U);
     seance.release(Button::trace);
     seance.run(100);
-    // The sheet is the workspace: 1.5 m/s from left to right, -1.2 to 1.2 N from bottom to top.
+    // The page on which the curve is drawn is the device's workspace: 1.5 m/s from left to right, -1.2 to 1.2
+    // N from bottom to top.
     const auto& curve = seance.part<WornModes>().strength[2];
     for (const double x : {0.3, 0.6, 0.9, 1.05}) EXPECT_NEAR(curve(x), 0.6, 0.03) << x;
     EXPECT_NEAR(curve(0.05), before.strength[2](0.05), 1e-12) << "left of the stroke nothing has changed";

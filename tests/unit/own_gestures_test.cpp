@@ -1,4 +1,5 @@
-// Gestures that players drew themselves: from the profile through a match and its log to a replay without the profile.
+// Tests of gestures that players have drawn themselves: from the profile through a match and its log to a
+// replay without the profile.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -35,7 +36,7 @@ vec2 triangle_counts(int tick) {
     return side == 0 ? vec2(3, 5) : side == 1 ? vec2(3, -5) : vec2(-6, 0);
 }
 
-/// A triangle as the hand of a mouse draws it, as a gesture named "circle".
+/// A triangle as a hand with a mouse draws it, recorded as the gesture "circle".
 gesture::Gesture triangle() {
     gesture::Gesture g{.name = "circle", .options = {.rotation = 0.3}, .strokes = {}};
     std::vector<gesture::StrokePoint> points;
@@ -49,7 +50,7 @@ gesture::Gesture triangle() {
     return g;
 }
 
-/// Player 1 draws the triangle with Trace held. Returns the frame of a tick.
+/// Frame of a tick in which player 1 draws the triangle with Trace held.
 input::InputFrame triangle_frame(int tick) {
     input::InputFrame frame;
     const int at = tick - 100;
@@ -61,7 +62,7 @@ input::InputFrame triangle_frame(int tick) {
     return frame;
 }
 
-/// Name of the gesture that was read; empty: nothing was meant.
+/// Name of the gesture that was recognised; empty: none.
 std::string read_gesture_of(const game::Simulation& match) {
     const auto& last = match.world().get<game::LastReading>(game::wizard_of(match.world(), 0));
     if (last.at == 0 || last.gesture == game::no_gesture) return {};
@@ -112,7 +113,7 @@ TEST(OwnGestures, AFaultyFileIsNamedAndTheOthersCount) {
     EXPECT_NE((faults[0] + faults[1]).find("its text is of a gesture 'circle'"), std::string::npos);
 }
 
-/// The same strokes under another name.
+/// The same gesture under another name.
 gesture::Gesture renamed(gesture::Gesture gesture, std::string name) {
     gesture.name = std::move(name);
     return gesture;
@@ -139,7 +140,8 @@ TEST(OwnGestures, ACopyOfAnotherGestureIsRefusedWithTheReason) {
         }
     }
     EXPECT_EQ(refusal(triangle(), {game::profile_of(triangle(), 0)}), "") << "it replaces an older one";
-    // The gestures of this player count: one whose own star is a triangle may draw the usual star for a circle.
+    // Only this player's own gestures count: a player whose own star is a triangle may draw the default star
+    // as a circle.
     const auto star =
         std::find_if(shipped.begin(), shipped.end(), [](const auto& g) { return g.name == "star"; });
     const std::vector<input::ProfileData> own{game::profile_of(renamed(triangle(), "star"), 0)};
@@ -158,7 +160,7 @@ gesture::Gesture gesture_along(std::string name, Curve&& curve) {
 
 TEST(OwnGestures, AreRefusedOnlyIfStrokesWouldBeMistaken) {
     const auto& data = *own_data();
-    // A triangle is near to other shapes, but a match never takes a stroke of one for the other.
+    // A triangle resembles other shapes, but a match never takes one for the other.
     for (const auto* name : {"circle", "s", "star", "v"}) {
         const auto own = renamed(triangle(), name);
         const auto fits = check_own_gesture(own, data, {}, 0);
@@ -175,14 +177,15 @@ TEST(OwnGestures, AreRefusedOnlyIfStrokesWouldBeMistaken) {
         }
         EXPECT_LE(mistaken, 2) << name;
     }
-    // A narrow V is the game's V to a player, although its few recorded strokes are nearer to themselves.
+    // To a player a narrow V is the game's V, although its few recorded strokes are more similar to each
+    // other.
     const auto narrow = gesture_along(
         "circle", [](double u) { return u < 0.5 ? vec3(0.7 * u, -2 * u, 0) : vec3(0.7 * u, 2 * u - 2, 0); });
     for (const auto* name : {"circle", "s", "star"}) {
         const auto message = message_of(check_own_gesture(renamed(narrow, name), data, {}, 0));
         EXPECT_EQ(message.find("it is too like V: "), 0U) << message;
     }
-    // A match reads the turns of a spiral one by one, and takes them for circles.
+    // A match would recognise the turns of a spiral one by one, as circles.
     const auto spiral =
         gesture_along("s", [](double u) { return u * vec3(std::cos(6 * pi * u), std::sin(6 * pi * u), 0); });
     const auto fits = check_own_gesture(spiral, data, {}, 0);
@@ -194,7 +197,7 @@ TEST(OwnGestures, AreRefusedOnlyIfStrokesWouldBeMistaken) {
 }
 
 TEST(OwnGestures, ThatDoNotFitTogetherAreLeftOutInOneLine) {
-    // Each has more than half of all strokes that a set may have.
+    // Each of the two has more than half of the strokes that all gestures together may have.
     auto many = triangle();
     while (many.strokes.size() <= gesture::most_templates / 2) {
         many.strokes.push_back(triangle().strokes.front());

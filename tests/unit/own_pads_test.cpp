@@ -92,7 +92,7 @@ TEST_F(OwnPadsTest, FaultsOfTheFileAreTold) {
     EXPECT_FALSE(save_own_pad({}, text(one, ",One,a:b0,")));
     EXPECT_FALSE(save_own_pad(folder_.path(), text(one, ",One,a:b0,")));
     EXPECT_TRUE(own_pads_file({}).empty());
-    // What cannot be read is not written over.
+    // A file that cannot be read is not overwritten.
     const std::string large(std::size_t{2} << 20U, '#');
     ASSERT_TRUE(write_text_file(file_, large));
     EXPECT_FALSE(save_own_pad(file_, text(one, ",One,a:b0,")));

@@ -1,5 +1,5 @@
-// Tests of the set-up of a joystick that SDL does not know: which part answers which question, and the mapping that comes
-// of it. The expected mappings are written by hand in SDL's form.
+// Tests of setting up a joystick that SDL does not know: which part is assigned to which control, and the
+// resulting mapping. The expected mappings are written by hand in SDL's form.
 #include "input/pad_assignment.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int16_t low = -32768, high = 32767;
 
-/// A joystick with four buttons, seven axes of which two are triggers, and a hat.
+/// A joystick with four buttons, a hat, and seven axes, of which two are triggers.
 class PadAssignmentTest : public testing::Test {
 protected:
     PadAssignmentTest() {
@@ -20,7 +20,7 @@ protected:
         stick_.state.hats = {0};
         assignment_.emplace(stick_);
     }
-    /// Moves to a state and back to rest. Returns whether the question was answered.
+    /// Moves parts to a state and back to rest. Returns whether the question was answered.
     bool answer(const StickState& state) {
         const bool answered = assignment_->follow(state);
         assignment_->follow(stick_.state);

@@ -1,4 +1,5 @@
-// Tests of joysticks that do not play: a session tells which and why, and asks for the controls of one.
+// Tests of joysticks that cannot be used: a session shows which and why, and asks for the controls of one of
+// them.
 #include "game/live/pad_setup.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ input::Stick stick_with(std::optional<std::size_t> held = {}) {
     return stick;
 }
 
-/// The joystick while somebody answers a question: axes for the sticks, buttons for all else.
+/// The joystick while the user answers a question: axes for the sticks, buttons for all other controls.
 input::Stick answering(std::size_t question) {
     constexpr std::size_t first_axis = 4, axes = 4;
     const bool axis = question >= first_axis && question < first_axis + axes;
@@ -43,7 +44,7 @@ protected:
         session_->publish_screen();
         return change;
     }
-    /// Answers a question by the joystick and lets go of it, or skips it.
+    /// Answers a question with the joystick and releases the part, or skips the question.
     std::optional<PadChange> answer(std::size_t question, bool own = false) {
         const auto sticks = [&](input::Stick stick) {
             return own ? IdleSticks{.own = {std::move(stick)}} : IdleSticks{.unknown = {std::move(stick)}};
@@ -205,7 +206,7 @@ TEST_F(PadSetupTest, EscEndsItAndNothingIsKept) {
     enter("Set up Stick of wood");
     look({.unknown = {stick_with()}});
     EXPECT_TRUE(screen().menu.line.starts_with("1 of 20: ")) << screen().menu.line;
-    // Its joystick is pulled out.
+    // The joystick is unplugged during the set-up.
     look({});
     EXPECT_EQ(session_->menu().state().pages.back().page, "sheets");
 }

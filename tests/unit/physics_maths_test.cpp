@@ -1,4 +1,4 @@
-// Bullet computes with the functions of core/maths.h, and so does the rest of the program.
+// Tests that Bullet and all other code of the program use the functions of core/maths.h.
 #include <LinearMath/btTransformUtil.h>
 #include <btBulletDynamicsCommon.h>
 #include <dlfcn.h>
@@ -12,7 +12,7 @@
 namespace thaum::physics {
 namespace {
 
-/// The system's own function, found behind ours.
+/// The system's own function, looked up behind ours.
 template <class Function>
 Function* of_libm(const char* name) {
     void* const library = dlopen("libm.so.6", RTLD_LAZY);
@@ -90,8 +90,8 @@ TEST(PhysicsMaths, RestOfTheProgramGetsThemToo) {
     EXPECT_EQ(cosine, det::cos(0.5));
 }
 
-/// The value is the same in every build and on every processor; tests run it again without FMA. Another
-/// value means another version of the rules.
+/// The value must be the same in every build and on every processor; tests run it again without FMA. If it
+/// changes, the version of the rules must change.
 TEST(PhysicsMaths, ProbeIsTheSameEverywhere) { EXPECT_EQ(maths_probe(), 11705066217827735670U); }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Walking wizards against closed forms.
+// Tests of walking wizards against closed forms.
 #include "physics/mover.h"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ void add_slope(Physics& physics, double degrees, vec3 foot = {}) {
 TEST(Mover, ReachesWalkingPace) {
     FloorWalker w;
     w.enter({0, standing, 0});
-    w.run(300, {0, 0, -9});  // more than walk_speed
+    w.run(300, {0, 0, -9});  // the wished speed exceeds walk_speed
     EXPECT_NEAR(w.velocity().z, -4.5, 1e-6);
     EXPECT_TRUE(w.last.grounded);
     EXPECT_EQ(w.last.ground, floor_key);
@@ -72,9 +72,9 @@ TEST(Mover, ARopeTakesAsMuchTractionAsWeight) {
         }
         return w.velocity().x;
     };
-    EXPECT_NEAR(speed_after(0), 40 * 0.05, 0.02);  // the acceleration on the ground
+    EXPECT_NEAR(speed_after(0), 40 * 0.05, 0.02);  // so the acceleration is that on the ground
     EXPECT_NEAR(speed_after(weight / 2), 20 * 0.05, 0.02);
-    EXPECT_NEAR(speed_after(weight), 4 * 0.05, 0.02);  // the acceleration in the air
+    EXPECT_NEAR(speed_after(weight), 4 * 0.05, 0.02);  // so the acceleration is that in the air
     EXPECT_NEAR(speed_after(3 * weight), 4 * 0.05, 0.02);
 }
 
@@ -113,7 +113,8 @@ TEST(Mover, FallsFromFiveMetres) {
         ++ticks;
     }
     EXPECT_NEAR(ticks * dt, std::sqrt(2 * 5 / 9.81), 0.01);
-    EXPECT_NEAR(w.landing, std::sqrt(2 * 9.81 * 5), 0.06);  // 9.90 m/s; the ground is found 3 cm early
+    // 9.90 m/s; a little less, because the ground is found 3 cm early.
+    EXPECT_NEAR(w.landing, std::sqrt(2 * 9.81 * 5), 0.06);
     w.run(500, {});
     EXPECT_NEAR(w.position().y, standing, 2e-3);
 }
@@ -163,7 +164,7 @@ TEST(Mover, SlidesOffASteepSlope) {
     Walker w;
     add_slope(w.physics, 60);
     w.enter({0, 1.5, 0});
-    w.run(1000, {4.5, 0, 0});  // uphill, without success
+    w.run(1000, {4.5, 0, 0});  // walks uphill without success
     EXPECT_LT(w.position().y, 1.0);
     EXPECT_FALSE(w.last.grounded);
 }
@@ -227,15 +228,15 @@ double pushed_distance(double mass, double friction) {
     FloorWalker w;
     w.physics.add(2, box({0.5, 0.5, 0.5}, mass, friction), at({1, 0.5, 0}));
     w.enter({0, standing, 0});
-    w.run(1000, {4.5, 0, 0});  // the first bump is over
+    w.run(1000, {4.5, 0, 0});  // by then the first bump is behind
     const double start = w.physics.state(2).position.x;
     w.run(2000, {4.5, 0, 0});
     return w.physics.state(2).position.x - start;
 }
 
 TEST(Mover, PushesWithAPersonsForce) {
-    // 700 N against friction, 0.7 * 0.7 of the weight. 60 kg need 288 N and move; 300 kg need 1,442 N
-    // and stay.
+    // The wizard pushes with 700 N against a friction of 0.7 * 0.7 of the weight. A mass of 60 kg needs 288 N
+    // and moves; 300 kg need 1,442 N and stay.
     EXPECT_GT(pushed_distance(60, 0.7), 1.0);
     EXPECT_LT(pushed_distance(300, 0.7), 0.01);
 }
@@ -275,7 +276,7 @@ TEST(Mover, RidesAMovingProp) {
     EXPECT_NEAR(w.position().x, w.physics.state(2).position.x, 0.1);
 }
 
-/// Largest pace of a walker who crosses a plank that lies on the floor, and the plank's fastest slide (m/s).
+/// Largest speed of a walker who crosses a plank on the floor, and the plank's largest speed (m/s).
 std::pair<double, double> fastest_over_plank(double thickness, double mass) {
     FloorWalker w;
     w.physics.add(2, box({0.3, thickness / 2, 1.5}, mass), at({4, thickness / 2, 0}));
@@ -290,7 +291,7 @@ std::pair<double, double> fastest_over_plank(double thickness, double mass) {
     return {pace, slide};
 }
 
-// A foot that strikes the edge of a plank drives it ahead. Carried by it, a walker reached 6 m/s.
+// A foot that strikes the edge of a plank pushes it ahead. Standing on it, a walker once reached 6 m/s.
 TEST(Mover, APlankUnderfootMakesNobodyFasterThanWalking) {
     for (const auto& [thickness, mass] : {std::pair(0.04, 12.0), {0.06, 15.0}, {0.1, 30.0}, {0.1, 100.0}}) {
         const auto [pace, slide] = fastest_over_plank(thickness, mass);

@@ -1,5 +1,5 @@
-// Surfaces near a point: exact distances for every shape, meshes against a search of all triangles, and
-// arrays that are too small.
+// Tests of surfaces near a point: exact distances for every shape, meshes compared with a search of all
+// triangles, and arrays that are too small.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -71,7 +71,8 @@ vec3 corner_of(const TriangleMesh& mesh, std::uint32_t triangle, std::size_t cor
     return mesh.vertices[mesh.triangles[triangle][corner]];
 }
 
-/// Distance of a place from a triangle by a fine grid of points, which finds at most 4 cm too much here (m).
+/// Distance of a point from a triangle, computed with a fine grid of points. Here it is at most 4 cm too
+/// large (m).
 double sampled_distance(const TriangleMesh& mesh, std::uint32_t triangle, vec3 place) {
     double nearest = 1e9;
     for (int u = 0; u <= 40; ++u) {
@@ -85,8 +86,8 @@ double sampled_distance(const TriangleMesh& mesh, std::uint32_t triangle, vec3 p
     return nearest;
 }
 
-/// Checks that exactly the triangles within the radius were found. Those within the error of the grid may be
-/// found or not.
+/// Checks that exactly those triangles were found that are within the radius. Triangles within the grid's
+/// error of it may be found or not.
 void expect_all_within(const TriangleMesh& mesh, const std::vector<Nearby>& found, vec3 place,
                        double radius) {
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {

@@ -1,5 +1,5 @@
-// Physics repeats to the bit: two worlds in parallel, a world restored at a keyframe, with and without
-// skipped steps, in builds with -O0 and -O3.
+// Tests that physics repeats to the bit: two worlds in parallel, a world restored at a keyframe, with and
+// without skipped steps, in builds with -O0 and -O3.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace {
 
 using namespace scenes;
 
-/// A busy scene: hills, shapes of all kinds, bodies that are added and removed in random order, kicks,
-/// and one walking wizard. Its own data are plain, so that a second scene can continue from them.
+/// A busy scene: hills, shapes of all kinds, bodies that are added and removed in random order, kicks, and
+/// one walking wizard. The scene's own data can be copied, so that a second scene can continue from them.
 struct BusyScene {
     Physics physics;
     Random random;
@@ -31,7 +31,7 @@ struct BusyScene {
         for (Key key = 100; key < 130; ++key) come(key);
     }
 
-    /// The scene that results from restoring `other` from a keyframe.
+    /// The scene that results from restoring `other` at a keyframe.
     BusyScene(const BusyScene& other, Settings settings)
         : physics(settings, {hills(16, 0.3)}), random(other.random), mover(other.mover), tick(other.tick) {
         Keys backwards = other.keys;
@@ -123,7 +123,7 @@ TEST(PhysicsRepeat, AWorldRestoredAtAKeyframeContinuesWithTheSameBits) {
 }
 
 TEST(PhysicsRepeat, WithoutTheRebuildTheBitsDiffer) {
-    // This shows that the test above can fail: Bullet's caches are state.
+    // Shows that the test above can fail: without a rebuild, Bullet's caches are part of the state.
     BusyScene a;
     while (a.tick < 700) a.advance();
     BusyScene b(a, {});

@@ -22,7 +22,7 @@ inline BodyState at(vec3 position, vec3 velocity = {}) {
     return {.position = position, .velocity = velocity};
 }
 
-/// Adds a floor whose top is y = 0.
+/// Adds a floor with its top at y = 0.
 inline void add_floor(Physics& physics) { physics.add(floor_key, box({50, 1, 50}, 0), at({0, -1, 0})); }
 
 inline BodyDesc wizard() {

@@ -1,4 +1,4 @@
-// The interface of Physics: keys, sleep and waking, contacts, rays.
+// Tests of the interface of Physics: keys, sleep and waking, contacts, rays.
 #include "physics/physics.h"
 
 #include <gtest/gtest.h>
@@ -62,7 +62,7 @@ TEST(Physics, ImpulsesTurnAndMove) {
     physics.add(1, ball(0.5, 2), at({}));
     physics.apply_impulse(1, {4, 0, 0}, {0, 0.5, 0});
     EXPECT_NEAR(physics.velocity(1).x, 2, 1e-15);
-    EXPECT_NEAR(physics.state(1).spin.z, -0.5 * 4 / (0.4 * 2 * 0.25), 1e-12);  // 2/5 m r^2
+    EXPECT_NEAR(physics.state(1).spin.z, -0.5 * 4 / (0.4 * 2 * 0.25), 1e-12);  // inertia of a ball: 2/5 m r^2
 }
 
 TEST(Physics, UprightBodiesNeverTurn) {
@@ -84,7 +84,8 @@ TEST(Physics, LayersDecideWhichBodiesCollide) {
     ghost.collides_with = 8;
     physics.add(2, ghost, at({0, 1, 0}));
     BodyDesc one_sided = ball(0.2, 1);
-    // Would collide with the floor, but not with the ghost, which does not collide with it.
+    // This body would collide with the ghost, but the ghost does not collide with this body's layer. So it
+    // lands on the floor.
     one_sided.layer = 4;
     physics.add(3, one_sided, at({0, 2, 0}));
     run(physics, 2000);
@@ -125,7 +126,8 @@ TEST(PhysicsSleep, ABodyAddedAsleepStaysAsleep) {
     Physics physics;
     BodyState moving_sleeper = at({0, 5, 0}, {1, 1, 1});
     moving_sleeper.asleep = 1;
-    physics.add(2, ball(0.2, 1), moving_sleeper);  // in mid-air, with a velocity that a sleeper cannot have
+    // A body in mid-air, with a velocity that a sleeping body cannot have.
+    physics.add(2, ball(0.2, 1), moving_sleeper);
     run(physics, 100);
     EXPECT_EQ(physics.state(2).position, vec3(0, 5, 0));
     EXPECT_EQ(physics.velocity(2), vec3(0));
@@ -210,7 +212,7 @@ TEST(PhysicsContacts, BeginOnceAndPointUp) {
     EXPECT_EQ(began, 1);
     const Contact* c = contact_of(physics, 2, 7);
     ASSERT_TRUE(c);
-    EXPECT_NEAR(c->normal.y, 1, 1e-9);  // from 7 towards 2
+    EXPECT_NEAR(c->normal.y, 1, 1e-9);  // the normal points from body 7 towards body 2
     EXPECT_NEAR(c->point.y, 0, 1e-3);
     EXPECT_NEAR(c->impulse, 10 * 9.81 * dt, 1e-3);
     physics.rebuild();
@@ -271,8 +273,8 @@ INSTANTIATE_TEST_SUITE_P(All, RayShapes,
                          testing::Values(Shape::box, Shape::sphere, Shape::capsule, Shape::cylinder));
 
 TEST(PhysicsRay, AgreesWithFineSampling) {
-    // The oracle walks along the ray in steps of 0.1 mm and tests whether the point is inside the
-    // turned box.
+    // The oracle moves along the ray in steps of 0.1 mm and tests whether the point is inside the rotated
+    // box.
     Physics physics;
     const quat turn = rotation(glm::normalize(vec3{1, 2, 3}), 0.7);
     physics.add(3, box({0.4, 0.05, 0.8}, 0), {.position = {0.1, 0.2, 0.3}, .orientation = turn});
@@ -297,7 +299,7 @@ TEST(PhysicsRay, AgreesWithFineSampling) {
             EXPECT_NEAR(hit->fraction * length, first * length, 2e-4) << i;
             ++hits;
         } else if (hit) {
-            // The samples may miss a corner; the hit must then still be on the surface.
+            // The oracle's steps may miss a corner; the hit must then still be on the surface.
             const vec3 p = glm::abs(glm::conjugate(turn) * (hit->point - vec3{0.1, 0.2, 0.3}));
             EXPECT_NEAR(glm::length(glm::max(p - vec3{0.4, 0.05, 0.8}, vec3(0))), 0, 1e-8);
         }
@@ -310,7 +312,7 @@ TEST(PhysicsRay, NothingTunnelsThroughACentimetre) {
     physics.add(2, box({0.005, 2, 2}, 0), at({0, 0, 0}));
     Random random{4};
     const double step = 400 * dt;
-    for (int i = 0; i < 2000; ++i) {  // a bolt of 400 m/s in steps of a tick, from any place and angle
+    for (int i = 0; i < 2000; ++i) {  // a bolt at 400 m/s, tick by tick, from any place and angle
         vec3 from{-1 - random.uniform(), random.uniform() - 0.5, random.uniform() - 0.5};
         const vec3 way = glm::normalize(vec3{1, random.uniform() - 0.5, random.uniform() - 0.5}) * step;
         bool hit = false;
@@ -318,7 +320,7 @@ TEST(PhysicsRay, NothingTunnelsThroughACentimetre) {
             hit = physics.ray(from, from + way).has_value();
         ASSERT_TRUE(hit) << i;
     }
-    // A ray onto the edge hits; 1 nm beside it, it misses.
+    // A ray that meets the edge hits the body; 1 nm beside it, it misses.
     EXPECT_TRUE(physics.ray({0, 500, 0}, {0, -500, 0}));
     EXPECT_TRUE(physics.ray({0.005, 500, 0}, {0.005, -500, 0}));
     EXPECT_FALSE(physics.ray({0.00500001, 500, 0}, {0.00500001, -500, 0}));
@@ -337,7 +339,7 @@ TEST(PhysicsRay, HitsMeshes) {
     Physics physics({}, {hills(8, 0)});
     physics.add(2, {.shape = Shape::mesh}, {.position = {0, 1, 0}, .orientation = rotation({0, 1, 0}, 0.3)});
     Random random{5};
-    for (int i = 0; i < 200; ++i) {  // exact, and without gaps at all seams
+    for (int i = 0; i < 200; ++i) {  // exact, and without gaps at any seam between triangles
         const double x = std::floor(random.uniform() * 5) - 2, z = random.uniform() * 4 - 2;
         const vec3 seam = rotation({0, 1, 0}, 0.3) * vec3{x, 0, z};
         const auto hit = physics.ray(seam + vec3{0, 300, 0}, seam - vec3{0, 300, 0});

@@ -1,4 +1,4 @@
-// Tests of pictures of a match: their contents, and interpolation between two of them.
+// Tests of the picture data of a match: their contents, and interpolation between two of them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace thaum::game::hud_tests {
 namespace {
 
-// ---- the picture as data ----------------------------------------------------------------------------------
+// ---- contents of a picture --------------------------------------------------------------------------------
 
 TEST(TakePicture, HoldsTheStrongestForcesOfTheLastTwoSecondsInWholeColumns) {
     const auto match = new_match();
@@ -88,7 +88,7 @@ TEST(TakePicture, AShotIsSeenAsAMissile) {
 
 TEST(TakePicture, HurtsAndDeathsShowForAWhile) {
     const auto match = new_match();
-    for (int i = 0; i < 8000; ++i) match->tick({});  // the feed tells of recipes at first
+    for (int i = 0; i < 8000; ++i) match->tick({});  // at the start the kill feed shows recipes
     auto& world = match->world_to_change();
     const auto victim = wizard_of(world, 1);
     hurt(match->context_to_change(), victim, match->match().played,
@@ -110,7 +110,7 @@ TEST(TakePicture, HurtsAndDeathsShowForAWhile) {
     EXPECT_EQ(p.wizards[1].senses.hurts, 0U);
 }
 
-/// A match in which player 1 has a wand in hand and looks up, over everything.
+/// A match in which player 1 looks up with a wand in hand, above all other objects.
 struct Looking {
     std::unique_ptr<Simulation> match;
     ecs::Entity me;
@@ -258,7 +258,7 @@ TEST(TakePicture, ShowsAPickUpForAWhile) {
     EXPECT_TRUE(has_text(overlay, "Heart  +50 health"));
 }
 
-// ---- between two pictures ---------------------------------------------------------------------------------
+// ---- interpolation between two pictures -------------------------------------------------------------------
 
 struct Two {
     Picture from = make_picture(), to = make_picture(), out = make_picture();
@@ -290,7 +290,7 @@ TEST(Interpolate, ThingsAreFoundByTheirEntity) {
     Two two;
     two.from.things.insert(two.from.things.begin(), {.entity = 2, .position = {9, 9, 9}});
     EXPECT_NEAR(two.at(0.5).things[0].position.x, 0.05, 1e-12);
-    two.to.things[0].entity = 77;  // a thing that the earlier picture lacks
+    two.to.things[0].entity = 77;  // an object that the earlier picture does not have
     EXPECT_NEAR(two.at(0.5).things[0].position.x, 0.1, 1e-12);
 }
 

@@ -1,4 +1,4 @@
-// Tests of reports as pictures: every row has its place, and the output is well-formed XML for any report.
+// Tests of reports drawn as pictures: every row is shown, and the output is well-formed XML for any report.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -56,7 +56,7 @@ std::size_t count(std::string_view text, std::string_view part) {
 }
 
 void expect_well_formed(const Page& page) {
-    // The first line, the document type, is not XML.
+    // The first line, which declares the document type, is not XML.
     EXPECT_EQ(test::xml_fault(std::string_view(page.html).substr(page.html.find('\n'))), "");
     for (const auto& figure : page.figures) EXPECT_EQ(test::xml_fault(figure.svg), "") << figure.name;
 }
@@ -168,7 +168,7 @@ TEST(PlotSvg, JoinsTheFrontAndRingsTheDefaultOnly) {
             joined +=
                 text(joined.empty() ? "" : " ", px(axes.time.at(p.time_us)), ",", px(axes.error.at(p.error)));
     }
-    EXPECT_EQ(count(joined, ","), 3U);  // all rows of "thaum", none of "other"
+    EXPECT_EQ(count(joined, ","), 3U);  // commas of all points of "thaum", and of none of "other"
     EXPECT_NE(svg.find(text("points=\"", joined, "\"")), std::string::npos);
     EXPECT_EQ(count(svg, "r=\"10.00\""), 1U);
     EXPECT_EQ(count(svg, "n 32 (default)"), 1U);
@@ -201,7 +201,7 @@ TEST(PlotPage, EveryRowIsInATable) {
     report.rows.push_back({.area = "tick", .name = "bare"});
     const auto page = make_page(report);
     expect_well_formed(page);
-    EXPECT_EQ(count(page.html, "<tr"), report.rows.size() + 2);  // two rows of headings
+    EXPECT_EQ(count(page.html, "<tr"), report.rows.size() + 2);  // two of the rows are headings
     for (const auto* part : {"A &amp; B", "front, default", "00ff", "median us", "<svg", "<h3>bare</h3>"})
         EXPECT_NE(page.html.find(part), std::string::npos) << part;
     EXPECT_EQ(page.html.find("<script"), std::string::npos);

@@ -1,4 +1,5 @@
-// Tests of potions: recipes step by step, what comes of right and wrong steps, and what a potion does to its wizard.
+// Tests of potions: recipes step by step, the effects of right and wrong steps, and what a potion does to its
+// wizard.
 #include "game/stations/cauldron/potions.h"
 
 #include <fstream>
@@ -230,7 +231,7 @@ TEST(Potions, ThicknessTensionAndSwirlFollow) {
     haste.run(ticks(2));
     const auto* work = haste.match().brew();
     const auto& middle = haste.cauldron().middle;
-    // Clockwise from above: north of the middle it flows to the east.
+    // The flow is clockwise seen from above, so north of the middle it goes east.
     EXPECT_GT(current_at(haste.world(), work, middle + vec3(0, -0.3, -0.7), haste.now()).x, 0.1);
     EXPECT_GT(haste.cauldron().speed, 0.2);
 }

@@ -1,5 +1,5 @@
-// Tests of the range in a live session: its files, which are read again when they change, the thread that
-// watches them, the messages on the screen, and that a recorded match has neither.
+// Tests of the practice range in a live session: its files, which are read again when they change, the thread
+// that watches them, the messages on the screen, and that a recorded match has none of these.
 #include "game/range/practice.h"
 
 #include <gtest/gtest.h>
@@ -25,8 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A value of this type holds either a log or a range's files, never both. A session gets nothing else
-// (MatchStart).
+// A value of this type holds either a log or a range's files, never both. A session can be started with
+// nothing else (MatchStart).
 static_assert(std::is_same_v<Recording, std::variant<std::monostate, input::LogWriter, game::RangeFiles>>);
 static_assert(std::is_same_v<decltype(MatchStart::recording), Recording>);
 
@@ -37,7 +37,7 @@ protected:
         std::ofstream(folder_ / "wands" / "bolt.toml")
             << bolt_.substr(0, at_) << value << bolt_.substr(at_ + 1);
     }
-    /// Looks at the files as the watching thread does. A change is read at the second look after it.
+    /// Polls the files as the watching thread does. A change is read at the second poll after it.
     static void look(game::RangeFiles& files, Practice& practice) {
         for (int i = 0; i < 2; ++i) {
             if (const auto reload = files.look()) practice.adopt(*reload);
@@ -47,7 +47,7 @@ protected:
                                 game::DummyKind dummy = game::DummyKind::still) {
         return {files.data(), {input::DeviceSpec{}}, dummy, 1};
     }
-    /// Hash of the bolt's numbers in the match.
+    /// Hash of the bolt wand's values in the match.
     static std::uint64_t bolt_hash(Practice& practice) {
         for (const auto& file : practice.match().data().files) {
             if (file.name == "wands/bolt.toml") return file.hash;
@@ -79,7 +79,7 @@ protected:
     const std::size_t at_ = bolt_.find("damage = 6") + 9;
 };
 
-/// Counts the wake-ups of a thread that sleeps 1 ms at a time. This clock slows down on a busy machine as
+/// Counts how often a thread that sleeps 1 ms at a time wakes up. On a busy machine this clock slows down as
 /// other threads do.
 class WakeUps {
 public:
@@ -238,11 +238,11 @@ TEST_F(PracticeTest, ScoreStandsInThePlaceOfAMatchsAndCaptionInTheWindow) {
     }
 }
 
-// ---- the largest force by feel ----------------------------------------------------------------------------
+// ---- finding the largest force by feel --------------------------------------------------------------------
 
 class ForceTrialTest : public PracticeTest {
 protected:
-    /// Plays a tick of the trial. Returns what was found.
+    /// Plays one tick of the trial that finds the largest force. Returns its result when it has ended.
     std::optional<std::uint32_t> tick(bool fire) {
         input::InputFrame frame;
         if (fire) frame.devices[0].press(input::Button::fire);
@@ -344,7 +344,7 @@ TEST_F(WallTest, TheWallShowsAStrokeItsScoreAndWhatToDoBetter) {
     ASSERT_TRUE(wall.on && !wall.drawing);
     ASSERT_EQ(wall.gestures->size(), 4U);
     ASSERT_EQ((*wall.gestures)[0].name, "Circle");
-    // Half a circle.
+    // The stroke is half a circle.
     EXPECT_EQ(wall.lines[0].find("Shield"), std::string::npos);
     EXPECT_GT(wall.lines.size(), 1U) << "what to do better";
     player_.draw(1500, circle_on_wall);

@@ -1,5 +1,5 @@
-// Tests of the range: what dummies do, that no round ends there, and data files that are read again during
-// practice.
+// Tests of the practice range: what dummies do, that no round ends there, and data files that are read again
+// during practice.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -74,7 +74,7 @@ TEST(Range, AStillDummyStaysAndDoesNothing) {
     EXPECT_EQ(of<Health>(range, practising).points, 100);
 }
 
-/// Largest distances to each side, and number of turns.
+/// Largest distances of a dummy to each side, and number of its turns.
 struct Strafed {
     double west = 0, east = 0, along = 0;
     int turns = 0;
@@ -105,7 +105,7 @@ TEST(Range, AStrafingDummyWalksToAndFroWithinItsBounds) {
     EXPECT_NEAR(seen.east, stride, 0.4);
     EXPECT_NEAR(seen.west, -stride, 0.4);
     EXPECT_LT(seen.along, 0.1);
-    // At 4.5 m/s the dummy needs a little more than 2 stride / 4.5 between turns.
+    // At 4.5 m/s the dummy needs a little more than 2 stride / 4.5 s between turns.
     EXPECT_GE(seen.turns, 7);
     EXPECT_LE(seen.turns, 11);
     EXPECT_EQ(bolts(range, dummys).shots, 0U);
@@ -178,7 +178,7 @@ TEST(Range, TheSameInputComesToTheSameState) {
     }
 }
 
-// ---- no end, no loss --------------------------------------------------------------------------------------
+// ---- rounds that never end --------------------------------------------------------------------------------
 
 TEST(Range, NoRoundEndsByKillsOrTime) {
     auto range =
@@ -238,7 +238,7 @@ TEST(Range, TheScoreCountsFromTheFirstShotAfterAReset) {
               "12 of 64 hit (18 %), 72 HP, 1 kill, 144 HP a minute");
 }
 
-// ---- going on by other data -------------------------------------------------------------------------------
+// ---- continuing a match with other data -------------------------------------------------------------------
 
 TEST(CarryOver, BySameDataTheStateIsTheSame) {
     auto range = range_with(DummyKind::strafing);
@@ -357,7 +357,7 @@ protected:
         ASSERT_NE(at, std::string::npos) << from;
         write(file, words.replace(at, from.size(), to));
     }
-    /// Plays half a second and looks twice for changed files. Returns the lines about reloads; empty: no
+    /// Plays half a second and polls twice for changed files. Returns the messages about reloads; empty: no
     /// file was read.
     std::string half_a_second() {
         std::string lines;

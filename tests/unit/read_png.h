@@ -16,7 +16,7 @@
 
 namespace thaum::render {
 
-/// Reads a picture; std::nullopt if the file holds none.
+/// Reads a picture; std::nullopt if the file is not a picture.
 inline std::optional<Image> read_png(const std::filesystem::path& path) {
     int w = 0, h = 0, channels = 0;
     stbi_uc* read = stbi_load(path.c_str(), &w, &h, &channels, 3);

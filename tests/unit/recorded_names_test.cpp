@@ -1,4 +1,4 @@
-// Tests of the names in a log: a replay names its players as the match did.
+// Tests of the players' names in a log: a replay shows the same names as the match.
 #include "game/settings/recorded_names.h"
 
 #include "game/bots/bot.h"

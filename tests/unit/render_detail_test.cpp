@@ -69,7 +69,8 @@ TEST(CoarserCopies, EachHasFewerTrianglesAndAGreaterError) {
     EXPECT_TRUE(coarser_copies(box(fvec3(1), any_colour)).empty());
 }
 
-/// Mesh that is drawn for an instance with these levels at a distance ahead (m).
+/// The mesh that is drawn for an instance with these coarser copies, at a distance along the view direction
+/// (m).
 MeshId drawn_at(float distance, const detail::Levels& levels, float scale = 1) {
     const std::vector<Bounds> bounds(4, Bounds{fvec3(0), 1});
     const std::vector<detail::Levels> all{levels, {}, {}, {}};
@@ -95,7 +96,7 @@ TEST(Levels, TheCoarsestWhoseErrorIsWithinAPixel) {
     EXPECT_EQ(drawn_at(200, {}), 0U);
 }
 
-/// Number of open cells, from the corners in the cells' runs.
+/// Number of open cells, computed from the cells' runs.
 int open_cells(const Camera& camera, std::span<const Block> blocks) {
     detail::SkyCells cells;
     detail::open_sky_cells(camera, 2, blocks, cells);
@@ -208,7 +209,7 @@ TEST(Hidden, HiddenBoxesHaveNoFreeLineToTheEye) {
             // A slightly smaller box must be hidden; this allows for rounding at the outline.
             EXPECT_TRUE(hides(block, eye, fvec3(centre), fvec3(0.99 * half))) << "round " << round;
         }
-        // The same in another frame: turned, moved and scaled.
+        // The same test in another frame, which is turned, moved and scaled.
         const fmat4 to_world = translated({1, 2, 3}) * rotated({0, 1, 0}, 0.7F) * scaled(fvec3(2));
         const fvec3 there(glm::inverse(to_world) * fvec4(fvec3(centre), 1));
         std::vector<detail::Hidden> world;

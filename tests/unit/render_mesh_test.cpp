@@ -15,7 +15,7 @@ namespace {
 
 const fvec3 grey(0.5F);
 
-/// Position of a vertex. Vertices at one position count as one point, whatever their normals.
+/// Position of a vertex. Vertices at the same position count as one point, even if their normals differ.
 using Point = std::tuple<long, long, long>;
 Point point(fvec3 p) { return {std::lround(p.x * 1e5F), std::lround(p.y * 1e5F), std::lround(p.z * 1e5F)}; }
 
@@ -32,8 +32,8 @@ std::map<std::pair<Point, Point>, int> directed_edges(const MeshData& mesh) {
     return edges;
 }
 
-/// Expects that two triangles share each edge and walk it in opposite directions, so that they agree on the
-/// outside.
+/// Expects that each edge belongs to two triangles with opposite directions along it, so that they agree on
+/// the outside.
 void expect_closed(const MeshData& mesh) {
     const auto edges = directed_edges(mesh);
     for (const auto& [edge, count] : edges) {

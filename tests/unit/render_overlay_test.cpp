@@ -1,4 +1,4 @@
-// Tests without an OpenGL context: text layout, key names, pacing, culling.
+// Tests that need no OpenGL context: text layout, key names, frame pacing, culling.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -67,7 +67,7 @@ TEST(AtlasTest, GrowsAndStartsAnewWhenFull) {
     big.coverage.assign(250000, 7);
     char32_t c = 0;
     while (atlas.place(c, 400, big).x >= 0) ASSERT_LT(++c, 100U);
-    EXPECT_EQ(c, 16U);  // two side by side in each of eight rows
+    EXPECT_EQ(c, 16U);  // two in each of eight rows
     EXPECT_GE(atlas.place(0, 400, big).x, 0) << "placed glyphs must stay for this frame";
     atlas.start_frame();
     EXPECT_GE(atlas.place(c, 400, big).x, 0);
@@ -127,12 +127,12 @@ TEST(Culling, CountsVisibleInstances) {
     const Camera camera{.position = {0, 0, 0}};
     const auto matrix = detail::projection_matrix(camera, 1.5F) * detail::view_matrix(camera);
     const std::vector<Instance> instances{
-        {.mesh = 0, .model = translated({0, 0, -10})},   // in front of the eye
-        {.mesh = 0, .model = translated({0, 0, 10})},    // behind the eye
-        {.mesh = 0, .model = translated({0, 0, 0.5F})},  // around the eye
-        {.mesh = 0, .model = translated({50, 0, -10})},  // far to the right
+        {.mesh = 0, .model = translated({0, 0, -10})},   // an object in front of the eye
+        {.mesh = 0, .model = translated({0, 0, 10})},    // an object behind the eye
+        {.mesh = 0, .model = translated({0, 0, 0.5F})},  // an object around the eye
+        {.mesh = 0, .model = translated({50, 0, -10})},  // an object far to the right
         {.mesh = 0, .model = translated({50, 0, -10}) * scaled(fvec3(60))},
-        {.mesh = 0, .model = translated({0, 0, -1000})},  // beyond the far plane
+        {.mesh = 0, .model = translated({0, 0, -1000})},  // an object beyond the far plane
         {.mesh = 0, .model = fmat4(std::numeric_limits<float>::quiet_NaN())},
         {.mesh = 0, .model = fmat4(std::numeric_limits<float>::infinity())},
     };

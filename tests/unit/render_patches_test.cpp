@@ -1,5 +1,5 @@
-// Tests of the patches of a large mesh: no visible patch is left out, near patches come first, and the
-// plain copy is drawn only where it cannot be told apart.
+// Tests of the patches of a large mesh: no visible patch is left out, near patches come first, and the plain
+// copy is drawn only where nobody can see a difference.
 #include "render/detail/patches.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 const fvec3 grey(0.5F);
 
-/// A viewer who looks along -z with a field of view of 90 degrees, 720 pixels high.
+/// A viewer who looks along -z, with a field of view of 90 degrees that is 720 pixels high.
 Sight sight_from(fvec3 eye) {
     const float half = 0.7853982F;
     const auto to_clip = glm::perspective(2 * half, 1.0F, 0.1F, 1000.0F) * glm::translate(fmat4(1), -eye);
@@ -122,7 +122,7 @@ TEST(Patches, NoFrontIsEverTakenForABack) {
     const auto any = [&](double low, double high) { return static_cast<float>(random.uniform(low, high)); };
     int left_out = 0;
     for (int round = 0; round < 400; ++round) {
-        // A dented square, so that its normals differ.
+        // A dented square; its normals differ.
         MeshData mesh = grid({1, 1}, 3, 3, grey);
         for (auto& v : mesh.vertices) v.position.y += any(-0.3, 0.3);
         // A random eye with the whole square in view.

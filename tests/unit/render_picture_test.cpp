@@ -44,7 +44,7 @@ int count(const Image& image, Rect in, Test test) {
     return sum;
 }
 
-/// White light from all directions and no fog, so that red things look red.
+/// White light from all directions and no fog, so that red objects appear red.
 Environment plain_light() {
     Environment e;
     e.sun.colour = fvec3(0);
@@ -194,7 +194,7 @@ protected:
         fixed = {{.mesh = floor, .model = translated({0, -1.1F, -4})}};
     }
 
-    /// Frame seen from above, with the cubes in `moving` as well.
+    /// A frame seen from above, which also shows the cubes in `moving`.
     Frame frame_of(Quality quality) {
         all = fixed;
         all.insert(all.end(), moving.begin(), moving.end());
@@ -221,7 +221,7 @@ protected:
 
 TEST_F(Shadowed, FallsOppositeTheSunAndNowhereElse) {
     for (const auto quality : {Quality::medium, Quality::high}) {
-        moving = {cube_at({0, 1, -4}, fvec3(1))};  // the middle of its shadow is 2 m to the right
+        moving = {cube_at({0, 1, -4}, fvec3(1))};  // the middle of the cube's shadow is 2 m to the right
         const int lit = brightness(quality, -1.6F), shaded = brightness(quality, 2);
         EXPECT_GT(lit, 2 * shaded) << static_cast<int>(quality);
         EXPECT_GT(shaded, 5) << "ambient light must remain in the shadow";
@@ -321,10 +321,11 @@ TEST_F(Picture, MistsHideMostWhereTheyFaceTheEyeAndNothingAtTheirOutline) {
         EXPECT_EQ(middle(drawn(frame)).r, before);
         const int hidden = middle(whole_mist).r;
         ASSERT_GT(std::abs(hidden - before), 20);
-        // Half a glow gives about half the change: in linear light at high quality, else in display values.
+        // With half the glow, the change is about half: in linear light at high quality, otherwise in display
+        // values.
         EXPECT_GT(std::abs(half - before), 0.3 * std::abs(hidden - before));
         EXPECT_LT(std::abs(half - before), 0.8 * std::abs(hidden - before));
-        // A solid thing in front of the mist hides it.
+        // A solid object in front of the mist hides the mist.
         mist.glow = 1;
         mist.model = translated({0, 0, -8});
         EXPECT_NEAR(middle(drawn(frame)).r, before, 1);
@@ -399,7 +400,7 @@ TEST_F(Picture, ThingsThatAreNotNumbersAreNotDrawn) {
     const auto image = drawn({broken, cube_at({0, 0, -3}, green)});
     EXPECT_GT(count(image, whole, greenish), 50);
     EXPECT_EQ(count(image, whole, reddish), 0);
-    // A broken camera shows nothing useful but must not end the program.
+    // An invalid camera shows nothing useful but must not end the program.
     const std::vector<Instance> one{cube_at({0, 0, -2}, red)};
     auto v = view(whole, one);
     v.camera.position.x = nan;

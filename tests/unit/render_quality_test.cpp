@@ -1,5 +1,5 @@
-// Tests how a quality preset is chosen: by the OpenGL renderer and by measured times, without switching to
-// and fro.
+// Tests of the choice of a quality preset: by the OpenGL renderer and by measured times, without switching
+// back and forth.
 #include "render/quality.h"
 
 #include <gtest/gtest.h>
@@ -68,7 +68,7 @@ TEST(AutoQuality, SwitchesRarelyForAnyTimes) {
         AutoQuality s{.now = static_cast<Quality>(random.below(qualities))};
         int changes = 0;
         for (int i = 0; i < 20'000; ++i) {
-            // Times that change between fast and slow every 300 pictures.
+            // Times of pictures, which alternate between fast and slow every 300 pictures.
             const double ms = (i / 300 + run) % 2 == 0 ? random.uniform(0, 8) : random.uniform(20, 200);
             const auto next = after_frame(s, ms);
             changes += next.now != s.now;

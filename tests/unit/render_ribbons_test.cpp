@@ -10,7 +10,7 @@
 namespace thaum::render {
 namespace {
 
-/// Turns about z, and moves along it.
+/// A flow that turns about z and moves along z.
 struct Screw {
     field::Vector operator()(vec3 p) const {
         return {{-p.y, p.x, 0.2}, {vec3(0, -1, 0), vec3(1, 0, 0), vec3(0)}};

@@ -1,4 +1,5 @@
-// Tests of scans in pictures: leaps, edits, materials, detail, invalid input; and of their bricks.
+// Tests of scans in pictures: skipped bricks, edits, materials, detail, invalid input; and of the bricks
+// themselves.
 #include "render/scan.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@ namespace {
 constexpr int scan_side = 33;
 constexpr std::size_t all_bricks = 5 * 5 * 5;
 
-/// Number of the sample at (x, y, z) of a scan that has `wide` samples along x and `high` along y.
+/// Index of the sample at (x, y, z) of a scan with `wide` samples along x and `high` along y.
 std::size_t sample_at(std::size_t wide, std::size_t high, int x, int y, int z) {
     return (static_cast<std::size_t>(z) * high + static_cast<std::size_t>(y)) * wide +
            static_cast<std::size_t>(x);
@@ -74,7 +75,7 @@ Rect changed_part(const Image& a, const Image& b) {
     return {x0, y0, x1 - x0, y1 - y0};
 }
 
-/// Makes a hole in brick (1, 2, 1), whose samples are 8 to 15, 16 to 23, 8 to 15.
+/// Makes a hole in brick (1, 2, 1), which has samples 8 to 15, 16 to 23 and 8 to 15 along the axes.
 void make_hole(std::vector<std::uint16_t>& samples, std::vector<std::uint32_t>& versions) {
     for (int z = 8; z < 16; ++z) {
         for (int y = 16; y < 24; ++y) {
@@ -84,7 +85,7 @@ void make_hole(std::vector<std::uint16_t>& samples, std::vector<std::uint32_t>& 
     ++versions[(1 * 5 + 2) * 5 + 1];
 }
 
-/// Pixel at which a sample of a cube of 2 m is seen from 3 m, `nearer` times as large.
+/// Pixel at which a sample of a cube of 2 m appears from a distance of 3 m, enlarged `nearer` times.
 float pixel_of_sample(float sample, float nearer) {
     return 0.5F * picture_side * (1 + (sample - 16) / 16 * nearer / 3 / std::tan(0.4F));
 }
@@ -108,7 +109,7 @@ TEST_F(ScanPicture, AnEditSendsItsBrickAndChangesItsPixels) {
         ++scan.version;
         const auto after = drawn(scan);
         EXPECT_EQ(renderer->statistics().scan_bricks_sent, 1U);
-        // The same as the whole scan sent anew.
+        // The picture must equal that of the whole scan sent again.
         auto anew = scan;
         anew.id = renderer->make_scan();
         EXPECT_EQ(greatest_difference(after, drawn(anew)), 0);
@@ -134,7 +135,7 @@ TEST_F(ScanPicture, FillingAnEmptyBrickShowsIt) {
     ++scan.version;
     ++versions[(2 * 5 + 2) * 5 + 2];
     EXPECT_GT(greatest_difference(nothing, drawn(scan)), 20);
-    // A live table hides it again without a sample being sent.
+    // After a change of the table the hole is hidden again, although no sample is sent.
     table.fill({});
     EXPECT_EQ(greatest_difference(nothing, drawn(scan)), 0);
     EXPECT_EQ(renderer->statistics().scan_bricks_sent, 0U);
@@ -159,7 +160,7 @@ TEST_F(ScanPicture, OfOtherSampleTypesIsTheSame) {
     scan.samples = std::span<const float>(floats);
     scan.low = -3, scan.high = 2;
     EXPECT_LE(greatest_difference(sixteen, drawn(scan)), 1);
-    // Not a number counts as the lowest value.
+    // NaN counts as the lowest value.
     ++scan.version;
     const auto mixed = floats;
     for (auto& f : floats) {
@@ -232,7 +233,8 @@ TEST_F(ScanPicture, BecomesSharpWhenStillAndIsKept) {
     EXPECT_EQ(renderer->statistics().scans_marched, 1U);
     EXPECT_EQ(greatest_difference(sharp, drawn(scan)), 0);
     EXPECT_EQ(renderer->statistics().scans_marched, 0U) << "the sharp picture is kept";
-    // A thing far from the scan leaves it sharp but may hide it, so the rays are computed again.
+    // An object far from the scan does not make it less sharp, but may hide parts of it, so the rays are
+    // computed again.
     stand({0.4F, 0, 2.2F}, {0.1F, 0.1F, 0.1F}, {0, 0, 1});
     (void)drawn(scan);
     EXPECT_EQ(renderer->statistics().scans_marched, 1U);
@@ -323,7 +325,7 @@ TEST_F(ScanPicture, HugeAndTinyPlacementsEndInAPicture) {
             (void)drawn(scan);
         }
     }
-    // From within a large body nothing but matter is seen.
+    // From inside a large body only its matter is visible.
     auto scan = translucent();
     scan.model = scaled(fvec3(1e2F));
     EXPECT_GT(pixel_of(drawn(scan), picture_side / 2, picture_side / 2).r, 0.5F);

@@ -144,7 +144,7 @@ TEST_F(VolumeTest, IsSeenFromWithinUpToTheEye) {
     const auto behind = middle_of(drawn(nullptr));
     const auto seen = middle_of(drawn(&volume));
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], std::exp(-thickness * 0.8F) * behind[c], pixel_step);
-    // A ray upwards leaves the medium at the level.
+    // An upward ray leaves the medium at its surface.
     camera.orientation = upwards;
     instances.clear();
     stand({0, 4, 0}, {8, 1, 8}, {0.2F, 0.1F, 0.05F});
@@ -216,7 +216,7 @@ TEST_F(VolumeTest, StandsInBothViewsOfASplitPictureAsInEachAlone) {
             auto frame = frame_of(&volume, quality, views[0]);
             frame.views.push_back(frame.views[0]);
             frame.views[1].viewport = views[1];
-            // The second eye is nearer, so the test also sees if the two views are exchanged.
+            // The second eye is nearer, so the test also detects if the two views are exchanged.
             frame.views[1].camera.position.y = 2.5F;
             renderer->draw(frame);
             const auto both = renderer->read_pixels();
@@ -247,7 +247,7 @@ TEST_F(VolumeTest, IsSentOncePerVersion) {
     ++volume.version;
     EXPECT_EQ(sent(), 1U);
     EXPECT_GT(middle_of(drawn(&volume)).r, 0.5F);
-    // Texels of another size are sent even if the version is the same.
+    // Texels with another size are sent even if the version is the same.
     texels.assign(1, {0, 255, 0, 255});
     volume.cells = {1, 1, 1};
     volume.texels = texels;

@@ -1,4 +1,5 @@
-// Tests of going to any place of a replay: the state there has the same bits as if all ticks had been played.
+// Tests of jumping to any tick of a replay: the state there has the same bits as if all ticks had been
+// played.
 #include "game/match/replay_index.h"
 
 #include "core/random.h"
@@ -15,7 +16,7 @@ const RecordedDuel& shared_duel() {
     return duel;
 }
 
-/// A replay with its index filled to the end.
+/// A replay whose index is complete.
 struct Indexed {
     explicit Indexed(const RecordedDuel& duel, std::size_t most_bytes = ReplayIndex::usual_bytes)
         : playback(duel.opened()), index(playback, most_bytes) {
@@ -25,7 +26,7 @@ struct Indexed {
     ReplayIndex index;
 };
 
-/// Goes to a tick and plays on for a while. Each state must have its recorded hash.
+/// Jumps to a tick and plays on for a while. Each state must have its recorded hash.
 void expect_place(Indexed& replay, Tick target) {
     ASSERT_TRUE(seek(replay.playback, replay.index, target, never)) << target;
     const auto& match = replay.playback.match();

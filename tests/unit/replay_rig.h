@@ -8,10 +8,10 @@
 
 namespace thaum::game::test {
 
-/// Ticks at which a player presses the pause button: the first press pauses, the second one goes on.
+/// Ticks at which a player presses the pause button: the first press pauses, the second one continues.
 constexpr Tick paused_at = 2040, resumed_at = 2300;
 
-/// The log of a duel in which bolts kill soon. The file is gone after the test.
+/// The log of a duel in which bolts kill quickly. The file is removed after the test.
 struct RecordedDuel {
     /// `twisted`: from this tick on the recorded hashes are wrong, as if the program had computed another match.
     explicit RecordedDuel(std::string_view name, Tick ticks, std::optional<Tick> twisted = {})
@@ -40,7 +40,7 @@ struct RecordedDuel {
     const TemporaryFolder folder{};
     const std::filesystem::path path;
     Tick length;
-    std::vector<std::uint64_t> hashes{};  ///< [t]: hash of the state after t ticks
+    std::vector<std::uint64_t> hashes{};  ///< hashes[t]: hash of the state after t ticks
     std::string result{};
 };
 

@@ -1,5 +1,5 @@
-// Tests of a shown replay with its threads, without a window: the main thread, the one that plays, and the one that
-// fills the index.
+// Tests of showing a replay with its threads, without a window: the main thread, the thread that plays, and
+// the thread that fills the index.
 #include <thread>
 
 #include "game/live/replay.h"
@@ -39,7 +39,7 @@ protected:
         session_->key(rig::key(name), true, monotonic_ns());
         session_->key(rig::key(name), false, monotonic_ns());
     }
-    /// Waits for what a test expects. Returns false after a time that only a hang takes.
+    /// Waits for a condition. Returns false after a time that is exceeded only by a hang.
     template <class F>
     bool becomes(F f) {
         const auto until = monotonic_ns() + 60'000 * rig::ms;

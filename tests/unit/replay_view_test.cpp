@@ -1,4 +1,4 @@
-// Tests of what keys and mouse do in a replay, without window, threads and clock.
+// Tests of what keys and mouse do during a replay, without window, threads and clock.
 #include "game/live/replay_view.h"
 
 #include "game/hud/layout.h"

@@ -1,5 +1,5 @@
-// The bytes of the motors' effects. Expected bytes are written by hand from the layout
-// of ff_effect in linux/input.h on x86-64.
+// Tests of the bytes of effects for the motors. Expected bytes are written by hand from the layout of
+// ff_effect in linux/input.h on x86-64.
 #include "input/detail/rumble_effect.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using rig::frame_of;
 constexpr float no_number = std::numeric_limits<float>::quiet_NaN(),
                 infinite = std::numeric_limits<float>::infinity();
 
-/// Bytes of an effect that are not 0, by their offset.
+/// Bytes of an effect that are not 0, by offset.
 std::map<std::size_t, int> bytes_of(const ff_effect& effect) {
     std::array<unsigned char, sizeof(ff_effect)> bytes{};
     std::memcpy(bytes.data(), &effect, bytes.size());

@@ -1,4 +1,5 @@
-// A body of the lab in files, and volumes that lie to each other as their files say.
+// Tests of saving a body of the volume lab to files, and of volumes whose positions relative to each other
+// are those in their files.
 #include "game/lab/saved_body.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ VolumeLab opened(field::Volume volume) {
 
 VolumeLab made_body(int count) { return opened(*field::make_volume("sphere", count, 3)); }
 
-/// Holds a tool at the top of the made ball for 0.2 s.
+/// Holds a tool at the top of the generated ball for 0.2 s.
 void hold_tool(VolumeLab& lab, std::string_view tool) {
     const vec3 top(0, 0.4 * field::made_extent * lab.placement.scale, 0);
     lab.hand = haptics::resting_at(top);

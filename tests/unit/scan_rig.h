@@ -1,4 +1,4 @@
-// tests/unit/scan_rig.h: pictures of scans in a world without light but that of each test.
+// tests/unit/scan_rig.h: pictures of scans in a world whose only light is what each test adds.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@ namespace thaum::render {
 inline constexpr int picture_side = 120;  // px
 inline constexpr float colour_tolerance = 2.0F / 255;
 
-/// Samples of a cube, `n` along a side, 65535 being a density of 1. `density` maps sample distances from the
-/// middle to 0 to 1.
+/// Samples of a cube, `n` along a side; 65,535 stands for a density of 1. `density` maps a position (in
+/// sample distances from the middle) to 0 to 1.
 template <class Density>
 std::vector<std::uint16_t> sampled(int n, Density density) {
     std::vector<std::uint16_t> out;
@@ -78,7 +78,7 @@ protected:
         return scan;
     }
 
-    /// Every density hides the same share of the light per metre.
+    /// A table in which every density hides the same share of the light for each metre.
     static ScanTable uniform_table(fvec3 colour, float absorption) {
         ScanTable table;
         table.fill({colour, 1 - std::exp(-absorption * 0.01F)});
@@ -110,7 +110,7 @@ protected:
     void stand(fvec3 at, fvec3 scale, fvec3 tint) {
         instances.push_back({.mesh = cube, .model = translated(at) * scaled(scale), .tint = tint});
     }
-    /// Ray through the middle of a pixel, 1 m ahead.
+    /// Ray through the middle of a pixel, up to 1 m ahead.
     fvec3 ray_of(int x, int y) const {
         const float high = std::tan(camera.fov_y / 2) / (0.5F * picture_side);
         return camera.orientation * fvec3(high * (static_cast<float>(x) + 0.5F - 0.5F * picture_side),

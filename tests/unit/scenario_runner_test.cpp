@@ -142,7 +142,7 @@ TEST_F(ScenarioRunner, FailuresNameLineAndTick) {
     EXPECT_TRUE(has(message("match {}\ncoroutine.yield()"), "coroutine.yield outside"));
 }
 
-/// Faulty scripts, and a part of the message for each.
+/// Faulty scripts, with a part of the message for each.
 using Misuse = std::pair<const char*, const char*>;
 
 /// Faults in the line after match{...}.
@@ -294,7 +294,7 @@ TEST_F(ScenarioRunner, PicturesComeFromTheFunctionThatIsGiven) {
     EXPECT_EQ(result.files[1], "test.failed.png");
 }
 
-/// A folder laid out like the repository: scripts, and force traces beside them.
+/// A folder laid out like the repository, with scripts and the stored traces of their forces.
 struct Kept {
     TemporaryFolder folder;
     ScenarioOptions options = options_for(folder);
@@ -323,7 +323,7 @@ TEST_F(ScenarioRunner, ForcesAreKeptAndComparedToTheBit) {
     EXPECT_EQ(kept.play(), "");
     kept.options.keep_forces.clear();
     EXPECT_EQ(kept.play(), "");
-    // Adds a force of almost zero in one tick.
+    // Adds a very small force in one tick.
     kept.options.same_again = SameAgain::by_second_run;
     kept.options.spoil = [](Simulation& match, int) {
         if (match.now() != 500) return;

@@ -20,7 +20,7 @@ struct Ran {
     std::string output;
 };
 
-/// Runs a script to its end. Waits take no time.
+/// Runs a script to its end. Waits of the script take no time.
 Ran run(std::string_view source, const SandboxLimits& limits = small) {
     Sandbox sandbox(limits);
     sandbox.add(
@@ -202,7 +202,7 @@ TEST(Sandbox, MemoryStaysUnderItsLimit) {
     EXPECT_TRUE(run("for i = 1, 20000 do local s = ('x'):rep(1000) .. i end", {.memory = 4U << 20U}).ok);
 }
 
-/// Lua's own matcher counts no steps, so scripts have none, however it is called.
+/// Lua's own pattern matching does not count its steps, so scripts cannot use patterns in any way.
 TEST(Sandbox, PatternsAreNotAvailable) {
     for (const std::string name : {"find", "match", "gmatch", "gsub"}) {
         const auto wanted = "test.lua:2: string." + name + ": patterns are not available in scenarios";
@@ -271,7 +271,7 @@ TEST(Sandbox, ProcessorTimeEndsWorkThatTakesNoSteps) {
          {"while true do end", "while true do pcall(function() while true do end end) end",
           "while true do wait() end"})
         EXPECT_TRUE(mentions(error_of(source, limits), "processor time")) << source;
-    // Time in verbs, and time of the host between two waits, does not count.
+    // Time spent in the host's functions, and by the host between two waits, does not count.
     Sandbox sandbox(limits);
     sandbox.add(
         "slow",
@@ -296,8 +296,8 @@ TEST(Sandbox, MathsIsOurs) {
     EXPECT_EQ(printed("print(math.sin(0), math.pow(2, 10), math.log(8, 2), math.atan(1, 1) == math.pi / 4)"),
               "0.0\t1024.0\t3.0\ttrue\n");
     EXPECT_TRUE(error_of("local x = 1\nprint(x ^ 2)").starts_with("test.lua:2: the operator ^"));
-    // The text must end where Lua sees its end: an escape may hide the end of a line, and \r ends a line
-    // too.
+    // The check must find the end of a text where Lua does: an escape may hide the end of a line, and \r ends
+    // a line too.
     for (const auto* source :
          {"local s = \"\\z\n\" x = 2 ^ 0.5 --\"", "local s = '\\z \t\r\n' x = 2 ^ 0.5 --'",
           "local s = '\\\n' x = 2 ^ 0.5 --'", "local s = '\\\r\n' x = 2 ^ 0.5 --'",
@@ -306,7 +306,7 @@ TEST(Sandbox, MathsIsOurs) {
         EXPECT_TRUE(mentions(error_of(source), "the operator ^")) << source;
     EXPECT_EQ(printed("print('\\z\n^', \"a\\\n^\", '\\'^')"), "^\ta\n^\t'^\n");
     EXPECT_EQ(printed("print(getmetatable('').__pow)"), "nil\n");
-    // In strings and comments, ^ is not the operator of powers.
+    // Within strings and comments, ^ is not the power operator.
     EXPECT_EQ(printed("print('^', \"^\\\"^\", [[^]], [==[^]]^]==], ('^x'):len()) -- ^\n--[[^\n^]] print(1)"),
               "^\t^\"^\t^\t^]]^\t2\n1\n");
 }

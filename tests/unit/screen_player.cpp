@@ -8,8 +8,9 @@
 namespace thaum::app::screen {
 namespace {
 
-constexpr double words_per_second = 4;                  ///< how fast the player reads
-constexpr float counts_per_pixel = 0.8F, fastest = 60;  ///< motion of the mouse in one look (counts)
+constexpr double words_per_second = 4;  ///< reading speed of the player
+/// Motion of the mouse for each pixel of the aim's error, and largest motion between two looks (counts).
+constexpr float counts_per_pixel = 0.8F, fastest = 60;
 
 int looks_of(double seconds) { return static_cast<int>(seconds * 1000 / look_period); }
 
@@ -20,7 +21,7 @@ int looks_to_read(const std::string& words) {
     return looks_of(static_cast<double>(count) / words_per_second);
 }
 
-/// The words that the only group of a pattern matches; empty: none.
+/// The part of the words that the pattern's only group matches; empty: no match.
 std::string matched(const std::string& words, const char* pattern) {
     std::smatch found;
     return std::regex_search(words, found, std::regex(pattern)) ? found[1].str() : std::string();
@@ -33,7 +34,7 @@ const Sight* nearest(const Screen& seen, std::string_view what) {
     return best;
 }
 
-/// The topmost of the things of a kind that are about as near as the nearest.
+/// The topmost of those objects of a kind that are about as near as the nearest one.
 const Sight* topmost(const Screen& seen, std::string_view what) {
     constexpr float about = 0.5F;
     const auto* near = nearest(seen, what);
@@ -60,7 +61,7 @@ void Player::level(const Screen& seen, Hands& hands) const {
         std::clamp(counts_per_pixel * (seen.horizon - seen.crosshair.y), -fastest / 2, fastest / 2);
 }
 
-/// Holds a control down, if the player knows one.
+/// Holds a control down, if the player has learnt it.
 void Player::hold(const std::string& control, Hands& hands) const {
     if (!control.empty()) hands.held.insert(control);
 }
@@ -69,7 +70,7 @@ void Player::walk(std::size_t way, Hands& hands) const {
     if (way < learnt_.walk.size()) hands.held.insert(learnt_.walk[way]);
 }
 
-/// Walks to a place on the ground, and steps aside where something is in the way.
+/// Walks to a place on the ground, and steps aside if something is in the way.
 void Player::walk_to(const Screen& seen, fvec2 place, Hands& hands) const {
     aim(seen, {place.x, seen.crosshair.y}, 0, hands);
     level(seen, hands);
@@ -105,7 +106,7 @@ Hands Player::act(const Screen& seen) {
     return hands;
 }
 
-/// Reads a menu, chooses a row, and looks again.
+/// Reads a menu, chooses a row, and checks the result at the next look.
 void Player::use_menu(const Screen& seen, Hands& hands) {
     const auto words = seen.words_of(Part::menu);
     if (words != words_) {
@@ -123,8 +124,8 @@ void Player::use_menu(const Screen& seen, Hands& hands) {
         hold(row->chosen ? confirm_ : key_towards(seen, *row), hands);
 }
 
-/// The row that leads on: to the Apprentice, out of it, or to a duel against the bot. The words of the start screen
-/// say which bot that is.
+/// The menu row to choose next: into the Apprentice, out of it, or to a duel against the bot. The words of
+/// the start screen name the bot.
 const Words* Player::wanted_row(const Screen& seen) {
     const auto row = [&](std::string_view begin) -> const Words* {
         for (const auto& line : seen.words)
@@ -138,7 +139,7 @@ const Words* Player::wanted_row(const Screen& seen) {
     return row("Duel");
 }
 
-/// The key that moves from the chosen row towards another one: the hint names one for up and one for down.
+/// The key that moves the choice towards another row. The menu's hint names one key for up and one for down.
 std::string Player::key_towards(const Screen& seen, const Words& row) {
     std::smatch keys;
     if (!std::regex_search(words_, keys, std::regex("choose: arrows, (\\w) and (\\w)"))) return {};
@@ -149,7 +150,7 @@ std::string Player::key_towards(const Screen& seen, const Words& row) {
 
 // Lessons ---------------------------------------------------------------------------------------------------
 
-/// Learns the controls that words name in brackets.
+/// Learns the controls that a text names in brackets.
 void Player::read(const std::string& words) {
     if (const auto keys = matched(words, "Walk with \\[([^\\]]+)\\]"); !keys.empty()) {
         learnt_.walk.clear();
@@ -189,7 +190,8 @@ void Player::follow_lesson(const Screen& seen, Hands& hands) {
     do_lesson(seen, hands);
 }
 
-/// Holds the control that the words name, draws a circle in a second, lets go, and waits for what is said of it.
+/// Holds the control that the text names, draws a circle within a second, releases the control, and waits for
+/// the message about the stroke.
 void Player::draw_circle(Hands& hands) const {
     constexpr int begin = 10, length = 62, all = 160;  // looks
     constexpr float radius = 350;                      // counts
@@ -204,7 +206,7 @@ void Player::draw_circle(Hands& hands) const {
     hands.mouse = at(look + 1) - at(look);
 }
 
-/// Does what the words of the lesson say.
+/// Does what the text of the lesson says.
 void Player::do_lesson(const Screen& seen, Hands& hands) {
     const auto says = [&](std::string_view part) { return has(words_, part); };
     if (says("Done!")) return;
@@ -231,7 +233,8 @@ void Player::shoot(const Screen& seen, Hands& hands) {
     if (aim(seen, foe->place, 0.4F * foe->high, hands)) hold(learnt_.fire, hands);
 }
 
-/// Holds fire until the ring is full, aims, and lets go. An arc is aimed by its end.
+/// Holds fire until the ring is full, aims, and releases. A shot that flies in an arc is aimed by the end of
+/// the arc.
 void Player::ready_and_shoot(const Screen& seen, Hands& hands) {
     if (!take(seen, wand_, hands)) return;
     const auto* foe = nearest(seen, "wizard");
@@ -249,7 +252,7 @@ void Player::ready_and_shoot(const Screen& seen, Hands& hands) {
     if (firing_ > 0) hold(learnt_.fire, hands);
 }
 
-/// Takes a crate up and keeps it between itself and the dummy.
+/// Lifts a crate and holds it between the player and the dummy.
 void Player::lift(const Screen& seen, Hands& hands) {
     if (!take(seen, wand_, hands)) return;
     if (seen.holds) {
@@ -265,7 +268,7 @@ void Player::lift(const Screen& seen, Hands& hands) {
     if (firing_ > 0 && firing_ < looks_of(0.5)) hold(learnt_.fire, hands);
 }
 
-/// Hangs on the anchor, swings forward, and lets go where the ground beyond is near.
+/// Hangs on the anchor by the rope, swings forward, and releases the rope where the ground beyond is near.
 void Player::swing(const Screen& seen, Hands& hands) {
     if (!take(seen, wand_, hands)) return;
     if (seen.holds && !let_go_) {
@@ -277,7 +280,7 @@ void Player::swing(const Screen& seen, Hands& hands) {
         let_go_ = hung_ > looks_of(1.5) && below.what == "floor";
         return;
     }
-    if (hung_ > 0) {  // flies, or has landed
+    if (hung_ > 0) {  // the player is in the air, or has landed
         walk(0, hands);
         if (++hung_ < looks_of(4)) return;
         hung_ = 0;
@@ -316,13 +319,13 @@ void Player::brew(const Screen& seen, Hands& hands) {
 
 // The duel --------------------------------------------------------------------------------------------------
 
-/// The wand with which it fights: the first that needs no charging, or the next one where the bar is low.
+/// The wand for fighting: the first one that needs no charging, or the next one if its energy is low.
 std::string Player::best_wand(const Screen& seen) const {
     constexpr float low = 0.05F;
     return !seen.energy.empty() && seen.energy[0] > low ? "Bolt" : "Blast";
 }
 
-/// Turns until the foe is in the view, and walks on where the ground is open.
+/// Turns until the foe is in view, and walks on where the ground is open.
 void Player::search(const Screen& seen, Hands& hands) {
     ++lost_;
     level(seen, hands);
@@ -355,7 +358,8 @@ void Player::fight(const Screen& seen, Hands& hands) {
     const auto wand = best_wand(seen);
     if (!take(seen, wand, hands)) return;
     const bool aims = aim(seen, foe->place, 0.4F * foe->high, hands);
-    // Heights in the window of a foe who is near enough to be hit, and of one who is as near as needed (px).
+    // Heights of a foe in the window (px): when the foe is near enough to be hit, and when the player need
+    // not come nearer.
     constexpr float in_range = 80, near = 120;
     const bool charges = wand != "Bolt";
     const bool fires = charges ? !(aims && seen.ring > 0.7F) : aims && foe->high > in_range;

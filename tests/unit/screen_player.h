@@ -1,6 +1,6 @@
-// unit/screen_player.h: a scripted player that knows nothing of the game but what is on the screen
-// (screen_reader.h). It reads the names of the controls in brackets, learns from the lessons what they do, and goes on
-// with what it has learnt. It reads as slowly as a person, and acts at once on what it sees.
+// unit/screen_player.h: a scripted player that knows nothing about the game except what is on the screen
+// (screen_reader.h). It reads the names of controls in brackets, learns from the lessons what they do, and
+// uses that later. It reads as slowly as a person, but reacts at once to what it sees.
 #pragma once
 #include <map>
 #include <set>
@@ -14,12 +14,12 @@ struct Hands {
     std::set<std::string>
         held{};      ///< controls that are down, by their names on the screen: "W", "Left mouse"
     fvec2 mouse{0};  ///< motion of the mouse to the right and down (counts)
-    std::optional<fvec2> click{};  ///< place in a menu that is clicked with the left mouse button (px)
+    std::optional<fvec2> click{};  ///< place in a menu at which the left mouse button is clicked (px)
 };
 
 /// Controls that the lessons have named.
 struct Learnt {
-    std::vector<std::string> walk{};  ///< forward, left, back, right
+    std::vector<std::string> walk{};  ///< controls for walking: forward, left, back, right
     std::string fire{}, stir{}, drop{};
     bool mouse = false;                          ///< true: the mouse turns the view
     std::map<std::string, std::string> wands{};  ///< control of each wand, by the wand's name: "Bolt"
@@ -39,12 +39,12 @@ public:
     Hands act(const Screen& seen);
 
     const Learnt& learnt() const { return learnt_; }
-    /// Words of the result's panel, after a round.
+    /// Texts of the panel with the result, after a round.
     const std::string& result() const { return result_; }
     const std::string& name() const { return name_; }
-    /// Whether the screen has said that the Apprentice is done.
+    /// Whether the screen has shown that the Apprentice is completed.
     bool has_done_lessons() const { return done_lessons_; }
-    /// Bot that the start screen promised for the duel: "level 0".
+    /// The bot that the start screen has named for the duel: "level 0".
     const std::string& bot() const { return bot_; }
 
 private:
@@ -71,7 +71,7 @@ private:
     void search(const Screen& seen, Hands& hands);
     std::string best_wand(const Screen& seen) const;
 
-    // Skills of everybody who has a mouse and a keyboard.
+    // Skills of any person who can use a mouse and a keyboard.
     bool aim(const Screen& seen, fvec2 place, float within, Hands& hands) const;
     void level(const Screen& seen, Hands& hands) const;
     void walk_to(const Screen& seen, fvec2 place, Hands& hands) const;
@@ -82,14 +82,14 @@ private:
 
     MenuHand menu_hand_;
     Learnt learnt_;
-    std::string confirm_{};      ///< key that confirms the chosen row, as the page of the menu says
-    std::string words_{};        ///< words of the menu or lesson that were read last
+    std::string confirm_{};      ///< key that confirms the chosen row, as the menu page says
+    std::string words_{};        ///< text of the menu or lesson that was read last
     std::string wand_{};         ///< wand that the lesson is about
-    int looks_ = 0;              ///< looks since those words came
-    int pause_ = 0;              ///< looks that the eyes are still busy with words
-    int hung_ = 0, firing_ = 0;  ///< looks since a rope held, and since fire was pressed
-    int lost_ = 0;               ///< looks since the foe was seen
-    float above_ = 0;            ///< how far above the foe a shot in an arc is aimed (px)
+    int looks_ = 0;              ///< number of looks since that text appeared
+    int pause_ = 0;              ///< number of looks for which the player is still reading
+    int hung_ = 0, firing_ = 0;  ///< number of looks since a rope attached, and since fire was pressed
+    int lost_ = 0;               ///< number of looks since the foe was last seen
+    float above_ = 0;            ///< height above the foe at which a shot that flies in an arc is aimed (px)
     bool let_go_ = false;
     bool done_lessons_ = false;
     std::string result_{}, name_{}, bot_{};

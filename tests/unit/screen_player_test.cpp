@@ -18,7 +18,7 @@ namespace {
 using game::practising;
 using screen::look_period;
 
-/// A match of the session, or its practice.
+/// A match of the session, or the practice range.
 struct Play {
     std::unique_ptr<game::Simulation> own{};
     std::optional<Practice> practice{};
@@ -37,8 +37,7 @@ protected:
         session_.emplace(shared_, plan_);
     }
 
-    // Time passes in looks of the player.
-    /// Shows the screen to the player, and passes its deeds to the session.
+    // Lets one look of the player pass: shows it the screen, and passes its input to the session.
     void look(const game::Simulation* match) {
         session_->publish_screen();
         const screen::Shown shown{shared_.pictures.newest(), screen(), uses_, match, rig::window};
@@ -49,18 +48,18 @@ protected:
     void publish(Play& play, int countdown);
     void tick(Play& play);
 
-    // Events as the window reports them.
+    // Passes events to the session as the window would report them.
     void give(const screen::Hands& hands);
     void press(const std::string& control, bool down);
 
-    // Parts of the way.
+    // The parts of the test, in order.
     void pass_start_screen();
     Play begin_match();
     void count_down(Play& play);
     void play_until(Play& play, const std::function<bool()>& ends);
     void do_apprentice();
     void reach_duel();
-    /// Prints the ticks since the part before.
+    /// Prints the number of ticks that the last part took.
     void part(const std::string& name) {
         const auto took = all_ticks_ - std::exchange(told_ticks_, all_ticks_);
         std::printf("%s: %llu ticks\n", name.c_str(), static_cast<unsigned long long>(took));
@@ -102,7 +101,7 @@ void ScreenPlayer::give(const screen::Hands& hands) {
 
 // The match -------------------------------------------------------------------------------------------------
 
-/// Hands the newest picture to the renderer's place, as the simulation thread does.
+/// Publishes the newest picture as the simulation thread does.
 void ScreenPlayer::publish(Play& play, int countdown) {
     const auto before = shared_.pictures.newest();
     auto& picture = shared_.pictures.to_fill();
@@ -138,7 +137,7 @@ Play ScreenPlayer::begin_match() {
     return play;
 }
 
-/// Plays one tick as the simulation thread does, with the session's presses of the pause.
+/// Plays one tick as the simulation thread does, and handles the session's requests for a pause.
 void ScreenPlayer::tick(Play& play) {
     auto& match = play.match();
     input::InputFrame frame;
@@ -178,7 +177,7 @@ void ScreenPlayer::count_down(Play& play) {
         publish(play, static_cast<int>((end - all_ticks_ + ticks(1.0) - 1) / ticks(1.0)));
         look(&play.match());
         session_->step_match({}, now_);
-        shared_.seats[practising].hands->take();  // input before the match is dropped
+        shared_.seats[practising].hands->take();  // drops the input from before the match
     }
 }
 
@@ -190,7 +189,7 @@ void ScreenPlayer::pass_start_screen() {
     } while (!session_->step_start_screen({}, now_) && all_ticks_ < longest);
 }
 
-// The way ---------------------------------------------------------------------------------------------------
+// From the first start to a won round -----------------------------------------------------------------------
 
 /// Plays the Apprentice until the player leaves it.
 void ScreenPlayer::do_apprentice() {

@@ -10,7 +10,7 @@ namespace thaum::app::screen {
 namespace {
 
 constexpr std::uint32_t viewer = 0;
-constexpr double far_away = 60;  ///< distance to which a person looks (m)
+constexpr double far_away = 60;  ///< largest distance at which a person recognises an object (m)
 
 // Words -----------------------------------------------------------------------------------------------------
 
@@ -31,17 +31,17 @@ Part part_of(const game::HudLayout& layout, fvec2 place) {
     return std::max(std::abs(aside.x), std::abs(aside.y)) <= view.ring ? Part::crosshair : Part::other;
 }
 
-/// Whether a shape darkens the whole window, as the panel after a round does.
+/// Whether a shape darkens the whole window, as it does behind the panel after a round.
 bool covers(const render::OverlayItem& item, render::Size size) {
     const auto* veil = std::get_if<render::RectItem>(&item);
     return veil != nullptr && veil->low == fvec2(0) &&
            veil->high == fvec2(static_cast<float>(size.width), static_cast<float>(size.height));
 }
 
-/// Calls f(item) for each readable line of words. Each line lies on a dark copy of itself, which is left out.
+/// Calls f(item) for each readable line of text. The dark copy behind each line is skipped.
 template <class F>
 void each_line(const std::vector<render::OverlayItem>& items, F&& f) {
-    constexpr float readable = 0.15F;  // least opacity
+    constexpr float readable = 0.15F;  // least opacity of readable text
     const render::TextItem* before = nullptr;
     for (const auto& item : items) {
         const auto* line = std::get_if<render::TextItem>(&item);
@@ -86,16 +86,16 @@ void read_hud(const Shown& shown, Screen& out) {
 
 // The view --------------------------------------------------------------------------------------------------
 
-/// The eye of the viewer and how it draws.
+/// The viewer's eye and projection.
 struct Eye {
     const game::Simulation& match;
     ecs::Entity wizard;
     vec3 place{};
     quat turn{1, 0, 0, 0};
     fvec2 centre{};
-    double focal{};  ///< size in the window of a thing as high as it is far (px)
+    double focal{};  ///< height in the window of an object that is as high as it is far away (px)
 
-    /// Place of a point in the window; std::nullopt: outside of the view.
+    /// Position of a point in the window; std::nullopt: outside the view.
     std::optional<fvec2> drawn(vec3 point) const {
         const vec3 local = glm::conjugate(turn) * (point - place);
         if (local.z > -0.1) return {};
@@ -106,7 +106,7 @@ struct Eye {
     float height_of(vec3 point, double high) const {
         return static_cast<float>(focal * high / std::max(0.1, glm::distance(point, place)));
     }
-    /// Whether nothing hides a point; the thing itself does not.
+    /// Whether nothing hides a point. `thing`, to which the point belongs, does not count.
     bool is_clear(vec3 point, std::optional<std::uint32_t> thing) const {
         const auto hit = match.physics().ray(place, point, physics::all_layers, wizard.index);
         return !hit || (thing && hit->key == *thing) || glm::distance(hit->point, point) < 0.05;
@@ -133,7 +133,7 @@ void see(const Eye& eye, std::string_view what, vec3 point, double high, std::op
     if (at && eye.is_clear(point, thing)) out.sights.push_back({what, *at, eye.height_of(point, high)});
 }
 
-/// Sees the other wizard by its middle, or else by its head.
+/// Finds the other wizard by the middle of the body, or else by the head.
 void see_wizard(const Eye& eye, const game::PlayerPicture& other, double high, Screen& out) {
     if (other.vitals.dead) return;
     const auto thing = game::wizard_of(eye.match.world(), 1 - viewer).index;
@@ -151,13 +151,13 @@ double height_of(const game::ShapeKey& key) {
     }
 }
 
-/// Name by which a person calls a surface.
+/// The name that a person would give to a surface.
 std::string_view name_of(game::Surface surface) {
     return surface == game::Surface::bowl ? "cauldron"
                                           : game::surface_names.at(static_cast<std::size_t>(surface));
 }
 
-/// Whether a surface belongs to a thing that a person would name, and not to the ground or a wall.
+/// Whether a surface belongs to an object that a person would name, and not to the ground or a wall.
 bool is_thing(game::Surface surface) { return surface >= game::Surface::bowl; }
 
 void see_things(const Eye& eye, const Shown& shown, Screen& out) {
@@ -166,7 +166,7 @@ void see_things(const Eye& eye, const Shown& shown, Screen& out) {
     for (const auto& thing : picture.things)
         if (is_thing(thing.key.surface))
             see(eye, name_of(thing.key.surface), thing.position, height_of(thing.key), thing.entity, out);
-    const vec3 up(0, 0.3, 0);  // such things float above their place on the ground
+    const vec3 up(0, 0.3, 0);  // such objects float above their place on the ground
     for (const auto& niche : picture.niches)
         if (niche.there) see(eye, "ingredient", niche.position + up, 0.4, {}, out);
     for (const auto& one : picture.power_ups)

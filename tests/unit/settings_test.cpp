@@ -1,4 +1,4 @@
-// Tests of the settings and of the names of logs.
+// Tests of the settings file and of the names of logs.
 #include "game/settings/settings.h"
 #include "core/utf8.h"
 
@@ -147,7 +147,7 @@ TEST(Settings, EachPlayerHasATableAndOldFilesHaveTheValuesAtTheTop) {
                                              .sensitivity = 3,
                                              .force = 0,
                                              .prompts = game::PromptWish::never}));
-    // A change of one player's value leaves the value at the top for the other one.
+    // After a change of one player's value, the common value above still applies to the other player.
     auto wanted = *s;
     wanted.players[1].sensitivity = 1;
     const std::string old = "version = 1\nsensitivity = 2\n";
@@ -209,8 +209,8 @@ TEST(Settings, ANameHasUpToSixteenCharactersThatCanBeShown) {
         "settings.toml:3: 'name': character 2 cannot be shown; use Latin, Greek or Cyrillic letters, digits "
         "and "
         "signs";
-    // Control characters, Hebrew, Arabic, a mark that joins a letter, writing from right to left, an emoji, no
-    // width, and a soft hyphen.
+    // Control characters, Hebrew, Arabic, a combining mark, a mark for writing from right to left, an emoji,
+    // a character without width, and a soft hyphen.
     for (const auto* bad : {"a\\u0000", "a\\u0007", "a\\n", "a\\u007F", "aא", "aش", "a\\u0301", "a\\u202E",
                             "a😀", "a\\u200B", "a\\u00AD"})
         EXPECT_EQ(refusal(name_line(bad)), odd) << bad;
@@ -369,8 +369,8 @@ TEST(SettingsWriter, ALinkStaysALink) {
     EXPECT_TRUE(load_settings(folder / "real.toml", assets)->players[1].invert_y);
 }
 
-/// Bytes of the documented file are removed, doubled or changed. The editor must refuse the result, or
-/// change exactly what was requested.
+/// Bytes of the documented file are removed, doubled or changed. The editor must refuse the result, or change
+/// exactly what was requested.
 TEST(SettingsWriter, SpoiltFilesAreRefusedOrChangedAsAsked) {
     const auto good = documented();
     const auto wanted = all_different();
@@ -466,7 +466,7 @@ void touch(const std::filesystem::path& path) { std::ofstream(path) << "x"; }
 TEST(MatchLogs, NamesAreNumberedAndOnlyTheOldestOfThemAreDeleted) {
     const auto folder = fresh_folder("matches");
     std::filesystem::create_directories(folder);
-    // Names of an earlier version have no number and count as older than all numbered ones.
+    // File names of an earlier version contain no number; they count as older than all numbered ones.
     for (int i = 10; i < 20; ++i) touch(folder / text("2001-01-", i, "_00-00-00_01.thaumlog"));
     for (const auto* other : {"mine.thaumlog", "000001_mine.thaumlog", "000001_2001-01-10_00-00-00.txt"})
         touch(folder / other);
@@ -481,7 +481,7 @@ TEST(MatchLogs, NamesAreNumberedAndOnlyTheOldestOfThemAreDeleted) {
     EXPECT_TRUE(second.filename().string().starts_with("000002_")) << second;
 }
 
-/// The logs of the latest matches stay, whatever years the clock and the file system show.
+/// The logs of the latest matches are kept, whatever dates the clock and the file system show.
 TEST(MatchLogs, AWrongClockDeletesNoNewerLog) {
     const auto folder = fresh_folder("matches_of_wrong_clocks");
     std::filesystem::create_directories(folder);
@@ -563,7 +563,7 @@ TEST(MatchLogs, RematchesAreCountedAfterTheirMatchAndALogInUseStays) {
     std::ofstream(name("01-x")) << "x";
     EXPECT_TRUE(input::log_in_use(name("01")));
     EXPECT_FALSE(input::log_in_use(name("02")));
-    ASSERT_TRUE(new_match_log(folder, 3));  // two of the four logs may stay
+    ASSERT_TRUE(new_match_log(folder, 3));  // two of the four logs may be kept
     EXPECT_TRUE(std::filesystem::exists(name("01"))) << "the oldest, but in use";
     EXPECT_FALSE(std::filesystem::exists(name("01-2")));
     EXPECT_TRUE(std::filesystem::exists(name("01-10")));

@@ -1,4 +1,5 @@
-// Tests of pictures of a replay: they show what players hear and feel, as the live view does.
+// Tests of pictures taken from a replay: they show captions of what players hear and feel, as the live view
+// does.
 #include "game/app/shots.h"
 
 #include "core/file.h"
@@ -10,7 +11,8 @@
 namespace thaum::app {
 namespace {
 
-/// Number of pixels that differ within a part of two pictures of equal size (shares of width and height).
+/// Number of pixels that differ within a part of two pictures of equal size. The part is given in shares of
+/// width and height.
 std::size_t differing(const render::Image& a, const render::Image& b, fvec2 low, fvec2 high) {
     std::size_t count = 0;
     const auto pixel = [](float share, int size) {

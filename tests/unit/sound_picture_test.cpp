@@ -1,4 +1,5 @@
-// Pictures of sounds: a tone is a bright line at its frequency, a wave as high as its samples.
+// Tests of pictures of sounds: a tone appears as a bright line at its frequency, and the waveform is as high
+// as the samples.
 #include "game/app/sound_picture.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ int light_at(const render::Image& image, int x, int y) {
     return image.rgb[at] + image.rgb[at + 1] + image.rgb[at + 2];
 }
 
-/// Row of the brightest pixel of the column x within [from, to).
+/// Row of the brightest pixel in column x, among the rows [from, to).
 int brightest(const render::Image& image, int x, int from, int to) {
     int best = from;
     for (int y = from; y < to; ++y)
@@ -34,7 +35,7 @@ int brightest(const render::Image& image, int x, int from, int to) {
     return best;
 }
 
-/// Number of blue rows of the waveform in the column x.
+/// Number of blue rows of the waveform in column x.
 int wave_height(const render::Image& image, int x) {
     int rows = 0;
     for (int y = 54; y < 174; ++y) {
@@ -51,7 +52,7 @@ TEST(SoundPicture, ToneIsALineAtItsFrequency) {
         const double share =
             std::log(hz / audio::lowest_row_hz) / std::log(audio::highest_row_hz / audio::lowest_row_hz);
         const int wanted = 184 + static_cast<int>((1 - share) * 244);
-        // A line of the transform is 23 Hz wide: eight rows at 200 Hz.
+        // A line of the Fourier transform is 23 Hz wide, which is eight rows at 200 Hz.
         EXPECT_NEAR(brightest(image, 320, 184, 428), wanted, hz < 500 ? 8 : 2) << hz;
         EXPECT_LT(light_at(image, 320, wanted < 300 ? 420 : 190), 100);
     }
@@ -72,7 +73,7 @@ TEST(SoundPicture, SheetHasAPlaceForEachSound) {
     EXPECT_EQ(high.height - 8, 2 * (low.height - 8));
     EXPECT_EQ(high.rgb.size(),
               static_cast<std::size_t>(high.width) * static_cast<std::size_t>(high.height) * 3);
-    // The twelfth sound is the third of the second row; no other follows.
+    // The twelfth sound is the third one of the second row; no other follows.
     const auto column = [&](int n) { return 8 + n * 158 + 75; };
     const int row = 8 + 176;
     EXPECT_GT(light_at(high, column(2), brightest(high, column(2), row + 62, row + 168)), 500);

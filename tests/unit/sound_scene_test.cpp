@@ -1,5 +1,5 @@
-// Tests of what is heard of a match: frames of sound from a duel of bots and from scripted scenes, and the words for
-// people who do not hear them.
+// Tests of the sounds of a match: frames of sound from a duel of bots and from scripted scenes, and captions
+// for people who do not hear them.
 #include "game/senses/sound/sound_scene.h"
 
 #include <map>
@@ -35,7 +35,7 @@ std::uint32_t number_of(std::string_view name) { return bank().find(name).value(
 
 constexpr std::array<std::uint32_t, 2> both{0, 1};
 
-/// A match with its sounds.
+/// A match and its sounds.
 struct Listening {
     explicit Listening(Simulation& simulation) : match(simulation), scene(sounds_of(simulation.data())) {}
 
@@ -49,14 +49,15 @@ struct Listening {
     Simulation& match;
     SoundScene scene;
     AudioFrame frame{};
-    std::map<std::string, int> begun{}, lasted{};  ///< number of voices, and of frames with a lasting voice
+    /// By name of sound: number of voices that began, and number of frames with a lasting voice.
+    std::map<std::string, int> begun{}, lasted{};
 };
 
 /// A match in which the test moves the wizards.
 struct SoundRig {
     SoundRig() : match(duel_data(), two_hands()), heard(match) { heard.take(); }
 
-    /// Plays `count` ticks with the first player's device as it is.
+    /// Plays `count` ticks with the current input of the first player.
     void play(Tick count) {
         for (Tick t = 0; t < count; ++t) {
             input::InputFrame frame;
@@ -74,7 +75,7 @@ struct SoundRig {
 
 // ---- a match of bots --------------------------------------------------------------------------------------
 
-/// Hash of all that a frame says.
+/// Hash of everything in a frame, combined with `before`.
 std::uint64_t hash_of(const AudioFrame& frame, std::uint64_t before) {
     const auto add = [&](const auto& value) { before = hash_value(value, before); };
     for (const auto* list : {&frame.begins, &frame.lasts}) {
@@ -142,7 +143,7 @@ TEST(SoundScene, ADuelIsHeardWhole) {
     EXPECT_GT(played.lasted.at("music_pulse"), 1000) << "the score follows the fight";
 }
 
-// ---- rows and words ---------------------------------------------------------------------------------------
+// ---- rows of events and their captions --------------------------------------------------------------------
 
 TEST(SoundScene, EveryEventThatPeopleAreToldOfHasASoundWithWords) {
     const auto data = duel_data();
@@ -236,7 +237,7 @@ ecs::Entity barrel_of(const Simulation& match) {
     return barrel;
 }
 
-/// Drops the barrel from 2 m above a place. Returns the voices of its blows.
+/// Drops the barrel from 2 m above a place. Returns the voices of its impacts.
 std::vector<Voice> drop_at(SoundRig& rig, ecs::Entity barrel, vec3 place) {
     auto body = rig.match.physics().state(barrel.index);
     body = {.position = place + vec3(0, 2, 0)};
@@ -264,7 +265,7 @@ TEST(SoundScene, ADroppedThingIsHeardWhereItLandsAndOnce) {
     EXPECT_GT(blows[0].gain, 0.5) << "6 m/s";
 }
 
-/// A place on the floor that a wall hides, or does not hide, from an ear.
+/// A place on the floor that a wall hides from an ear, or one that no wall hides.
 std::optional<vec3> place_on_floor(const Simulation& match, vec3 ear, bool hidden) {
     for (double x = -14; x <= 14; x += 1) {
         for (double z = -14; z <= 14; z += 1) {
@@ -311,7 +312,7 @@ TEST(SoundScene, TheHeartIsHeardByItsOwnerOnlyAndFasterWithLessHealth) {
     EXPECT_NEAR(fast, 5 * 2.3, 1.5);
 }
 
-/// The lasting voice of a sound in the newest frame; null: it is not heard.
+/// The lasting voice of a sound in the newest frame; null: the sound is not heard.
 const Voice* lasting_voice(const AudioFrame& frame, std::string_view name) {
     for (const auto& voice : frame.lasts)
         if (voice.sound == number_of(name)) return &voice;
@@ -420,7 +421,7 @@ TEST(SoundScene, APauseAndAJumpOfTheClockBeginNothing) {
     rig.play(ticks(1));
     EXPECT_EQ(rig.heard.begun, before);
     rig.match.world_to_change().single<Match>().paused = 0;
-    // Two seconds that nobody follows:
+    // Two seconds whose sounds are not followed.
     for (Tick t = 0; t < ticks(2); ++t) {
         input::InputFrame frame;
         frame.devices[0] = rig.device;
@@ -432,7 +433,7 @@ TEST(SoundScene, APauseAndAJumpOfTheClockBeginNothing) {
 
 // ---- the mixer ----------------------------------------------------------------------------------------------
 
-/// Samples that one speaker plays of a sound that begins, or lasts, two metres ahead.
+/// Samples that one speaker plays of a sound that begins, or lasts, two metres ahead of the listener.
 std::vector<float> played_by(audio::Mixer& mixer, std::uint32_t sound) {
     const auto& kind = bank().sounds[sound];
     audio::AudioFrame frame;
@@ -473,7 +474,7 @@ TEST(SoundLoopback, EachSoundComesOutOfTheMixerAsItself) {
     EXPECT_LE(wrong, known.size() / 20);
 }
 
-// ---- words ------------------------------------------------------------------------------------------------
+// ---- captions ---------------------------------------------------------------------------------------------
 
 TEST(Heard, TheSideIsThatOfTheListener) {
     const audio::Listener ears{.position = {1, 2, 3}, .forward = {1, 0, 0}, .up = {0, 1, 0}};

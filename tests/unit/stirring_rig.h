@@ -1,4 +1,4 @@
-// A hand on a device of numbers that stirs a fluid of the test's own making.
+// A simulated hand and device that stir a fluid which the test defines.
 #pragma once
 #include "haptics/servo.h"
 #include "haptics/simulated.h"
@@ -8,7 +8,7 @@ namespace thaum::haptics {
 
 using bench::uniform_flow;
 
-/// Nothing of its own: no friction, no damping, no hand.
+/// A device without friction, damping or hand.
 inline DeviceSpec bare_device(double mass = 0.1) {
     DeviceSpec spec;
     spec.peak_force = 1000;
@@ -33,7 +33,7 @@ inline FluidTouch some_fluid() {
     return touch;
 }
 
-/// A tip that the test or the device moves; one tick each.
+/// A tip that the test or the device moves, one tick at a time.
 struct StirringRig {
     DeviceSpec spec = bare_device();
     SimulatedDevice device = simulated_device(spec, no_hand);
@@ -52,13 +52,13 @@ struct StirringRig {
 
     FluidTouch& fluid() { return model.fluid; }
     vec3 feel_at(vec3 position) { return servo_step(servo, state, model, {position, model_age}); }
-    /// The device goes on by what it is told. Returns that.
+    /// The device moves by the force of the servo. Returns that force.
     vec3 tick() {
         const vec3 force = feel_at(tip.position);
         tip = step(device, tip, {}, force);
         return force;
     }
-    /// The last force of a tip that has come along evenly, and is at `to` now.
+    /// The force of the last tick on a tip that has moved evenly and is now at `to`.
     vec3 feel_moving(vec3 to, vec3 velocity) {
         vec3 force{};
         for (int back = 20; back >= 0; --back) force = feel_at(to - velocity * (back * tick_seconds));

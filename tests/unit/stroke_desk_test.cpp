@@ -1,4 +1,5 @@
-// The window of `thaum gesture record` counts strokes that a match would read, and says what is wrong with others.
+// Tests of the window of `thaum gesture record`: it counts strokes that a match would recognise, and says
+// what is wrong with others.
 #include <gtest/gtest.h>
 
 #include "game/app/gesture/stroke_window.h"
@@ -6,7 +7,7 @@
 namespace thaum::app {
 namespace {
 
-/// Feeds a straight stroke, and the release of the button.
+/// Feeds a straight stroke to the window, then the release of the button.
 void draw(StrokeDesk& desk, double metres, double lasts, double tremor = 0) {
     static double t = 0;
     const int points = static_cast<int>(1000 * lasts);

@@ -15,7 +15,7 @@ Clip random_clip(Random& random, std::size_t frames) {
     Clip clip{"a clip \"with\" \xc3\xa9", {}};
     clip.frames.resize(frames);
     for (auto& frame : clip.frames) {
-        if (random.below(3) == 0) continue;  // silence in between
+        if (random.below(3) == 0) continue;  // leaves some frames silent
         for (auto& s : frame.strength)
             s = random.below(2) == 0 ? 0 : static_cast<std::uint8_t>(random.below(101));
     }
@@ -187,9 +187,10 @@ TEST(TactClip, PlaysOnEveryLayoutAndExactlyOnAJacket) {
             if (!frame.is_silent()) lit.push_back(frame.tick);
             EXPECT_LE(energy_of(frame), 1.5);
             if (name != std::string("x40") || f != 60) continue;
-            // Below the limit of the sum: each motor has the strength of its cell.
+            // The sum is below its limit, so each motor has the strength of its cell.
             for (std::size_t i = 0; i < 40; ++i) {
-                const int strength = std::max(clip[23].strength[i], clip[24].strength[i]);  // 472 to 480 ms
+                // A frame of the motor's signal, from 472 to 480 ms, lies in two frames of the clip.
+                const int strength = std::max(clip[23].strength[i], clip[24].strength[i]);
                 EXPECT_NEAR(frame.amplitude[i], 0.9 * strength / 100, 1e-6) << i;
             }
         }

@@ -22,7 +22,7 @@ std::span<const std::uint8_t> cells_of(const ClipFrame& frame, std::size_t first
     return std::span(frame.strength).subspan(first_cell, clip_side);
 }
 
-/// One side of the vest: a step for each run of equal frames.
+/// Tracks for one side of the vest, with a step for each run of equal frames.
 Json dot_mode(const Clip& clip, std::size_t first_cell) {
     auto steps = Json::array();
     for (std::size_t from = 0; from < clip.frames.size();) {

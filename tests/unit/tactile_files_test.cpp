@@ -16,7 +16,7 @@ std::string shipped(const std::string& path) {
     return content ? *content : "";
 }
 
-/// Error of a file after the line that starts with `key` is replaced; empty: it was read.
+/// Error of a file after replacing the line that starts with `key`; empty: the file was accepted.
 std::string fault_of(const std::string& path, const std::string& key, const std::string& line) {
     auto toml = shipped(path);
     const auto at = toml.find("\n" + key) + 1;
@@ -172,7 +172,7 @@ TEST(TactileEffects, FaultsNameFileAndKey) {
     EXPECT_EQ(faulty->faulty[0].fault.message.find(rain.string() + ":"), 0U);
 }
 
-/// Message on the only faulty effect of a folder.
+/// Message about the only faulty effect of a folder.
 std::string fault_in(const std::filesystem::path& folder) {
     const auto bank = load_effects(folder);
     return bank && bank->faulty.size() == 1 ? bank->faulty[0].fault.message : "";

@@ -1,4 +1,4 @@
-// The mixer's rules: sums, limits, gaps, merging, priorities, faders, time to live.
+// Tests of the tactile mixer's rules: sums, limits, gaps, merging, priorities, faders, time to live.
 #include <cmath>
 
 #include "unit/tactile_rig.h"
@@ -6,7 +6,7 @@
 namespace thaum::tactile {
 namespace {
 
-/// One actuator for each place, far from the others.
+/// A layout with one actuator at each place, far from the others.
 Layout apart(std::size_t count) {
     std::vector<Actuator> actuators;
     for (std::size_t i = 0; i < count; ++i)
@@ -117,7 +117,7 @@ TEST(TactileMixerTest, AnEventAfterAShortOneWaitsUntilTheGapIsOver) {
     std::vector<Tick> felt;
     for (int f = 0; f < 20; ++f) {
         if (f == 2) rig.start("a", Where::own());
-        if (f == 3) rig.start("a", Where::own());  // merged with the one that waits
+        if (f == 3) rig.start("a", Where::own());  // this one is merged with the one that waits
         const auto& frame = rig.frame();
         if (frame.amplitude[0] > 0) felt.push_back(frame.tick - 1000);
     }
@@ -164,11 +164,12 @@ TEST(TactileMixerTest, ASecondWaveAtACellWaitsUntilItsGapIsOverAndIsFeltInFull) 
     wave.speed = 1;
     wave.reach = 10;
     TactileRig rig(apart(11), bank_of({wave}));
-    rig.start("wave", Where::on(at(rig, 0)), 0.2);  // reaches the middle, 150 mm away, after 150 ms
+    rig.start("wave", Where::on(at(rig, 0)), 0.2);  // the wave reaches the middle, 150 mm away, after 150 ms
     std::vector<Tick> felt;
     float greatest = 0;
     for (int f = 0; f < 50; ++f) {
-        if (f == 3) rig.start("wave", Where::on(at(rig, 10)), 0.6);  // from the other side, after 174 ms
+        // This wave comes from the other side, and arrives after 174 ms.
+        if (f == 3) rig.start("wave", Where::on(at(rig, 10)), 0.6);
         const auto& frame = rig.frame();
         if (frame.amplitude[5] == 0) continue;
         felt.push_back(frame.tick - 1000);
@@ -284,7 +285,7 @@ TEST(TactileMixerTest, StopSilencesAtOnce) {
     EXPECT_FALSE(rig.frame().is_silent());
     rig.mixer->stop();
     EXPECT_TRUE(rig.frame().is_silent());
-    rig.now = 8;  // a replay jumps back
+    rig.now = 8;  // time jumps back, as in a replay
     rig.start("blast_hit", Where::from({0, 0, 1}));
     EXPECT_FALSE(rig.frame().is_silent());
 }

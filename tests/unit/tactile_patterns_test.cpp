@@ -7,11 +7,13 @@ namespace thaum::tactile {
 namespace {
 
 vec3 direction(int sixteenth) {
-    const double angle = 2 * pi * sixteenth / 16;  // from the front to the right
+    // Angle of the hit's direction, from the front to the right.
+    const double angle = 2 * pi * sixteenth / 16;
     return {std::sin(angle), 0, std::cos(angle)};
 }
 
-/// Expects the peaks of a hit from a direction: the nearest cell most, and nothing on the far side.
+/// Expects the peaks that a hit from this direction must cause: the largest in the nearest cell, and none on
+/// the far side.
 void expect_hit(const TactileRig& rig, const std::vector<double>& peaks, vec3 from, const std::string& what) {
     const vec3 at = rig.layout.torso.facing(from, 1.15);
     double nearest = 1e9, strongest = 0;
@@ -38,7 +40,7 @@ TEST(TactileDirection, SixteenHitsAreFeltOnTheirSideOnly) {
             for (int d = 0; d < 16; ++d) {
                 TactileRig rig(name);
                 rig.start(effect, Where::from(direction(d)));
-                // The wave of a blast is judged where it begins.
+                // The wave of a blast is checked only where it begins.
                 const auto peaks = rig.peaks(effect == std::string("blast_hit") ? 6 : 10);
                 expect_hit(rig, peaks, direction(d),
                            std::string(name) + ", " + effect + " from " + std::to_string(d));
@@ -53,7 +55,7 @@ TEST(TactileDirection, TheHeightOfAHitIsFelt) {
     auto peaks = rig.peaks(10);
     EXPECT_GT(peaks[1], 0.1);
     EXPECT_EQ(peaks[17], 0);
-    rig.start("bolt_hit", Where::from({0, 0, 1}, 0.5));  // below the jacket: the lowest row
+    rig.start("bolt_hit", Where::from({0, 0, 1}, 0.5));  // below the jacket, so the lowest row feels it
     peaks = rig.peaks(10);
     EXPECT_GT(peaks[17], 0.1);
     EXPECT_EQ(peaks[1], 0);

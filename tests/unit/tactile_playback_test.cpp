@@ -1,4 +1,5 @@
-// The way of frames to an output, by a clock that the test moves, and the thread around it. No test waits for a time.
+// Tests of how frames reach an output, with a clock that the test sets, and of the thread around this. No
+// test waits for a fixed time.
 #include "input/tactile_playback.h"
 
 #include <gtest/gtest.h>
@@ -16,14 +17,14 @@ using namespace rig;
 
 constexpr double milli = 1e-3;  ///< one millisecond (s)
 
-/// A playback with one output that is open at the time 1 s.
+/// A playback with one output, which was opened at the time 1 s.
 class TactilePlaybackTest : public testing::Test {
 protected:
     TactilePlaybackTest() {
         playback_.use(std::make_unique<FakeOutput>(felt_));
         playback_.step(now_s_);
     }
-    /// Lets time pass, with a step every 4 ms.
+    /// Lets time pass, with a step of the playback every 4 ms.
     void pass(double s) {
         for (const double until = now_s_ + s - 1e-9; now_s_ < until;) playback_.step(now_s_ += 4 * milli);
     }
@@ -58,7 +59,7 @@ TEST_F(TactilePlaybackTest, AnOutputWithoutANewerFrameIsSilentAfterTheTimeToLive
         EXPECT_GE(on_s, static_cast<double>(life) * milli - 8 * milli);
     }
     EXPECT_EQ(playback_.report().times_silenced, 3);
-    // It stays silent, and is told so once.
+    // The output stays silent, and is silenced only once.
     pass(1);
     EXPECT_EQ(felt_->silenced, 3);
 }
@@ -97,7 +98,7 @@ TEST_F(TactilePlaybackTest, WaitingFramesAreMergedAndNoBlowIsLost) {
     EXPECT_EQ(newest().amplitude[1], 0.3F);
     EXPECT_EQ(newest().carrier_hz[0], 100) << "the newest carrier";
     EXPECT_EQ(playback_.report().frames_merged, 2);
-    // The next frame stands alone.
+    // The next frame is not merged with earlier ones.
     playback_.feel(frame_of(0.2F, 0.1F));
     pass(4 * milli);
     EXPECT_EQ(newest().amplitude[0], 0.2F);
@@ -178,7 +179,7 @@ TEST_F(TactilePlaybackTest, ALostOutputIsOpenedAgainAndPlays) {
     EXPECT_EQ(report.frames_lost, 101);
 }
 
-/// Looks at its playback while it plays the first frame.
+/// An output that checks its playback while it plays the first frame.
 class LookingOutput final : public FakeOutput {
 public:
     LookingOutput(const TactilePlayback& playback, std::uint64_t& times_opened)
@@ -252,7 +253,7 @@ TEST(TactilePlayerThreads, PlaysAndLeavesTheOutputClosed) {
         player.use(std::make_unique<FakeOutput>(felt));
         felt->wait([&] { return felt->opened == 1; });
         for (std::size_t i = 1; i <= 5; ++i) {
-            // A busy machine may take a frame too late. Then another follows.
+            // On a busy machine a frame may be late and dropped. Then another one is sent.
             for (bool taken = false; !taken;) {
                 player.feel(frame_of(1, 0, 500));
                 std::this_thread::yield();
@@ -286,10 +287,10 @@ TEST(TactilePlayerThreads, ABlockedOutputDoesNotHoldTheEndUp) {
                 felt->with([&] { felt->hangs = true; });
             }
             while (!felt->with([&] { return felt->in_hang; })) player.feel(frame_of(1, 0, 500));
-            // The simulation thread never waits either: the queue is full in the end.
+            // The simulation thread does not wait either: the queue fills up instead.
             while (player.feel(frame_of(1, 0))) {}
         }
-        // The thread ends when the call returns, without a further one.
+        // The thread ends when the hanging call returns, without another call.
         const auto opened = felt->with([&] { return felt->opened; });
         felt->with([&] { felt->hangs = false; });
         felt->wait([&] { return felt->frames.size() == 1 || felt->opened > opened; });

@@ -1,4 +1,4 @@
-// unit/tactile_rig.h: the shipped layouts and effects, and small helpers of the tactile tests.
+// unit/tactile_rig.h: the shipped layouts and effects, and small helpers for the tests of tactile output.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ inline EffectBank shipped_effects() {
     return bank ? *bank : EffectBank{};
 }
 
-/// An effect about one place, of full strength: attack, hold, decay (ms).
+/// An effect of full strength about one place. The envelope has attack, hold and decay (ms).
 inline Effect plain_effect(std::string name, Envelope envelope) {
     Effect effect;
     effect.name = std::move(name);

@@ -35,7 +35,7 @@ MatchEffects effects_of(const MatchData& data) {
     return effects;
 }
 
-/// A match whose first player is struck by events that the test records.
+/// A match in which the test triggers events that strike the first player.
 struct BodyRig {
     BodyRig()
         : match(duel_data(), two_hands()),
@@ -53,7 +53,7 @@ struct BodyRig {
     }
     vec3 middle() const { return match.world().get<Motion>(wizard_of(match.world(), 0)).position; }
     void turn(double yaw) { match.world_to_change().get<Gaze>(wizard_of(match.world(), 0)).yaw = yaw; }
-    /// A hit from a place by nobody.
+    /// Records a hit on the first player that comes from a place but from no player.
     void strike(std::string_view kind, vec3 from, double amount = 30) {
         record(match.context_to_change(), {.tick = match.match().played,
                                            .kind = *event_kind(kind),
@@ -68,14 +68,15 @@ struct BodyRig {
     TactileScene scene;
 };
 
-/// Sum of amplitudes squared.
+/// Sum of the squared amplitudes.
 double energy(const TactileFrame& frame) {
     double sum = 0;
     for (std::size_t i = 0; i < frame.count; ++i) sum += frame.amplitude.at(i) * frame.amplitude.at(i);
     return sum;
 }
 
-/// Mean direction of what is felt (body frame: x right, z front), weighted by amplitude squared.
+/// Mean direction of what is felt (body frame: x to the right, z to the front), weighted by squared
+/// amplitude.
 vec2 felt_side(const TactileFrame& frame) {
     vec2 sum{};
     for (std::size_t i = 0; i < frame.count; ++i) {
@@ -87,7 +88,8 @@ vec2 felt_side(const TactileFrame& frame) {
 
 TEST(TactileScene, AHitIsFeltOnItsSideFromSixteenDirectionsAndNotOnTheFarOne) {
     for (int i = 0; i < 16; ++i) {
-        const double angle = i * 2 * pi / 16;  // from straight ahead, to the right
+        // Angle of the hit's direction, from straight ahead to the right.
+        const double angle = i * 2 * pi / 16;
         BodyRig rig;
         const double yaw = 0.7;
         rig.turn(yaw);
@@ -147,8 +149,8 @@ TEST(TactileScene, ABlastSpreadsOverTheBody) {
     EXPECT_GT(later, 6U) << "cells that feel it more than 40 ms later";
 }
 
-/// Largest amplitude at each actuator of a suit with sleeves after a blast from the right, with the gaze at a pitch
-/// (rad).
+/// Largest amplitude at each actuator of the jacket with sleeves after a blast from the right, while the
+/// player looks up by `pitch` (rad).
 std::vector<float> blast_on_sleeves(double pitch) {
     const auto sleeves = tactile::load_layout(assets() / "tactile/layouts/sleeves.toml").value();
     BodyRig rig;
@@ -166,13 +168,13 @@ std::vector<float> blast_on_sleeves(double pitch) {
 }
 
 TEST(TactileScene, ABlastFromTheSideHitsAHangingWandArmAndPassesARaisedOne) {
-    // Numbers of actuators of sleeves.toml.
+    // Indices of actuators in sleeves.toml.
     constexpr std::size_t left_elbow = 13, right_elbow = 18;
     const auto hanging = blast_on_sleeves(-pi / 2), raised = blast_on_sleeves(0);
     EXPECT_GT(hanging[right_elbow], 0.3F);
     EXPECT_EQ(raised[right_elbow], 0) << "the elbow is 0.3 m ahead of the shoulder";
     EXPECT_EQ(hanging[left_elbow], raised[left_elbow]) << "the other arm does not move";
-    // The cells at the side of the torso feel it as before.
+    // The cells at the side of the torso feel the blast as before.
     constexpr std::size_t front_right = 3;
     EXPECT_GT(raised[front_right], 0.2F);
     EXPECT_NEAR(hanging[front_right], raised[front_right], 1e-3);

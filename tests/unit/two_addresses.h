@@ -1,11 +1,12 @@
-// unit/two_addresses.h: a host name "two-addresses" with ::1 first and then 127.0.0.1, as localhost has on most machines.
+// unit/two_addresses.h: makes the host name "two-addresses" resolve to ::1 and then 127.0.0.1, as localhost
+// does on most machines.
 #pragma once
 #include <dlfcn.h>
 #include <netdb.h>
 
 #include <cstring>
 
-/// Stands in for the system's function in the whole test program, and asks that one.
+/// Replaces the system's function in the whole test program; passes other names on to it.
 extern "C" inline __attribute__((used, visibility("default"))) int getaddrinfo(const char* host,
                                                                                const char* service,
                                                                                const addrinfo* wanted,

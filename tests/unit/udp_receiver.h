@@ -33,7 +33,7 @@ public:
     UdpReceiver(const UdpReceiver&) = delete;
     UdpReceiver& operator=(const UdpReceiver&) = delete;
 
-    /// 0: the port is taken.
+    /// Port of the receiver; 0: the wanted port was in use.
     std::uint16_t port() const { return port_; }
     /// The next message; std::nullopt if none comes within the time.
     std::optional<std::string> next(int wait_ms = patience_ms) {
@@ -50,7 +50,7 @@ public:
     }
     /// Port from which the last message came.
     std::uint16_t sender_port() const { return sender_port_; }
-    /// Waits for a message. Returns false if it does not come in time.
+    /// Waits until this message comes. Returns false if it does not come in time.
     bool gets(const std::string& wanted) {
         for (int i = 0; i < 10'000; ++i) {
             const auto message = next();
@@ -59,7 +59,7 @@ public:
         }
         return false;
     }
-    /// Number of messages up to a certain one, which is not counted.
+    /// Number of messages received before a certain one.
     int count_until(const std::string& last) {
         int count = 0;
         for (auto message = next(); message && *message != last; message = next()) ++count;

@@ -38,20 +38,20 @@ protected:
         return in_folder(name);
     }
 
-    /// Reads an NRRD file with these lines between the magic and the data.
+    /// Reads an NRRD file with these lines between its first line and the data.
     Expected<Volume> read(std::string_view lines, std::string_view data,
                           std::size_t limit = most_samples) const {
         return read_nrrd(put("v.nrrd", text("NRRD0004\n", lines, "\n\n", data)), {.limit = limit});
     }
 
-    /// Reads 2 x 3 x 4 samples 0 to 23 of int16 with more fields.
+    /// Reads 2 x 3 x 4 samples of int16 with the values 0 to 23, with additional header fields.
     Volume read_short(std::string_view more) const {
         return read(text("type: short\ndimension: 3\nsizes: 2 3 4\nendian: little\nencoding: raw\n", more),
                     shorts(24))
             .value();
     }
 
-    /// Expects a refusal of one line that begins with the path and contains `what`.
+    /// Expects an error of one line that begins with the path and contains `what`.
     void expect_refused(const Expected<Volume>& volume, std::string_view what) const {
         ASSERT_FALSE(volume) << what;
         const std::string& message = volume.error().message;

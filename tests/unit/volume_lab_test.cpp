@@ -1,4 +1,4 @@
-// The volume lab without a window: what a hand feels, carves, takes back and saves.
+// Tests of the volume lab without a window: what a hand feels, carves, undoes and saves.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -57,7 +57,7 @@ std::size_t tool_named(const VolumeLab& lab, std::string_view name) {
     return static_cast<std::size_t>(at - lab.data.tools.begin());
 }
 
-/// Radius of the made ball as it lies in the lab (m).
+/// Radius of the generated ball as it is placed in the lab (m).
 double ball_radius(const VolumeLab& lab) { return 0.4 * field::made_extent * lab.placement.scale; }
 
 TEST(VolumeLab, AnotherDeviceKeepsTheCarvedBody) {
@@ -75,7 +75,7 @@ TEST(VolumeLab, AnotherDeviceKeepsTheCarvedBody) {
     EXPECT_EQ(lab.tick, tick);
     EXPECT_NEAR(lab.placement.scale, scale * 0.08 / 0.24, 1e-9);
     EXPECT_NEAR(lab.settings.modes[0].settings.reach, reach * 0.08 / 0.24, 1e-9);
-    // The ball is felt where it lies in the smaller workspace, and what was carved comes back by undo.
+    // The ball is felt at its place in the smaller workspace, and undo restores what was carved.
     EXPECT_LT(glm::length(move(lab, {-1.3 * ball_radius(lab), 0, 0}, 200, 50).force), 0.01);
     EXPECT_GT(glm::length(move(lab, {-0.9 * ball_radius(lab), 0, 0}, 200, 200).force), 0.1);
     step_volume_lab(lab, {.target = lab.hand.target, .history = -1});
@@ -306,7 +306,7 @@ TEST(VolumeLab, AnUneditedBodyKeepsItsTypeInFiles) {
 
 TEST(VolumeLab, ASurfaceBeginsWhereBodyAndAirPart) {
     auto volume = *field::make_volume("sphere", 16, 1);
-    volume.samples[0] = 3000;  // a filling of metal
+    volume.samples[0] = 3000;  // one sample is as dense as a metal filling
     auto lab = lab_of(volume);
     EXPECT_NEAR(lab_mode(lab, "isosurface")->settings.level, 127.5, 20) << "the middle of the range is 1500";
     ASSERT_TRUE(add_volume_beside(lab, volume));
@@ -330,13 +330,13 @@ TEST(VolumeLab, ShorterServoStepsFeelTheSameWallAndBuzzLessOnAStiffOne) {
         lab.tips.fill(lab.hand.position);
         const auto figures = move(lab, {0, r - 0.004, 0}, 300, 700);
         EXPECT_NEAR(figures.proxy.y, r, 0.03 * r) << steps;
-        // The wall's spring and the hand's share the way: 0.004 m.
+        // The spring of the wall and that of the hand share the displacement: 0.004 m.
         const double k = lab.model.coupling.stiffness, hand = lab.device.stiffness;
         EXPECT_NEAR(figures.force.y, 0.004 * k * hand / (k + hand), 0.15 * figures.force.y) << steps;
         EXPECT_LT(glm::length(lab.hand.velocity), 2e-3) << steps;
     }
-    // Far beyond the stiffness that the device renders, the hand buzzes on the wall, the less the shorter the steps are.
-    // The limits of stable stiffness are rows of the bench (servo_rate).
+    // With a stiffness far above what the device can render, the hand vibrates on the wall; shorter steps
+    // reduce the vibration. The limits of stable stiffness are rows of the bench (servo_rate).
     const auto fastest = [](int steps) {
         auto lab = made("sphere");
         choose(lab, "isosurface", 1e3, 127.5);
@@ -369,7 +369,8 @@ TEST(VolumeLab, AVolumeIsFeltAndSoIsOneBesideItWhereverTheyLie) {
         settings.modes.push_back(mode);
     }
     const double r = ball_radius(lab);
-    // Two balls of half the size that overlap: each is felt on its own side, and both hold in the groove between them.
+    // Two overlapping balls of half the size. Each is felt on its own side, and both hold the hand in the
+    // groove between them.
     settings.places = {{.origin = {-0.3 * r, 0, 0}, .scale = 0.5},
                        {.origin = {0.3 * r, 0, 0}, .yaw = 1, .scale = 0.5}};
     const auto set = change_volume_lab(lab, settings);
@@ -403,7 +404,7 @@ TEST(VolumeLab, APlaceMovesFeelAndValueTogether) {
     EXPECT_FALSE(change_volume_lab(lab, {{}, {}, {}, {{.origin = {0, std::nan(""), 0}}}}));
 }
 
-// ---- the body as a whole ----------------------------------------------------------------------------------
+// ---- the feel of a whole body -----------------------------------------------------------------------------
 
 void feel_as(VolumeLab& lab, std::vector<FeelPart> parts, const field::TransferFunction& opacity = {}) {
     const auto changed = change_volume_lab(lab, {lab.settings.modes, std::move(parts), opacity});
@@ -444,7 +445,7 @@ TEST(BodyFeel, GoesByThePicturesOpacity) {
     EXPECT_EQ(inside(0), std::pair(0.0, 0.0)) << "what cannot be seen is not felt in this way";
 }
 
-/// In the midst of the new ball the hand feels nothing. All that the ball could give comes as the hand leaves.
+/// In the middle of the new ball the hand feels nothing. The ball gives its energy only as the hand leaves.
 TEST(BodyFeel, ABallThatAppearsAroundAHandGivesItLittleAsItLeaves) {
     const field::Tool ball{.name = "ball",
                            .operations = {{.method = field::Method::constant,
@@ -493,7 +494,7 @@ TEST(HandPath, GoesWhereItSays) {
     const auto press = *hand_path("press");
     EXPECT_GT(wanted_place(press, workspace, 0).y, 0.05);
     EXPECT_LT(wanted_place(press, workspace, 2).y, -0.05);
-    // A hand that a mouse moves begins at the side of the viewer, just within the workspace.
+    // A hand that is moved by a mouse begins on the viewer's side, just inside the workspace.
     EXPECT_EQ(place_before({0, 0, 1}, {0.2, 0.1, 0.3}), vec3(0, 0, 0.147));
     EXPECT_LT(glm::distance(place_before({0, 0.8, -0.6}, {0.2, 0.1, 0.3}), vec3(0, 0.049, -0.03675)), 1e-12);
     EXPECT_FALSE(hand_path("sideways"));

@@ -1,4 +1,4 @@
-// Tests of the overlap of two bodies, counted anew after each edit.
+// Tests of the overlap of two bodies, which is recounted after each edit.
 #include "field/voxel_overlap.h"
 
 #include <gtest/gtest.h>
@@ -14,10 +14,11 @@ namespace {
 TEST(VoxelOverlap, KnownBodiesHaveTheirRatio) {
     Voxels body = block({10, 10, 10}, 0);
     std::vector<float> wanted(1000);
-    EXPECT_EQ(overlap_with(body.view(), wanted, 0.5F).ratio(), 1);  // both are empty
+    // Overlap of two bodies that are both empty.
+    EXPECT_EQ(overlap_with(body.view(), wanted, 0.5F).ratio(), 1);
     std::fill_n(wanted.begin(), 600, 1.0F);
     EXPECT_EQ(overlap_with(body.view(), wanted, 0.5F).ratio(), 0);
-    std::fill_n(body.density.begin() + 200, 800, 0.5F);  // reaches the threshold
+    std::fill_n(body.density.begin() + 200, 800, 0.5F);  // these densities reach the threshold
     const VoxelOverlap overlap = overlap_with(body.view(), wanted, 0.5F);
     EXPECT_EQ(overlap.both, 400U);
     EXPECT_EQ(overlap.either, 1000U);

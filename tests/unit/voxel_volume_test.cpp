@@ -1,4 +1,4 @@
-// Tests of bodies of voxels from volumes and back.
+// Tests of converting volumes to bodies of voxels and back.
 #include "field/voxel_volume.h"
 
 #include <gtest/gtest.h>

@@ -14,7 +14,7 @@
 namespace thaum::field {
 namespace {
 
-/// A body with a random value in each property of each voxel, NaN among them.
+/// A body with a random value in each property of each voxel; some densities are NaN.
 Voxels random_body(std::array<int, 3> count, std::uint64_t seed) {
     Voxels body = make_voxels(count, vec3(0.01));
     Random random = random_stream(seed, 1);
@@ -117,7 +117,7 @@ TEST(VoxelHash, BricksWithoutANewVersionAreNotReadAgain) {
     Voxels body = random_body({16, 8, 8}, 3);
     BrickHashes kept;
     const std::uint64_t before = voxel_hash(body.view(), kept);
-    body.material[0] ^= 1U;  // without a new version
+    body.material[0] ^= 1U;  // a change without a new version
     EXPECT_EQ(voxel_hash(body.view(), kept), before);
     EXPECT_NE(fresh_hash(body), before);
 }
@@ -167,7 +167,7 @@ TEST(VoxelSnapshot, CutOrForeignBytesAreRefused) {
         ByteReader reader({saved.data(), size});
         EXPECT_FALSE(restore(body.view(), reader).has_value()) << size;
     }
-    saved[12] = std::byte{2};  // a packing that does not exist
+    saved[12] = std::byte{2};  // a number of a packing that does not exist
     ByteReader unknown(saved);
     EXPECT_FALSE(restore(body.view(), unknown).has_value());
     Voxels other = make_voxels({9, 9, 8}, vec3(1));

@@ -15,7 +15,7 @@ class XmlReader {
 public:
     explicit XmlReader(std::string_view xml) : rest_(xml), whole_(xml.size()) {}
 
-    /// First fault and its byte; empty: the text is well-formed.
+    /// First fault and its position (bytes); empty: the text is well-formed.
     std::string fault() {
         while (!rest_.empty() && fault_.empty()) {
             if (rest_.front() == '<') {

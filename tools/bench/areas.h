@@ -7,7 +7,7 @@ namespace thaum::bench {
 void audio(const Options& options, Report& report);
 void ecs(const Options& options, Report& report);
 void tick(const Options& options, Report& report);
-/// Part of the area `tick`: a duel that is heard and felt.
+/// Part of the area `tick`: a duel with sound and tactile output.
 void tick_duel_felt(const Options& options, Report& report);
 void physics(const Options& options, Report& report);
 void primitives(const Options& options, Report& report);
@@ -15,18 +15,18 @@ void replay(const Options& options, Report& report);
 /// Stress test of the area `tick`.
 void soak(const Options& options, Report& report);
 void skip(const Options& options, Report& report);
-/// Part of the area `skip`: sound and jackets.
+/// Part of the area `skip`: cost of sound and jackets that are not used.
 void skip_senses(const Options& options, Report& report);
-/// Part of the area `skip`: a scan out of view.
+/// Part of the area `skip`: cost of a scan out of view.
 void skip_scan(const Options& options, Report& report);
-/// Virtual coupling, alone and with Bullet.
+/// Area `coupling`: virtual coupling, alone and with Bullet.
 void coupling(const Options& options, Report& report);
 void wand_coupling(const Options& options, Report& report);
 void haptics(const Options& options, Report& report);
 /// Parts of the area `haptics`.
 void surfaces(const Options& options, Report& report);
 void round_bodies(const Options& options, Report& report);
-/// Haptic modes, and surfaces of scanned volumes.
+/// Part of the area `haptics`: haptic modes, and surfaces of scanned volumes.
 void modes(const Options& options, Report& report);
 void modes_hostile(const Options& options, Report& report);
 void servo_rates(const Options& options, Report& report);
@@ -41,10 +41,10 @@ void field(const Options& options, Report& report);
 void field_samples(const Options& options, Report& report);
 /// Part of the area `field`: edits of voxels.
 void carving(const Options& options, Report& report);
-/// Surface of the brew.
+/// Area `surface`: surface of the brew.
 void surface(const Options& options, Report& report);
 void tactile_mixer(const Options& options, Report& report);
-/// Recognition of gestures, isolated and in continuous motion.
+/// Area `gesture`: recognition of gestures, isolated and in continuous motion.
 void gestures(const Options& options, Report& report);
 void render(const Options& options, Report& report);
 /// Parts of the area `render`.

@@ -1,6 +1,6 @@
-// Benchmarks the thread of a real arm without an arm: the cost of a tick there and in the simulation, which
-// repeats the same step, and how well a thread of our own keeps 1 kHz on this machine. The library of a
-// real arm brings its own thread; `thaum doctor` measures that.
+// Benchmarks the thread of a real arm without an arm: the cost of a tick in that thread and in the
+// simulation, which repeats the same step, and how well our own thread keeps 1 kHz on this machine. The
+// library of a real arm has its own thread, which `thaum doctor` measures.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -19,7 +19,7 @@ namespace {
 constexpr std::int64_t arm_period_ns = 1'000'000;
 constexpr int exchange_ticks = 4000;
 
-/// Model with a point that pulls the hand; limits of a Touch.
+/// A model with a point that attracts the hand, and the limits of a Touch.
 haptics::HapticModel pulling_model() {
     haptics::HapticModel model;
     model.coupling = {.stiffness = 300, .damping = 1};
@@ -41,7 +41,7 @@ input::ArmReading reading_at(int tick) {
             .position_um = {500 * (phase < 40 ? phase : 80 - phase), 1000, 0}};
 }
 
-/// The part of the simulation, as in a match.
+/// The simulation's side of the exchange, as in a match.
 struct ArmMatchHalf {
     input::ArmServo& door;
     haptics::Servo servo = touch_servo();
@@ -68,7 +68,7 @@ struct ArmMatchHalf {
     }
 };
 
-/// Runs ticks of the simulation and of the arm's thread in alternation.
+/// Runs ticks of the simulation and of the arm's thread alternately.
 struct Exchange {
     input::ArmServo door{};
     ArmMatchHalf half{door};
@@ -100,7 +100,7 @@ void arm_exchange(const Options& options, Report& report) {
                                        {"lost", static_cast<double>(faults.lost)}}});
 }
 
-/// Thread of the arm: in each tick it sleeps, measures and computes the force, until `stop`.
+/// The arm's thread: in each tick it sleeps, measures and computes the force, until `stop` is set.
 void run_arm(input::ArmServo& door, input::TickTimes& kept, const std::atomic<bool>& stop) {
     auto due = monotonic_ns();
     for (int tick = 0; !stop; ++tick) {

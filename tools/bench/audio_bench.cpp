@@ -1,4 +1,4 @@
-// Benchmark of the mixer: time of a block of 8 ms, allocations, and level against the exact law.
+// Benchmark of the mixer: time of a block of 8 ms, allocations, and error of the level against the exact law.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -39,7 +39,7 @@ audio::SoundBank bench_sounds() {
     return bank;
 }
 
-/// Lasting and beginning voices that move, some of them behind walls, some played slower.
+/// A frame of lasting and beginning voices that move; some are behind walls, some are played slower.
 AudioFrame busy_frame(std::uint32_t listeners, std::uint32_t lasts, std::uint32_t begins, int block) {
     AudioFrame frame;
     frame.listener_count = listeners;
@@ -62,13 +62,13 @@ AudioFrame busy_frame(std::uint32_t listeners, std::uint32_t lasts, std::uint32_
 }
 
 struct MixCase {
-    const char* listeners_heard;  ///< how the sum is heard
+    const char* listeners_heard;  ///< name of the way in which listeners share the speakers
     std::uint32_t listeners{1};
-    std::uint32_t lasts{}, begins{};  ///< begins per block
+    std::uint32_t lasts{}, begins{};  ///< numbers of lasting voices, and of voices that begin in each block
     bool headphones{};
 };
 
-/// Mixes blocks and appends a row: times, allocations, voices heard.
+/// Mixes blocks and appends a row with times, allocations and voices heard.
 void mix_row(const Options& options, Report& report, const MixCase& mixed) {
     auto mixer = Mixer::create(bench_sounds(), {.headphones = mixed.headphones});
     if (!mixer) {
@@ -109,11 +109,11 @@ void mix_row(const Options& options, Report& report, const MixCase& mixed) {
          .hash = hex(hash)});
 }
 
-// ---- level ------------------------------------------------------------------------------------------------------
+// ---- error of the level -----------------------------------------------------------------------------------------
 
-/// Gains of both channels for a sound at an angle from straight ahead (rad, positive to the right), as OpenAL pans: the
-/// front half is spread by 1.5, a thing of 0.25 m radius covers an angle, and first-order ambisonics are decoded for
-/// two speakers.
+/// Gains of both channels for a sound at an angle from straight ahead (rad, positive to the right), as OpenAL
+/// pans: the front half is spread by a factor of 1.5, a source of 0.25 m radius covers an angle, and
+/// first-order ambisonics are decoded for two speakers.
 std::array<double, 2> exact_pan(double angle, double distance_m) {
     const double ahead = std::abs(angle);
     const double azimuth = std::copysign(ahead >= pi / 2 ? ahead : std::min(1.5 * ahead, pi / 2), angle);
@@ -121,7 +121,7 @@ std::array<double, 2> exact_pan(double angle, double distance_m) {
     const double width = 0.5 * (det::cos(spread / 2) + 1);
     const double scale = std::sqrt(1 + spread / (2 * pi));
     const double across = width * det::sin(azimuth), along = width * det::cos(azimuth);
-    constexpr double front = 0.0957;  // weight of the sound's part from ahead
+    constexpr double front = 0.0957;  // weight of the component from straight ahead
     const auto gain = [&](double side) {
         return std::clamp(scale * (0.5 + 0.5 * side * across + front * along), 0.0, 1.0);
     };
@@ -139,9 +139,10 @@ double worst_level_db(Mixer& mixer, std::span<const double> distances_m, std::si
                 {.sound = hum, .position = {distance * det::sin(angle), 0, -distance * det::cos(angle)}});
             std::array<float, audio::block_values> block{};
             for (int i = 0; i < 4; ++i)
-                mixer.play(frame, block);  // gains have moved, and the limiter's delay is over
+                // After this block the gains have reached their values, and the limiter's delay is over.
+                mixer.play(frame, block);
             double energy = 0;
-            constexpr int blocks = 5;  // eight periods
+            constexpr int blocks = 5;  // number of blocks, which hold eight periods
             for (int i = 0; i < blocks; ++i) {
                 mixer.play(frame, block);
                 for (const float s : block) energy += static_cast<double>(s) * s;
@@ -159,7 +160,7 @@ double worst_level_db(Mixer& mixer, std::span<const double> distances_m, std::si
 
 void level_row(Report& report) {
     auto mixer = Mixer::create(bench_sounds(), {});
-    if (!mixer) return;  // mix_row has reported it
+    if (!mixer) return;  // the error was already reported by mix_row
     std::size_t places = 0;
     constexpr std::array distances_m{0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 35.0};
     const double start = now_us();

@@ -47,7 +47,7 @@ int publish(const Options& options, const Report& report) {
 
 using RunArea = void(const Options&, Report&);
 
-/// Runs an area. An area that could not make its scene has printed the reason, adds no row, and counts as a
+/// Runs an area. If an area cannot make its scene, it prints the reason and adds no row, which counts as a
 /// fault.
 void run_area(const Area& area, RunArea& run, const Options& options, Report& report) {
     const auto rows = report.rows.size(), faults = report.faults.size();
@@ -56,7 +56,7 @@ void run_area(const Area& area, RunArea& run, const Options& options, Report& re
         report.faults.push_back(text(area.name, ": no row was measured; see the messages above"));
 }
 
-/// Tests whether the report can be written, before minutes of measuring.
+/// Tests before minutes of measurements whether the report can be written.
 Expected<void> check_json(const Options& options) {
     return options.json && *options.json != "-" ? check_output(*options.json) : Expected<void>();
 }

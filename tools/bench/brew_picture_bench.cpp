@@ -1,5 +1,5 @@
-// Benchmarks pictures of the brew: the same picture of the arena with and without the brew, in alternation,
-// seen from the start pads and from the rim. Also the making of texels and skin.
+// Benchmarks pictures of the brew: the same picture of the arena alternately with and without the brew, seen
+// from the start pads and from the rim. Also the time to make texels and skin.
 #include "core/text.h"
 #include "game/scene/brew_look.h"
 #include "render/audit/perceptual.h"
@@ -34,7 +34,7 @@ struct BrewScene {
         const auto& arena_scene = drawn->arena_scene;
         auto& memory = drawn->memory;
         game::make_frame(arena_scene, pictures[place], {.quality = quality}, window, memory);
-        // The painted brew of an empty bowl would hide the simulated one.
+        // Without this, the painted surface of an empty bowl would hide the simulated brew.
         for (std::size_t i = 0; i < memory.frame.views.size(); ++i) {
             auto& instances = memory.instances[i];
             std::erase_if(instances, [&](const render::Instance& instance) {
@@ -49,7 +49,7 @@ struct BrewScene {
     }
 };
 
-/// Drops two substances and stirs for 3 s with a push that circles.
+/// Drops two substances into the brew and stirs for 3 s with a push that moves in a circle.
 Expected<void> stir(BrewScene& scene) {
     auto& brew = scene.brew;
     for (const std::uint32_t ingredient : {0U, 1U}) {

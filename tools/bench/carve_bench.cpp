@@ -1,4 +1,4 @@
-// Benchmarks carving (engine/field/carving.h): time of an edit by radius and size of the body, its error against a
+// Benchmarks carving (engine/field/carving.h): time of an edit by radius and body size, its error against a
 // plain computation in double, and the time of hashes and snapshots of a match's crystal.
 #include <array>
 #include <cmath>
@@ -33,7 +33,7 @@ field::Operation melting(double radius) {
             .rate = 12};
 }
 
-/// A tool of one, two or three operations, each with this radius.
+/// A tool with one, two or three operations, all with this radius.
 Tool tool_of(std::string_view name, double radius) {
     field::Operation first = melting(radius);
     if (name == "cut") {
@@ -86,7 +86,7 @@ std::vector<Dab> random_dabs(double spacing) {
     return dabs;
 }
 
-/// Melting by the formula, in double, for the voxels around the middle of a body.
+/// A filter that melts, computed by its formula in double, for the voxels around the middle of a body.
 class PlainMelting {
 public:
     PlainMelting(const Voxels& body, double radius)
@@ -115,7 +115,7 @@ public:
     }
 
 private:
-    static constexpr int size = 60;  // voxels along each edge of the compared part
+    static constexpr int size = 60;  // number of voxels along each edge of the compared part
 
     template <class Visit>
     void for_each(Visit visit) const {
@@ -148,7 +148,7 @@ double error_of_melting(int n, double radius) {
     return plain.largest_error(body);
 }
 
-/// Edits of one tool, over and over. Before each of them, material fills the place of the last one again.
+/// Repeated edits with one tool. Before each edit, the place of the last one is filled again.
 struct Carver {
     int n;
     double radius;
@@ -173,7 +173,7 @@ struct Carver {
 };
 
 struct EditSizes {
-    double voxels{}, bricks{}, removed{}, added{};  ///< means of an edit
+    double voxels{}, bricks{}, removed{}, added{};  ///< means over the edits
     std::uint64_t hash{};
 };
 
@@ -238,7 +238,7 @@ void carve_edits(const Options& options, Report& report) {
     for (std::size_t i = 0; i < carvers.size(); ++i) report.rows.push_back(row_of(carvers[i], samples[i]));
 }
 
-/// A crystal of a match, with all that happens to it beside the edits.
+/// A crystal of a match, with everything that is computed for it besides the edits.
 struct Crystal {
     Voxels body = ball(48);
     std::vector<float> key = body.density;

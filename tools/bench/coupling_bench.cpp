@@ -33,7 +33,7 @@ struct PairSetting {
     double damping() const { return 2 * pair_damping_ratio * std::sqrt(stiffness / inverse_mass()); }
 };
 
-/// Velocity of a prescribed hand at each step (m/s): back and forth in 16 ms, for every step length.
+/// Velocity of a prescribed hand at each step (m/s), whatever the step length: back and forth in 16 ms.
 double hand_velocity(const PairSetting& s, int i) {
     if (s.free_hand) return 0;
     return (i * s.step_ms / 16) % 2 == 0 ? 0.5 : -0.5;
@@ -66,7 +66,7 @@ void step_exactly(const PairSetting& s, std::vector<double>& stretches) {
     for (std::size_t i = 0; i < stretches.size(); ++i) {
         if (!s.free_hand) state.hand_velocity.x = hand_velocity(s, static_cast<int>(i));
         const auto r = couple(step, state);
-        // The centre of mass of a free pair rests.
+        // The centre of mass of a free pair stays at rest.
         state.hand += s.free_hand ? -s.mass_ratio * r.displacement : state.hand_velocity * s.dt();
         if (s.free_hand) state.hand_velocity -= r.impulse / hand_mass;
         state.object += r.displacement;
@@ -90,7 +90,7 @@ void step_by_euler(const PairSetting& s, std::vector<double>& stretches) {
     }
 }
 
-/// Largest difference over the run, relative to the stretch at the start.
+/// Largest error over the run, relative to the stretch at the start.
 double relative_error(const std::vector<double>& found, const std::vector<double>& exact) {
     double worst = 0;
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -101,7 +101,7 @@ double relative_error(const std::vector<double>& found, const std::vector<double
     return worst;
 }
 
-/// Runs with a prescribed hand, and with a free hand of hand_mass.
+/// A run with a prescribed hand, or with a free hand of mass hand_mass.
 struct PairRun {
     std::vector<double> moved, free;
 };

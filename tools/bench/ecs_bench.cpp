@@ -33,7 +33,7 @@
 namespace thaum::bench::things {
 namespace {
 
-/// Copies between the halves of a buffer of `size` bytes, often enough for the clock.
+/// Copies between the two halves of a buffer of `size` bytes, often enough for the clock's resolution.
 class Copy {
 public:
     explicit Copy(double size)
@@ -70,7 +70,7 @@ struct Target {
     std::string_view name;
     double ratio;           ///< largest ratio to raw; 0: no such target
     double ns;              ///< largest time in the unit of the case; 0: no such target
-    std::uint32_t n_least;  ///< smallest number of entities for which the target holds
+    std::uint32_t n_least;  ///< smallest number of entities to which the target applies
 };
 
 constexpr std::array targets{

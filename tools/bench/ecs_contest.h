@@ -1,4 +1,4 @@
-// tools/bench/ecs_contest.h: the cases of the ECS benchmark, each of plain arrays against a World.
+// tools/bench/ecs_contest.h: the cases of the ECS benchmark. Each compares plain arrays ("raw") with a World.
 #pragma once
 #include <algorithm>
 #include <functional>
@@ -13,7 +13,7 @@
 namespace thaum::bench::things {
 
 struct Side {
-    std::function<void()> setup;  ///< empty if runs can follow each other without it
+    std::function<void()> setup;  ///< runs before each run; empty: runs can follow each other without it
     std::function<void()> run;
     std::function<std::uint64_t()> result;  ///< hash of the data after the runs
 };
@@ -21,13 +21,13 @@ struct Side {
 struct Contest {
     std::string_view name;
     std::uint32_t n{};
-    double matches{};      ///< entities that one run touches; times are divided by this number
-    double bytes{};        ///< bytes that raw reads and writes in one run
-    double working_set{};  ///< size of raw's data (bytes)
+    double matches{};      ///< number of entities that one run visits; times are divided by it
+    double bytes{};        ///< number of bytes that the raw arrays read and write in one run
+    double working_set{};  ///< size of the raw arrays' data (bytes)
     Side raw, thaum;
     std::size_t calls = 1;
     std::string unit = "ns_per_entity";
-    std::optional<std::pair<std::string, Value>> setting{};  ///< further setting of the row
+    std::optional<std::pair<std::string, Value>> setting{};  ///< additional setting of the row
 };
 
 /// Number of runs per sample. Short runs are repeated, because the clock is too coarse for them.
@@ -39,24 +39,26 @@ Contest iterate_1(std::uint32_t n);
 Contest iterate_2(std::uint32_t n);
 Contest iterate_3_half(std::uint32_t n);
 Contest rare_view(std::uint32_t n);
-/// Views over a component that one entity had once and none has now.
+/// Views over a component that one entity had once and none has any more.
 Contest empty_view(std::uint32_t n);
-/// Reads one component of all entities in random order: the smallest, the middle one or the largest.
+/// Reads one component of all entities in random order: the smallest, the middle or the largest one.
 template <class C>
 Contest random_get(std::uint32_t n);
 
-// Structure and the whole state (ecs_structure.cpp).
+// Structural changes, and the whole state (ecs_structure.cpp).
 
-/// Creates entities in reserved memory whose pages have been touched, or in a store that grows from
-/// nothing. All have the same Motion: computing one costs more than storing it.
+/// Creates entities in reserved memory whose pages have already been written, or in memory that grows from
+/// nothing. All entities have the same Motion, because computing different ones would cost more than storing
+/// them.
 Contest create_3(std::uint32_t n, bool reserved);
 Contest destroy_all(std::uint32_t n);
 Contest add_1(std::uint32_t n);
 Contest remove_1(std::uint32_t n);
-/// Sets the tag on all entities, then clears it on all. For the hash, every third entity gets it once more.
+/// Sets the tag on all entities, then clears it on all. Finally every third entity gets it again, so that the
+/// hash depends on it.
 Contest tag_churn(std::uint32_t n);
 Contest snapshot(std::uint32_t n);
-/// Raw is memcpy and computes no hash, so the two hashes differ here.
+/// The raw arrays are only copied by memcpy and have no hash, so the two results differ here.
 Contest state_hash(std::uint32_t n);
 
 }  // namespace thaum::bench::things

@@ -23,19 +23,19 @@ inline void add_scaled(Triple& a, const Triple& b, double s) {
 
 inline void age(Prop& p) { ++p.moved_at; }
 
-/// Work of iterate_2.
+/// Work for each entity in the case iterate_2.
 inline void move(Motion& m, Prop& p) {
     add_scaled(m.position, m.velocity, dt);
     p.moved_at += m.asleep;
 }
 
-/// Work of rare_view.
+/// Work for each entity in the case rare_view.
 inline void slow_down(Motion& m, const Body& b) {
     add_scaled(m.velocity, m.velocity, -dt * b.damping[0]);
     add_scaled(m.position, m.velocity, dt);
 }
 
-/// Work of iterate_3_half.
+/// Work for each entity in the case iterate_3_half.
 inline void slow_down_and_age(Motion& m, Prop& p, const Body& b) {
     slow_down(m, b);
     p.moved_at += m.asleep;
@@ -103,11 +103,11 @@ Contest iterate_3_half(std::uint32_t n) {
 
 namespace {
 
-/// Big arrays, and a list of the rows that have a Body.
+/// Large arrays, and a list of the rows that have a Body.
 struct Rare {
     Arrays all;
     std::vector<std::uint32_t> rows;
-    Array<Body> bodies;  ///< one Body for each of the rows
+    Array<Body> bodies;  ///< one Body for each row in the list
 };
 
 std::shared_ptr<Rare> rare(std::uint32_t n, std::uint32_t step) {
@@ -148,7 +148,7 @@ Contest rare_view(std::uint32_t n) {
 }
 
 Contest empty_view(std::uint32_t n) {
-    constexpr std::uint32_t views = 1000;  // views per run
+    constexpr std::uint32_t views = 1000;  // number of views in a run
     auto a = std::make_shared<Arrays>();
     std::shared_ptr<World> world = world_of(n);
     world->destroy(world->create(prop(0), Dead{}));
@@ -171,7 +171,7 @@ Contest empty_view(std::uint32_t n) {
     return {"empty_view", n, 1.0 * views, 0, 8, raw, thaum, 20, "ns_per_view"};
 }
 
-// ---- access -----------------------------------------------------------------------------------------------
+// ---- random access ----------------------------------------------------------------------------------------
 
 namespace {
 
@@ -202,8 +202,8 @@ std::shared_ptr<Lookup> lookup(std::uint32_t n) {
     return l;
 }
 
-/// The value that random_get reads. It is an integer: an integer sum does not make an access wait for the one
-/// before.
+/// The value that random_get reads. It is an integer, because a sum of integers does not make an access wait
+/// for the one before.
 std::uint64_t value(const Motion& m) { return std::bit_cast<std::uint64_t>(m.position.x); }
 std::uint64_t value(const Look& l) { return l.surface; }
 std::uint64_t value(const Prop& p) { return p.moved_at; }

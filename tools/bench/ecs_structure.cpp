@@ -13,7 +13,7 @@ using ecs::World;
 
 }  // namespace
 
-// ---- structure --------------------------------------------------------------------------------------------
+// ---- structural changes -----------------------------------------------------------------------------------
 
 Contest create_3(std::uint32_t n, bool reserved) {
     const Motion made = motion(1);
@@ -46,7 +46,7 @@ Contest create_3(std::uint32_t n, bool reserved) {
 
 namespace {
 
-/// Two groups of plain arrays, without and with a Body, that exchange rows.
+/// Two groups of plain arrays, one without and one with a Body, between which rows move.
 struct Groups {
     Arrays plain, solid;
     Array<Body> bodies;  ///< bodies of the rows of `solid`
@@ -61,10 +61,10 @@ std::shared_ptr<Groups> groups(std::uint32_t n) {
     return g;
 }
 
-/// Row of entity k after entities 0 to k - 1 are gone and the last row has filled each hole.
+/// Row of entity k after entities 0 to k - 1 were removed and the last row has filled each hole.
 std::size_t row_of_next(std::size_t k, std::size_t count) { return std::min(k, count - 1); }
 
-/// A World whose entities are created again before each run, in memory that is already there.
+/// A World whose entities are created again before each run, in memory that is already allocated.
 struct Crowd {
     std::unique_ptr<World> world = new_world();
     std::vector<Entity> entities;
@@ -121,8 +121,8 @@ Contest destroy_all(std::uint32_t n) {
 
 namespace {
 
-/// Bytes that raw reads and writes when it moves a thing to the other group: the thing and the one that fills
-/// its hole.
+/// Number of bytes that the raw arrays read and write when an object moves to the other group: the object,
+/// and the one that fills its hole.
 constexpr double moved_bytes = 4 * thing_bytes;
 
 }  // namespace
@@ -228,7 +228,7 @@ Contest tag_churn(std::uint32_t n) {
     return {"tag_churn", n, 1.0 * n, n / 2.0, n / 8.0, raw, thaum, calls_for(n)};
 }
 
-// ---- the whole state --------------------------------------------------------------------------------------
+// ---- saving and hashing the whole state -------------------------------------------------------------------
 
 namespace {
 

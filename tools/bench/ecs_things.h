@@ -1,10 +1,10 @@
 // tools/bench/ecs_things.h: components, plain arrays and Worlds of the ECS benchmark.
 //
-// The entities are loose things, the most numerous entities of an arena. game/match/spawn.cpp creates them
-// from a Motion (120 bytes), a Look (4) and a Prop (16), and then adds a Body (96) to put them into the
-// physics. A wizard's death removes the Body. The benchmark makes the same calls. Other components with which
-// the game's systems are busy have sizes in between: Dead 8, Health and Pad 40, Controls 44, Stance 72,
-// WandBelt 80.
+// The entities are loose objects ("things"), the most numerous entities of an arena. game/match/spawn.cpp
+// creates them from a Motion (120 bytes), a Look (4) and a Prop (16), and then adds a Body (96) to put them
+// into the physics. A wizard's death removes the Body. The benchmark makes the same calls. Other components
+// with which the game's systems are busy have sizes in between: Dead 8, Health and Pad 40, Controls 44,
+// Stance 72, WandBelt 80.
 #pragma once
 #include <memory>
 #include <tuple>
@@ -26,7 +26,7 @@ struct Triple {
     THAUM_FIELDS(Triple, x, y, z);
 };
 
-/// Laid out as game::Motion.
+/// Same layout as game::Motion.
 struct Motion {
     Triple position{};
     std::array<double, 4> orientation{1, 0, 0, 0};
@@ -39,14 +39,14 @@ struct Motion {
 };
 static_assert(sizeof(Motion) == sizeof(game::Motion));
 
-/// Laid out as game::Look.
+/// Same layout as game::Look.
 struct Look {
     std::uint32_t surface{};
     THAUM_COMPONENT(Look, surface);
 };
 static_assert(sizeof(Look) == sizeof(game::Look));
 
-/// Laid out as game::Prop.
+/// Same layout as game::Prop.
 struct Prop {
     std::uint64_t moved_at{};
     std::uint32_t moved_by{};
@@ -55,7 +55,7 @@ struct Prop {
 };
 static_assert(sizeof(Prop) == sizeof(game::Prop));
 
-/// Laid out as game::Body.
+/// Same layout as game::Body.
 struct Body {
     std::array<std::uint32_t, 2> shape{};
     Triple size{0.5, 0.5, 0.5};
@@ -67,7 +67,7 @@ struct Body {
 };
 static_assert(sizeof(Body) == sizeof(game::Body));
 
-/// Laid out as game::Dead, a component that no entity has at most ticks.
+/// Same layout as game::Dead, a component that no entity has in most ticks.
 struct Dead {
     std::uint64_t returns_at{};
     THAUM_COMPONENT(Dead, returns_at);
@@ -151,7 +151,7 @@ inline std::unique_ptr<ecs::World> new_world() {
     return world;
 }
 
-/// A World of n loose things. Every `step`th has a Body as well (0: none).
+/// A World of n loose objects. Every `step`th one has a Body as well (0: none).
 inline std::unique_ptr<ecs::World> world_of(std::uint32_t n, std::uint32_t step = 0) {
     auto world = new_world();
     for (std::uint32_t i = 0; i < n; ++i) {
@@ -185,7 +185,7 @@ std::vector<C> column(ecs::World& world) {
     return out;
 }
 
-/// The same hash as `hash_first`, of all things that have every component in With.
+/// The same hash as `hash_first`, over all objects that have every component in With.
 template <class... With>
 std::uint64_t hash_things(ecs::World& world) {
     return hash_of(column<Motion, With...>(world), column<Look, With...>(world),

@@ -1,4 +1,4 @@
-// Benchmarks what hearing and feeling a match adds to its ticks.
+// Benchmarks what sound and tactile output add to the ticks of a match.
 #include <algorithm>
 
 #include "audio/synth.h"
@@ -15,7 +15,7 @@ namespace {
 
 using game::players;
 
-/// Two listeners, and for each player a jacket's picture and a pad.
+/// Two listeners, and for each player a body figure on the screen and a pad.
 struct Senses {
     audio::SoundBank bank;
     tactile::EffectBank effects;
@@ -35,7 +35,7 @@ Expected<Senses> load_senses() {
     return Senses{std::move(*bank), std::move(*effects), std::move(*figure), std::move(*pad)};
 }
 
-/// Hears and feels one match.
+/// Computes the sound and the tactile output of one match.
 class Sensed {
 public:
     Sensed(const Senses& senses, game::MatchSounds sounds, game::MatchEffects effects)
@@ -58,7 +58,7 @@ public:
     }
 
     std::uint64_t begun = 0;  ///< voices
-    std::uint64_t felt = 0;   ///< frames of the figure in which a player feels something
+    std::uint64_t felt = 0;   ///< frames of the body figure in which a player feels something
 
 private:
     game::MatchEffects effects_;
@@ -69,11 +69,11 @@ private:
 
 struct Measured {
     double plain_us{}, sensed_us{};
-    std::vector<double> frames;  ///< cost of hearing and feeling eight ticks (us)
+    std::vector<double> frames;  ///< time to compute the sound and the tactile output of eight ticks (us)
     std::uint64_t allocations{};
 };
 
-/// Plays two equal duels in turn, eight ticks each, one of them heard and felt.
+/// Plays two equal duels alternately, eight ticks each, one of them with sound and tactile output.
 Measured measure(game::BotDuel& plain, game::BotDuel& other, Sensed& sensed, std::size_t frames) {
     Measured out;
     for (std::size_t i = 0; i < frames; ++i) {
@@ -103,7 +103,7 @@ void tick_duel_felt(const Options& options, Report& report) {
     auto sounds = game::match_sounds(senses->bank, shown);
     auto effects = game::match_effects(senses->effects, shown);
     Sensed sensed(*senses, std::move(sounds), std::move(effects));
-    measure(*plain, *other, sensed, 1000);  // until all memory is there
+    measure(*plain, *other, sensed, 1000);  // runs until all memory is allocated
     const auto measured = measure(*plain, *other, sensed, options.quick ? 2'500 : 15'000);
     report.rows.push_back(
         {.area = "tick",

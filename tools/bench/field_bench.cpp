@@ -1,6 +1,6 @@
-// Benchmarks fields between their samples (engine/field/field.h): time of a value with its gradient, and
-// the errors of both, by kernel and number of samples. The fields are those of a fluid on its lattice,
-// ghost cells included.
+// Benchmarks fields between their samples (engine/field/field.h): time of a value with its gradient, and the
+// errors of both, by kernel and number of samples. The fields are those of a fluid on its lattice, including
+// ghost cells.
 #include <array>
 #include <cmath>
 
@@ -105,7 +105,7 @@ template <class Sample>
 struct Reader {
     const char* name;
     std::string kernel;
-    int n;  ///< samples along each axis; 0: the field is a formula
+    int n;  ///< number of samples along each axis; 0: the field is a formula
     field::Field<Sample> read;
     Sample (*exact)(vec3);
     const std::vector<vec3>* places;

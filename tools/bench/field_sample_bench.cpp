@@ -1,5 +1,5 @@
-// Part of the area `field`: reading volumes. Cost of the value alone, of value and gradient, and of the curl, for
-// each kernel and size, beside the error against the formula from which the samples come.
+// Part of the area `field`: reading volumes. Cost of the value alone, of value and gradient, and of the curl,
+// for each kernel and size, together with the error against the formula from which the samples were computed.
 //
 // Places are "near" one another, as those of a hand that moves 0.1 samples from one to the next, or "anywhere"
 // in the volume. The former stay in the cache, the latter only in a small volume.
@@ -30,7 +30,7 @@ constexpr std::array case_names{"sample_value", "sample_gradient", "sample_curl"
 const field::Gyroid gyroid{.period = side / 2};
 const field::BeltramiFlow flow{.strength = {1, 0.8, 0.6}, .wave = 4 * pi / side};
 
-/// Reads one quantity at places. A scalar quantity is the first component of its result.
+/// Reads one quantity at many places. A scalar quantity is the first component of its result.
 struct Sampling {
     Quantity quantity{};
     Kernel kernel{};
@@ -58,7 +58,7 @@ struct Sampling {
         return {};
     }
 
-    /// One loop for each quantity, so that the choice costs nothing.
+    /// One loop for each quantity, so that choosing the quantity costs no time in the loop.
     void run() {
         const auto read_all = [&](auto one) {
             for (std::size_t i = 0; i < places_in_a_run; ++i) do_not_optimise(one((*places)[next + i]));
@@ -117,7 +117,7 @@ Row row_of(const Sampling& sampling, std::vector<double> us) {
             .hash = hex(hash)};
 }
 
-/// Measures all readings of one size. Volumes of different sizes are not in memory at the same time.
+/// Measures all quantities at one size. Volumes of different sizes are not in memory at the same time.
 void measure_size(int n, const Options& options, Report& report) {
     const std::array<int, 3> count{n, n, n};
     const vec3 spacing(side / (n - 1));

@@ -1,8 +1,8 @@
 // Benchmark of the fluid: run time against error of both solvers in flows with known solutions
-// (fluid_flows.h), and resistance to attacks.
+// (fluid_flows.h), and stability under hostile input.
 //
-// Times are for one step of 16 ms with all its sub-steps, on one thread. Compared solvers take turns
-// step by step, so that disturbances of the machine affect all of them.
+// Times are for one step of 16 ms with all its sub-steps, on one thread. Compared solvers are run
+// alternately, step by step, so that other load on the machine affects all of them.
 #include <array>
 #include <cmath>
 #include <utility>
@@ -43,12 +43,12 @@ std::vector<FluidRun> runs_of(const Flow& flow, int n, Report& report) {
                    report);
 }
 
-/// Adds the time of a sweep for `classic`, and the time relative to `classic` for `thaum`.
+/// Adds the time for each Gauss-Seidel sweep for `classic`, and the time relative to `classic` for `thaum`.
 void add_time_metrics(const FluidRun& run, const std::vector<FluidRun>& all, Row& row) {
     row.metrics.emplace_back("substeps_per_step", run.substeps / run.steps);
     if (run.us.empty()) return;
     if (run.scheme.solver == Solver::classic) {
-        // Three components are diffused, and the pressure is solved twice.
+        // Diffusion of three components, and two pressure solves.
         const double sweeps = 5.0 * run.fluid.settings.sweeps;
         const auto [nx, ny, nz] = run.fluid.lattice.cells;
         row.metrics.emplace_back("ns_per_cell_and_sweep",
@@ -99,7 +99,7 @@ void shear_layers(Report& report) {
     const auto finer = flows::finer_double_shear(n);
     if (!finer) return report.faults.push_back(text("fluid: ", finer.error().message));
     auto runs = runs_of(flow, n, report);
-    // The velocities of the classic solver do not lie on faces.
+    // In the classic solver, velocities are not sampled on faces.
     std::erase_if(runs, [](const FluidRun& run) { return run.scheme.solver == Solver::classic; });
     run_by_turns(runs, flow.end);
     for (const FluidRun& run : runs) {
@@ -118,7 +118,7 @@ void viscous(const Options& options, Report& report) {
         add_flow(flows::high_viscosity(ratio, n), n, {{"nu_dt_per_h2", ratio}}, report);
 }
 
-// ---- the cavity -------------------------------------------------------------------------------------------------
+// ---- lid-driven cavity ------------------------------------------------------------------------------------------
 
 double change_since(const Fluid& fluid, fluid::Samples& before) {
     double most = 0;
@@ -168,13 +168,13 @@ struct TurnedShape {
     double (*density)(vec3 place);
 };
 
-/// One revolution by transport alone, in as many steps as `cfl` allows instead of steps of 16 ms.
+/// One revolution by transport alone. The number of steps follows from `cfl`; they are not steps of 16 ms.
 void add_turn(const TurnedShape& shape, int n, double cfl, Report& report) {
     auto runs = runs_of(
         [](const Scheme& scheme, int cells) { return make_fluid(flows::turning_settings(scheme, cells)); }, n,
         report);
     for (FluidRun& run : runs) {
-        // One order of the flow is enough: the rows are about transport.
+        // One order of the flow is enough, because these rows measure transport.
         if (run.scheme.solver == Solver::thaum && run.scheme.order != 4) continue;
         set_velocity(run.fluid, flows::turning);
         set_substance(run.fluid, 0, shape.density);
@@ -207,7 +207,7 @@ void turns(const Options& options, Report& report) {
     }
 }
 
-/// LeVeque's flow, which returns to its start. An error of 2 means that nothing is where it should be.
+/// LeVeque's flow, which returns everything to its start. With an error of 2 nothing is where it should be.
 void add_deformation(const TurnedShape& shape, int n, Report& report) {
     constexpr double cfl = 1;
     auto runs = runs_of([](const Scheme& scheme,
@@ -249,9 +249,10 @@ void deformations(const Options& options, Report& report) {
         for (const int n : sizes) add_deformation(shape, n, report);
 }
 
-// ---- heavy and light --------------------------------------------------------------------------------------------
+// ---- heavy and light substances ---------------------------------------------------------------------------------
 
-/// Largest excess of kinetic plus potential energy over the start, as a share of the released energy.
+/// Largest allowed excess of kinetic plus potential energy over that at the start, as a share of the released
+/// energy.
 constexpr double excess_most = 0.01;
 
 void add_weighing(flows::Weighing weighing, bool in_bowl, int n, double viscosity, Report& report) {
@@ -289,8 +290,8 @@ void weighings(const Options& options, Report& report) {
 
 // ---- the cauldron -----------------------------------------------------------------------------------------------
 
-/// The load of a match: two ladles and three substances in a bowl, one of them thick; compared with an
-/// empty box with the same number of cells.
+/// The load of a match: two ladles and three substances in a bowl, one of them viscous. It is compared with
+/// an empty box with the same number of cells.
 void cauldron(const Options& options, Report& report) {
     const int n = 32, steps = options.quick ? 60 : 600;
     std::vector<FluidRun> runs;
@@ -320,7 +321,7 @@ void cauldron(const Options& options, Report& report) {
     }
 }
 
-// ---- rest and attack --------------------------------------------------------------------------------------------
+// ---- coming to rest, and attacks --------------------------------------------------------------------------------
 
 void rest(const Options& options, Report& report) {
     const int steps = options.quick ? 100 : 10'000;
@@ -376,7 +377,7 @@ void hostile(const Options& options, Report& report) {
     for (const int n : {24, 32}) hostile_of(n, options, report);
 }
 
-// ---- stress -----------------------------------------------------------------------------------------------------
+// ---- stress test ------------------------------------------------------------------------------------------------
 
 constexpr std::uint64_t usual_strikes = 100'000;
 
@@ -390,8 +391,8 @@ constexpr std::array stress_cases{
     StressCase{{Solver::classic}, 24},  StressCase{{Solver::thaum, 4}, 32},
     StressCase{{Solver::thaum, 2}, 32}, StressCase{{Solver::thaum, 2}, 32, true}};
 
-/// Bounds of an attack. The paper's method guarantees neither zero divergence nor conserved energy and
-/// amounts, so it must only stay finite.
+/// Bounds for the fluid under an attack. The paper's method guarantees neither zero divergence nor conserved
+/// energy and amounts, so it must only stay finite.
 fluid::AttackBounds bounds_of(const StressCase& stress_case) {
     if (stress_case.bowl) return {.divergence = fluid::bowl_divergence};
     if (stress_case.scheme.solver == Solver::thaum) return {};
@@ -399,8 +400,8 @@ fluid::AttackBounds bounds_of(const StressCase& stress_case) {
     return {.divergence = any, .energy_growth = any, .amount_drift = any};
 }
 
-/// Time of a step that took `first` (us): the minimum over a few repetitions. In a long attack other
-/// programs interrupt some steps, but a repeated step always does the same work.
+/// Time of a step whose first run took `first` (us): the minimum over a few repetitions. In a long attack
+/// other programs interrupt some steps, but repeating a step always does the same work.
 double minimum_us(fluid::Fluid& fluid, const fluid::State& before, double first) {
     constexpr int runs = 5;
     const fluid::State after = fluid.now;
@@ -412,7 +413,7 @@ double minimum_us(fluid::Fluid& fluid, const fluid::State& before, double first)
     return first;
 }
 
-/// Minimum time of a few steps before the first strike. All terms are active, but nothing moves fast.
+/// Minimum time of a few steps before the attack begins. All terms are active, but nothing moves fast.
 double calm_step_us(fluid::Fluid calm) {
     for (std::size_t s = 0; s < calm.settings.substances.size(); ++s)
         pour(calm, s, vec3(0.5, 0.5, 0.5), 0.3, 1e-3);

@@ -1,4 +1,4 @@
-// tools/bench/fluid_run.h: runs of a fluid that the benchmarks of its area time, and their rows.
+// tools/bench/fluid_run.h: runs of a fluid that the fluid benchmarks time, and their rows.
 #pragma once
 #include <algorithm>
 
@@ -28,8 +28,7 @@ inline void advance_timed(FluidRun& run, double dt) {
     run.substeps += run.last.substeps;
 }
 
-/// Advances all fluids until `end`, one step of each in turn. The first step, which fills caches, is
-/// not timed.
+/// Advances all fluids until `end`, one step each in turn. The first step, which fills caches, is not timed.
 inline void run_by_turns(std::vector<FluidRun>& runs, double end) {
     for (const double dt : fluid::flows::steps_until(end)) {
         for (FluidRun& run : runs) advance_timed(run, dt);

@@ -1,5 +1,5 @@
-// Benchmark of the fluid between curved walls and in layers: error against known solutions, and time of a step. Only
-// `thaum` has walls inside the box.
+// Benchmark of the fluid between curved walls and in layers: error against known solutions, and time of a
+// step. Only the solver `thaum` supports walls inside the box.
 #include <utility>
 
 #include "core/text.h"

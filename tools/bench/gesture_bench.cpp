@@ -1,8 +1,9 @@
 // Benchmarks gestures: time and error of the isolated recognition of each method over the number of templates, and the
 // time of a tick of the spotter.
 //
-// The gestures are generated: 100 smooth random courses, tested with variations of them. So the errors compare methods
-// with one another; how well people's strokes are recognised is measured with `thaum gesture eval` on public data.
+// The gestures are generated: 100 smooth random curves, tested with variations of them. So the errors compare
+// methods with one another; how well people's strokes are recognised is measured with `thaum gesture eval` on
+// public data.
 #include <memory>
 
 #include "core/hash.h"
@@ -21,11 +22,11 @@ namespace {
 constexpr std::size_t most_gestures = 100;
 constexpr std::size_t stroke_points = 200;
 constexpr std::size_t recognitions_in_a_call = 64;
-/// Strokes that take part in the timing. They fit the cache, as a stroke that has just been drawn does.
+/// Number of strokes that are timed. They fit into the cache, as does a stroke that has just been drawn.
 constexpr std::size_t timed_strokes = 64;
 constexpr std::uint64_t gesture_seed = 2026;
 
-/// A course of slow turns with a force that varies.
+/// A random curve with slow turns and a varying force.
 std::vector<gesture::StrokePoint> random_course(Random& random) {
     std::array<double, 4> turn{}, phase{};
     for (auto& t : turn) t = random.uniform(-3, 3);
@@ -71,7 +72,7 @@ std::vector<TestedStroke> strokes_for(std::span<const gesture::Gesture> gestures
     return strokes;
 }
 
-/// A method with its templates.
+/// A recognition method with its templates.
 struct IsolatedRun {
     std::string method;
     std::size_t templates{};
@@ -129,7 +130,7 @@ void isolated_gestures(const Options& options, Report& report) {
     for (std::size_t i = 0; i < runs.size(); ++i) report.rows.push_back(row_of(runs[i], samples[i]));
 }
 
-/// One tick each millisecond: the hand draws a gesture, then wanders to the start of the next.
+/// Points for each millisecond: the hand draws a gesture, then moves aimlessly to the start of the next one.
 std::vector<gesture::StrokePoint> gesture_motion(std::span<const gesture::Gesture> gestures,
                                                  std::size_t ticks) {
     constexpr double tick = 1e-3;

@@ -1,6 +1,6 @@
-// Benchmarks the hand in the fluid (haptics/fluid_touch.h): cost and error of taking a patch of the flow
-// and of reading it, cost of a servo step and the largest jump that a fluid step causes, cost of a ladle's
-// push and the error of the fluid's momentum, and the energy that passive modes create.
+// Benchmarks the hand in the fluid (haptics/fluid_touch.h): cost and error of copying a patch of the flow and
+// of reading it; cost of a servo step, and the largest jump that a fluid step causes; cost of a ladle's push,
+// and the error of the fluid's momentum; and the energy that passive modes create.
 #include <array>
 
 #include "core/hash.h"
@@ -21,7 +21,7 @@ using haptics::FlowPatch;
 using haptics::FlowSample;
 using haptics::FlowSource;
 
-// ---- patches ----------------------------------------------------------------------------------------------
+// ---- patches of the flow ----------------------------------------------------------------------------------
 
 constexpr std::size_t hand_places = 64;
 constexpr double brew_density = 8;  // density of the brew (kg/m^3)
@@ -85,7 +85,7 @@ double read_through_fields(const FlowSource& source, const FlowPatch& patch) {
     return sum;
 }
 
-/// Times per place of taking a patch, of reading it twice, and of reading its nodes through the fields (us).
+/// Times for each place (us): copying a patch, reading it twice, and reading its nodes through the fields.
 std::vector<std::vector<double>> patch_times(const TurningBrew& brew, const FlowSource& source,
                                              const std::vector<FlowPatch>& patches, const Options& options) {
     const auto each = [&brew](const auto& visit) {
@@ -147,7 +147,7 @@ struct StirLoad {
 constexpr std::array stir_loads{StirLoad{"none", false}, StirLoad{"off", true, {0, 0, 0, 0, 0, 0, 0}},
                                 StirLoad{"flow", true, {1, 1, 1, 0, 0, 0, 0}}, StirLoad{"all", true, {}}};
 
-/// Model of a ladle with mass in a flow, pressed to the surface from below and to the wall.
+/// Haptic model of a ladle with mass in a flow, pressed against the surface from below and against the wall.
 haptics::HapticModel stirring_model(const StirLoad& load) {
     haptics::HapticModel model;
     if (!load.fluid) return model;
@@ -171,8 +171,8 @@ FlowPatch some_flow(Random& random) {
                         random.uniform(), random.uniform());
 }
 
-/// The hand rests, so only the fluid changes its force. Returns the largest change in one tick divided by
-/// the change over its fluid step.
+/// The hand rests, so the force changes only with the fluid. Returns the largest change within one tick,
+/// divided by the change over the whole fluid step.
 double largest_step_share(const StirLoad& load) {
     auto spec = reference_device(0.5, 0);
     const haptics::Servo servo = servo_of(spec, 1);
@@ -237,7 +237,7 @@ void hand_steps(const Options& options, Report& report) {
 
 // ---- momentum ---------------------------------------------------------------------------------------------
 
-/// A hand that moves along a straight stroke through the brew, whatever the force on it.
+/// A hand that moves straight through the brew, whatever the force on it.
 struct StrokingHand {
     haptics::Servo servo;
     vec3 from, velocity;  ///< position at the start (m) and velocity (m/s) of the device
@@ -263,7 +263,7 @@ struct StrokingHand {
         add_fluid_step(model.fluid, patch_of(source, haptics::to_bowl(model.fluid.frame, place())));
     }
 
-    /// Impulse given to the fluid in one of its steps (N s).
+    /// Impulse that the fluid receives in one of its steps (N s).
     vec3 stroke() {
         vec3 impulse{};
         for (std::uint32_t i = 0; i < haptics::fluid_period; ++i, ++tick, ++model.fluid.step_age) {
@@ -274,8 +274,8 @@ struct StrokingHand {
     }
 };
 
-/// Two ladles in a periodic brew, so that no wall takes momentum. After each step the given momentum is
-/// compared with that of the brew.
+/// Two ladles in a periodic brew without walls, which would absorb momentum. After each step, the momentum
+/// that the ladles gave is compared with the brew's.
 void ladle_momentum(const Options&, Report& report) {
     for (const int n : {16, 32, 64}) {
         auto made =

@@ -1,5 +1,5 @@
-// Benchmark of the simulated device: stiffest stable wall (Z-width) beside theory, and time of a tick. Also
-// the safety stage under attack, and the time of a servo step.
+// Benchmark of the simulated device: the stiffest stable wall (Z-width) compared with theory, and the time of
+// a tick. Also the safety stage under attack, and the time of a servo step.
 
 #include "core/hash.h"
 #include "core/text.h"
@@ -33,9 +33,9 @@ void z_width(Report& report) {
     }
 }
 
-/// Stiffness that a wall delivers at 2 N with its own damping and the passivity controller, and their side
-/// effects: the difference between the felt force and the wall's while it settles, and the time until it
-/// settles.
+/// Effective stiffness of a wall at 2 N with its own damping and the passivity controller, and the side
+/// effects of these two: the difference between the felt force and the wall's force while it settles, and the
+/// time until it settles.
 void controlled_walls(Report& report) {
     constexpr double newtons = 2;
     for (const int latency : {0, 1, 2}) {
@@ -63,7 +63,7 @@ void controlled_walls(Report& report) {
     }
 }
 
-/// Motion that a device goes through; it decides which branches of a tick run.
+/// Motion of a device during the benchmark; it decides which branches of a tick run.
 struct Motion {
     const char* name;
     double friction;  // N
@@ -104,7 +104,7 @@ void simulated_ticks(const Options& options, Report& report) {
     }
 }
 
-// ---- safety and servo -------------------------------------------------------------------------------------
+// ---- safety stage and servo -------------------------------------------------------------------------------
 
 /// Values of assets/devices that the safety stage reads.
 struct DeviceLimits {
@@ -123,7 +123,8 @@ haptics::DeviceSpec spec_of(const DeviceLimits& device) {
     return spec;
 }
 
-/// Ticks run in blocks, so that the clock measures the stage alone, without the attack and the audit.
+/// Number of ticks in a block. Ticks run in blocks so that the clock measures the safety stage alone, without
+/// the attack and the audit.
 constexpr std::size_t block_ticks = 1000;
 
 struct AttackBlock {
@@ -175,7 +176,7 @@ void safety_hostile(const Options& options, Report& report) {
 
 struct ServoLoad {
     const char* name;
-    std::uint32_t every, length;  // ticks; 0: no pulses
+    std::uint32_t every, length;  // interval and length of pulses (ticks); 0: no pulses
     bool primitives = false;
     bool patch = false;
 };
@@ -183,7 +184,7 @@ constexpr std::array servo_loads{ServoLoad{"quiet", 0, 0}, ServoLoad{"bolts", 12
                                  ServoLoad{"four_pulses", 25, 100}, ServoLoad{"four_primitives", 0, 0, true},
                                  ServoLoad{"full_patch", 0, 0, false, true}};
 
-/// One primitive of each kind: a floor, a snap, a groove that leads to it, and a wind.
+/// One primitive of each kind: a floor, a point to snap to, a groove that leads to it, and a wind.
 haptics::PrimitiveSet four_primitives() {
     using enum haptics::PrimitiveKind;
     haptics::PrimitiveSet set;

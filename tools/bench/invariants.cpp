@@ -12,17 +12,17 @@ namespace {
 
 constexpr double any = std::numeric_limits<double>::infinity();
 
-/// Bounds of one figure: a metric or the error of a row.
+/// Bounds for one value of a row: a metric or the error.
 struct Invariant {
     std::string_view area;
-    std::string_view name;  ///< name of a case; empty: every case of the area
+    std::string_view name;  ///< name of a case; empty: every case in the area
     std::string_view figure;
     double least, most;
 };
 
 /// Largest energy that passive sources may create in a hand (J), as the haptic design demands.
 constexpr double created_most = 0.02;
-/// Largest relative change of an amount that transport must conserve; float rounding stays below it.
+/// Largest relative change of an amount that transport must conserve; float rounding errors stay below it.
 constexpr double amount_drift = 1e-5;
 
 constexpr std::array invariants{
@@ -70,8 +70,8 @@ constexpr std::array invariants{
     Invariant{"fluid", "", "amount_change", -amount_drift, amount_drift},
 };
 
-/// True for rows of the paper's own method, the baseline. It loses part of what it transports; that is a
-/// result, not a fault.
+/// True for rows of the paper's own method, the baseline. It loses part of what it transports, which is a
+/// result and not a fault.
 bool is_baseline(const Row& row) {
     return std::any_of(row.setting.begin(), row.setting.end(), [](const auto& setting) {
         return setting.first == "solver" && shown(setting.second) == "classic";
@@ -101,7 +101,7 @@ bool has_figure(const Row& row, std::string_view figure) {
                        [&](const auto& metric) { return metric.first == figure; });
 }
 
-/// Fault of a row that lacks a figure with a bound; empty: none.
+/// Fault of a row that lacks a value for which there is a bound; empty: none.
 std::string missing_figure(const Row& row) {
     for (const auto& i : invariants) {
         if (!i.name.empty() && applies(i, row) && !has_figure(row, i.figure))

@@ -1,12 +1,12 @@
 // tools/bench/invariants.h: conditions that a row must meet on any machine, such as equal hashes and no
-// allocation where none is allowed. A row that breaks one has not measured what it claims.
+// allocation where none is allowed. If a row breaks one, its measurement is invalid.
 #pragma once
 #include "tools/bench/report.h"
 
 namespace thaum::bench {
 
-/// Reason why the row cannot be trusted, as one line with the figure and its bound; empty: none. An error
-/// or a metric that is not finite always breaks an invariant.
+/// Reason why the row cannot be trusted, as one line with the value and its bound; empty: none. An error or a
+/// metric that is not finite always breaks an invariant.
 std::string broken_invariant(const Row& row);
 
 /// Sets `fault` of every row that breaks an invariant, and adds it to the faults of the report.

@@ -1,4 +1,4 @@
-// Benchmarks a match: cost and allocations of a tick, and cost of idle features.
+// Benchmarks a match: cost and allocations of a tick, and the cost of features that are idle.
 #include <algorithm>
 #include <functional>
 
@@ -60,13 +60,14 @@ void tick_alloc(const Options& options, Report& report) {
     if (!there(scene, "tick")) return;
     constexpr Tick warm_up = 10'000;
     const Tick counted = options.quick ? 20'000 : 60'000;
-    // The first death in a match creates the tables for the dead, so it happens before measuring.
+    // The first death in a match creates the tables for dead wizards, so it is made to happen before the
+    // measurement.
     scene->match->world_to_change().view<game::Health>().each([](game::Health& h) { h.points = 0; });
-    // So does the first hit on a crystal, which makes its voxels.
+    // The first hit on a crystal creates its voxels, so it is made to happen before the measurement too.
     scene->match->world_to_change().view<game::Crystal>().each([&](game::Crystal& crystal) {
         game::touch_crystal(scene->match->context_to_change(), scene->match->crystals_to_change(), crystal);
     });
-    // So does the first stroke, which makes the recogniser.
+    // The first stroke creates the recogniser, so this too is done before the measurement.
     if (const auto& gestures = scene->match->data().gestures) (void)gestures->recogniser();
     scene->run(warm_up);
     const auto before = allocation_count();
@@ -98,7 +99,7 @@ void place_before_crates(Simulation& match) {
     }
 }
 
-/// With mouse and clutch the hands move to and fro. The view does so more slowly.
+/// The hands move to and fro by mouse and clutch. The view moves too, but more slowly.
 void shake_hands(Tick tick, input::InputFrame& frame) {
     for (std::size_t d = 0; d < game::players; ++d) {
         auto& sample = frame.devices[d];
@@ -114,7 +115,7 @@ input::InputFrame pressing(input::Button button) {
     return frame;
 }
 
-/// Each of two hands holds and moves a thing all the time.
+/// Each of two hands holds and moves an object all the time.
 void tick_duel_haptic(const Options& options, Report& report) {
     auto scene = idle_match({"lift.energy.per_s=0", "lift.energy.per_n_s=0"});
     if (!scene) return;
@@ -158,7 +159,7 @@ void tick_duel_haptic(const Options& options, Report& report) {
 
 // ---- hands that stir --------------------------------------------------------------------------------------
 
-/// The wizard drops three ingredients one after another.
+/// The wizard drops three ingredients, one after another.
 void drop_three(SceneMatch& scene) {
     auto& world = scene.match->world_to_change();
     const auto wizard = game::wizard_of(world, 0);
@@ -188,7 +189,7 @@ double ingredient_count(const game::Cauldron& cauldron) {
 }
 
 /// Two ladles stir three substances all the time. The brew never boils over, and its fluid steps run on the
-/// same core.
+/// same core as the tick.
 void tick_duel_cauldron(const Options& options, Report& report) {
     auto scene = idle_match({"cauldron.brewing.spoils_after_s=3600"});
     if (!scene) return;
@@ -229,17 +230,17 @@ void tick_duel_cauldron(const Options& options, Report& report) {
          .hash = hex(match.state_hash())});
 }
 
-/// Keeps a feature busy; called before each tick.
+/// Function that keeps a feature busy; called before each tick.
 using Stir = std::function<void(SceneMatch&, Tick)>;
 
 struct Feature {
     const char* name;
     std::vector<std::string_view> systems;
-    const char* idle_state;  ///< such as "absent" or "asleep"
+    const char* idle_state;  ///< name of the idle state, such as "absent" or "asleep"
     Stir stir;
     std::vector<std::string> overrides{};
     Tick
-        /// Ticks between half a second of stirring and the measurement of the idle feature. 0: no stirring
+        /// Ticks between half a second of activity and the measurement of the idle feature. 0: no activity
         /// before.
         rest{};
 };
@@ -321,7 +322,7 @@ void carve_crystal(SceneMatch& scene, Tick tick) {
     scene.frame = carving(tick);
 }
 
-/// Focus is endless meanwhile.
+/// During this search, focus is unlimited.
 void search_orb(SceneMatch& scene, Tick tick) {
     if (tick == 0) place_at_the_orb(*scene.match);
     scene.match->world_to_change().view<game::Focus>().each([](game::Focus& focus) { focus.points = 100; });
@@ -331,7 +332,7 @@ void search_orb(SceneMatch& scene, Tick tick) {
 void skip_features(const Options& options, Report& report) {
     const std::vector<std::string_view> fluid_systems{"brew", "brew's surface", "splashes"};
     const std::vector<std::string_view> crystal_systems{"carvers", "carving", "chisels", "chips"};
-    // A less viscous brew would take minutes to come to rest.
+    // A less viscous brew would need minutes to come to rest.
     const std::vector<std::string> thick_brew{"cauldron.brew.viscosity_m2_s=0.2",
                                               "cauldron.surface.damping_per_s=20"};
     const std::vector<Feature> features{

@@ -23,11 +23,11 @@ bool there(const Expected<T>& value, std::string_view what) {
     return value.has_value();
 }
 
-/// Data of a match that cannot end while it is measured. Null if it could not be loaded; the reason has
-/// been printed.
+/// Data for a match that cannot end while it is measured. Null if they could not be loaded; the reason was
+/// then printed.
 std::shared_ptr<const game::MatchData> duel_data(std::vector<std::string> overrides = {});
 
-/// A duel of the bots with the most work per tick, with duel_data().
+/// A duel of those bots that need the most work in each tick, with duel_data().
 Expected<game::BotDuel> heaviest_duel();
 
 /// A match with two scripted wizards, or with no input at all.
@@ -39,7 +39,7 @@ struct SceneMatch {
     ecs::SystemCount counted(std::string_view system) const;
 };
 
-/// Makes a match in which everything has come to rest. Its systems are timed.
+/// Makes a match in which everything has come to rest, and times its systems.
 std::optional<SceneMatch> idle_match(std::vector<std::string> overrides = {});
 
 void place(game::Simulation& match, std::uint32_t player, vec3 at, double yaw, double pitch);

@@ -1,8 +1,8 @@
-// tools/bench/measure.h: measures run times on a machine that also does other work.
+// tools/bench/measure.h: measures run times on a machine that is also busy with other work.
 //
-// The load of a shared machine changes within seconds, so two contestants measured one after the other
-// cannot be compared. They are therefore interleaved, A B C B C A C A B ..., with one sample each. Their
-// ratio is the median of the ratios within a round, because a slow round slows all of them.
+// The load of a shared machine changes within seconds, so two contestants measured one after the other cannot
+// be compared. They therefore alternate, A B C B C A C A B ..., with one sample each. Their ratio is the
+// median of the ratios within a round, because a slow round slows all of them.
 #pragma once
 #include <cstddef>
 #include <functional>
@@ -45,7 +45,7 @@ double percentile(std::vector<double> samples, double p);
 inline double median(std::vector<double> samples) { return percentile(std::move(samples), 0.5); }
 Times times(const std::vector<double>& samples);
 
-/// Median over the rounds of a / b.
+/// Median of a / b over the rounds.
 double ratio(std::span<const double> a, std::span<const double> b);
 
 }  // namespace thaum::bench

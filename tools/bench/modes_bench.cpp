@@ -2,7 +2,7 @@
 // volume_feel.h).
 //
 //     modes           time of each mode on fields of 128^3 samples, its reads of the field included
-//     sphere_normal   direction of the force on a sphere, against the true normal, by kernel and method
+//     sphere_normal   direction of the force on a sphere, compared with the true normal, by kernel and method
 //     shell_chatter   noise of the force of a tip that slides on a sphere at an even depth
 //     held_on_sphere  the same by a simulated hand and device, with the servo in the loop
 //     edge_vibration  the same on a block with hard edges: on a face, along an edge, across it
@@ -28,7 +28,7 @@
 #include "tools/bench/areas.h"
 #include "tools/bench/measure.h"
 
-// A namespace of its own, because other benchmarks have slides and depths too.
+// A separate namespace, because other benchmarks also define slides and depths.
 namespace thaum::bench::touched {
 namespace {
 
@@ -37,16 +37,16 @@ using field::Scalar;
 using field::ScalarField;
 
 constexpr int samples_each_way = 128;
-constexpr double spacing = 0.0008;         // m; the volume is 10 cm wide
+constexpr double spacing = 0.0008;         // spacing of the samples (m); the volume is 10 cm wide
 constexpr double stiffness = 300;          // N/m
-constexpr double depth = 1.0 / stiffness;  // m; a push of 1 N
-constexpr double level = 127.5;            // half the density
+constexpr double depth = 1.0 / stiffness;  // depth of the tip (m), for a push of 1 N
+constexpr double level = 127.5;            // density at the surface: half of the full density
 constexpr double reach = 1.5 * spacing;    // m
 constexpr double radius = 40 * spacing;    // m
 
 // ---- fields -----------------------------------------------------------------------------------------------
 
-/// Spherical contact: the mean over the corners of a cube, which lie on a ball.
+/// Spherical contact: the mean over the corners of a cube that is inscribed in the ball.
 struct BallMean {
     field::Grid grid{};
 
@@ -63,7 +63,7 @@ struct BallMean {
     }
 };
 
-/// The ways to read one volume.
+/// The ways in which one volume is read.
 struct Readings {
     explicit Readings(const ScannedVolume& v)
         : smooth(v.smooth()),
@@ -83,9 +83,9 @@ struct Readings {
     }
 };
 
-// ---- ways to feel a surface -------------------------------------------------------------------------------
+// ---- methods to feel a surface ----------------------------------------------------------------------------
 
-/// A tip on a surface, by one of the two methods.
+/// A tip that touches a surface by one of the two methods.
 struct Feeler {
     ScalarField density{};
     bool by_density{};
@@ -123,7 +123,7 @@ Row normal_row(const char* kernel, ScalarField field, bool by_density, int direc
         const vec3 out = even_direction(i, directions);
         Feeler feeler(field, by_density);
         feeler.hand.start((radius + 0.5 * reach) * out);
-        // The density method feels nothing deeper than its shell of one sample.
+        // The density method gives no force deeper than its shell of one sample.
         const double rest = by_density ? radius : radius - depth;
         vec3 force(0);
         for (int tick = 0; tick < 60; ++tick)
@@ -149,7 +149,7 @@ Row normal_row(const char* kernel, ScalarField field, bool by_density, int direc
 
 // ---- sliding ----------------------------------------------------------------------------------------------
 
-/// A way of the tip and the part of it that counts.
+/// A path of the tip, and the part of it that is measured.
 struct Slide {
     const char* name;
     std::function<vec3(int tick)> tip;
@@ -158,15 +158,15 @@ struct Slide {
 
 struct Noise {
     double mean{};   ///< mean force (N)
-    double rms{};    ///< difference from the mean of the nearest 64 ms, root mean square (N)
+    double rms{};    ///< root mean square of the difference from the mean over the nearest 64 ms (N)
     double worst{};  ///< largest such difference (N)
     double jump{};   ///< largest change from tick to tick (N)
-    double swing{};  ///< sum of all rises that later falls take back, or the reverse (N)
+    double swing{};  ///< sum of all rises of the force that are followed by falls, or the reverse (N)
     std::uint64_t hash{};
 };
 
-/// Noise of forces after the tick `from`. A hand feels vibrations, not slow changes, so the noise is what is left
-/// after the mean of the nearest 64 ms.
+/// Noise of forces after the tick `from`. A hand feels vibrations, not slow changes, so the noise is the
+/// force minus its mean over the nearest 64 ms.
 constexpr int noise_half = 32;
 
 Noise noise_of(std::span<const vec3> forces, int from) {
@@ -215,7 +215,7 @@ Row slide_row(const char* name, const Slide& slide, const char* kernel, ScalarFi
             .hash = hex(noise.hash)};
 }
 
-/// A tip that comes in from outside during the first 100 ticks and then keeps its depth.
+/// Depth of a tip that comes in from outside during the first 100 ticks and then keeps its depth.
 double depth_at(int tick, double full) {
     return full * std::min(1.0, tick / 60.0) - 0.5 * reach * std::max(0.0, 1 - tick / 60.0);
 }
@@ -232,9 +232,9 @@ Slide round_sphere(bool by_density, int ticks) {
             ticks};
 }
 
-// ---- a held device ----------------------------------------------------------------------------------------
+// ---- a device held by a hand ------------------------------------------------------------------------------
 
-/// A Touch with or without the quantum of its encoders and its dry friction.
+/// A Touch, with or without its dry friction and the quantum of its encoders.
 haptics::DeviceSpec touch_device(bool ideal) {
     haptics::DeviceSpec spec = reference_device(0.2, 1);
     spec.peak_force = spec.continuous_force = 3.3;
@@ -250,7 +250,7 @@ haptics::DeviceSpec touch_device(bool ideal) {
 struct HeldSlide {
     Feeler feeler;
     haptics::DeviceSpec spec;
-    double goal{};  ///< radius of the hand's target (m)
+    double goal{};  ///< distance of the hand's target from the sphere's centre (m)
 
     std::vector<vec3> play(int ticks, double& created) {
         const auto servo = haptics::servo_of(spec, 1);
@@ -296,7 +296,7 @@ Row held_row(ScalarField field, bool by_density, bool ideal, int ticks) {
             .hash = hex(noise.hash)};
 }
 
-// ---- ways on a block --------------------------------------------------------------------------------------
+// ---- paths on a block -------------------------------------------------------------------------------------
 
 constexpr double half_block = 30 * spacing;
 
@@ -304,13 +304,14 @@ TurnedBlock hard_block() {
     return {{.half = vec3(half_block)}, mat3(glm::mat3_cast(rotation(glm::normalize(vec3(1, 2, 0.5)), 0.6)))};
 }
 
-/// Goes to and fro between -half and half at this speed (m/s).
+/// Position that moves between -half and half at this speed (m/s).
 double to_and_fro(int tick, double speed, double half) {
     const double turns = speed * tick_seconds * tick / (4 * half);
     return half * (4 * std::abs(turns - std::floor(turns) - 0.5) - 1);
 }
 
-/// Ways on the block, in its own frame: on the face y, along the edge between x and y, and out over that edge.
+/// Paths on the block, in the block's own frame: on the face y, along the edge between x and y, and across
+/// that edge.
 std::array<Slide, 3> block_ways(const TurnedBlock& block, bool by_density, int ticks) {
     const double inside = by_density ? 0.0 : depth, wide = 0.6 * half_block;
     const auto on_face = [=, turn = block.turn](int t) {
@@ -319,7 +320,8 @@ std::array<Slide, 3> block_ways(const TurnedBlock& block, bool by_density, int t
     };
     const auto along_edge = [=, turn = block.turn](int t) {
         const double in = half_block - depth_at(t, inside);
-        return turn * vec3(in - 0.1 * depth, in, to_and_fro(t, 0.1, wide));  // a little nearer to one face
+        // A little nearer to one of the two faces.
+        return turn * vec3(in - 0.1 * depth, in, to_and_fro(t, 0.1, wide));
     };
     const auto across_edge = [=, turn = block.turn](int t) {
         return turn * vec3(half_block - 0.01 + 2e-5 * t, half_block - depth_at(t, inside), 0.002);
@@ -371,7 +373,7 @@ struct ModeRunner {
     }
 };
 
-/// Inputs of a tip that slides over the ball with a push of 1 N, with the proxy on the surface.
+/// Inputs for a tip that slides over the ball with a push of 1 N, while the proxy is on the surface.
 std::vector<haptics::ModeInput> inputs_near_surface() {
     std::vector<haptics::ModeInput> inputs;
     for (int i = 0; i < 1024; ++i) {
@@ -403,7 +405,7 @@ ModeRunner runner_of(const haptics::Mode& mode, const ModeFields& fields, Scalar
     return runner;
 }
 
-/// The volume feel with all its parts, beside the modes.
+/// Evaluates the volume feel with all its parts, for comparison with the modes.
 struct VolumeRunner {
     haptics::VolumeFeel feel{};
     std::vector<haptics::ModeInput> inputs = inputs_near_surface();

@@ -27,7 +27,7 @@ game::ScenarioOptions options_in(const fs::path& folder) {
     options.out = folder;
     options.same_again = game::SameAgain::unchecked;
     options.read_screen = game::words_over_views;
-    // Pictures do not matter here, so a blank one serves.
+    // The pictures are not used here, so an empty one is enough.
     options.take_picture = [](const auto&, auto, const auto&) -> Expected<game::Pixels> {
         return game::Pixels{1, 1, {0, 0, 0}};
     };

@@ -1,10 +1,10 @@
 // Benchmark of rigid bodies: run time against error, by time step and by treatment of Bullet's
 // first-order step.
 //
-// Scheme "bullet" is semi-implicit Euler as in Bullet. "half_start" is the same, but the caller gives
-// every body the velocity of half a step earlier; free fall is then exact, and this is possible from
-// outside. "exact_flight" is the shipped scheme. Solutions for comparison are closed forms, and for the
-// pendulum a converged Runge-Kutta integration.
+// Scheme "bullet" is semi-implicit Euler as in Bullet. "half_start" is the same, but the caller gives every
+// body the velocity of half a step earlier; free fall is then exact, and this is possible from outside.
+// "exact_flight" is the shipped scheme. The reference solutions are closed forms, and for the pendulum a
+// converged Runge-Kutta integration.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -33,7 +33,7 @@ constexpr std::array<std::int64_t, 4> steps_ms{1, 2, 4, 8};
 constexpr std::int64_t shipped_step_ms = 1;
 constexpr int shipped_iterations = physics::Settings{}.solver_iterations;
 
-/// A world and its time step.
+/// A simulated world and its time step.
 struct Run {
     std::string scheme;
     double dt;  ///< time step (s)
@@ -44,7 +44,7 @@ struct Run {
           dt(static_cast<double>(step_ms) * 1e-3),
           physics({.solver_iterations = iterations, .exact_flight = name == "exact_flight"}) {}
 
-    /// Velocity to give a body that starts with `velocity` under gravity.
+    /// Velocity that must be given to a body so that it starts with `velocity` under gravity.
     vec3 starting(vec3 velocity) const {
         return scheme == "half_start" ? velocity + vec3(0, g * dt / 2, 0) : velocity;
     }
@@ -61,7 +61,7 @@ BodyDesc ball() { return {.shape = Shape::sphere, .size = {0.1, 0, 0}, .mass = 1
 
 // ---- free flight ------------------------------------------------------------------------------------------------
 
-/// Distance from the closed form after 2 s.
+/// Distance from the closed form of the free flight after 2 s.
 Outcome flight(Run& run, vec3 velocity) {
     constexpr double seconds = 2;
     const vec3 from{0, 100, 0};
@@ -80,7 +80,7 @@ constexpr double rod = 1;  // length of the rod (m)
 /// Angle from hanging and angular speed after swing_seconds, released at rest at 90 degrees: theta'' =
 /// -(g / rod) sin theta.
 std::array<double, 2> exact_swing() {
-    constexpr int steps = 100'000;  // twice as many change the angle by less than 1e-12 rad
+    constexpr int steps = 100'000;  // number of steps; twice as many change the angle by less than 1e-12 rad
     constexpr double h = swing_seconds / steps;
     double angle = pi / 2, speed = 0;
     const auto pull = [](double a) { return -g / rod * std::sin(a); };
@@ -95,7 +95,7 @@ std::array<double, 2> exact_swing() {
     return {angle, speed};
 }
 
-/// Place where a step without the rod would end, for the scheme.
+/// Position at which a step without the rod would end, by the scheme.
 vec3 free_end(const Run& run, const BodyState& s) {
     const double gravity_path = run.scheme == "exact_flight" ? g * run.dt * run.dt / 2 : g * run.dt * run.dt;
     return s.position + s.velocity * run.dt - vec3(0, gravity_path, 0);
@@ -107,16 +107,16 @@ void hold_by_rod(Run& run) {
     const BodyState& s = run.physics.state(1);
     const vec3 along = s.position / rod;
     const vec3 end = free_end(run, s);
-    // Solves |end + push along|^2 = rod^2 for the root near zero.
+    // Solves |end + push along|^2 = rod^2 for `push`, the root near zero.
     const double half = glm::dot(end, along);
     const double push = -half + std::sqrt(half * half - glm::dot(end, end) + rod * rod);
     run.physics.set_velocity(1, s.velocity + along * (push / run.dt));
 }
 
-/// Energy of the bob of 1 kg (J), without the velocity that the rod removes at once.
+/// Energy of the bob of 1 kg (J), ignoring the velocity that the rod removes at once.
 double energy(const Run& run) {
     const BodyState& s = run.physics.state(1);
-    // Without exact flight the velocity is that of half a step earlier.
+    // Without exact flight, the stored velocity is that of half a step earlier.
     const vec3 velocity = run.scheme == "exact_flight" ? s.velocity : s.velocity - vec3(0, g * run.dt / 2, 0);
     const vec3 along = glm::normalize(s.position);
     const vec3 across = velocity - along * glm::dot(velocity, along);
@@ -133,18 +133,18 @@ Outcome pendulum(Run& run) {
     const BodyState& state = run.physics.state(1);
     const vec3 there = rod * vec3(std::sin(exact[0]), -std::cos(exact[0]), 0);
     return {.error = glm::length(state.position - there),
-            .metrics = {{"energy_drift_j", energy(run)},  // it was 0 at the start
+            // This is the drift, because the energy was 0 at the start.
+            .metrics = {{"energy_drift_j", energy(run)},
                         {"rod_error_m", std::abs(glm::length(state.position) - rod)}},
             .hash = hash_value(state)};
 }
 
-// ---- stack ------------------------------------------------------------------------------------------------------
+// ---- stacks -----------------------------------------------------------------------------------------------------
 
 constexpr std::size_t stack_count = 32;
 
-/// Median and its confidence interval: the median of the distribution lies in it in 98 of 100 samples.
-/// The interval is from the 10th to the 23rd of 32 values, by the binomial distribution. Source:
-/// Conover, Practical Nonparametric Statistics, 3.2.
+/// Median and its 98 % confidence interval. The interval is from the 10th to the 23rd of 32 values, by the
+/// binomial distribution. Source: Conover, Practical Nonparametric Statistics, 3.2.
 struct MedianOf {
     double value{}, low{}, high{};
 };
@@ -159,7 +159,7 @@ constexpr double half_box = 0.2;  // half the edge of a box (m)
 
 Key box_key(Key stack, Key level) { return 1 + stack * stack_boxes + level; }
 
-/// Adds the ground and the stacks. Returns the place of the lowest box of each stack (m).
+/// Adds the ground and the stacks. Returns the position of the lowest box of each stack (m).
 std::array<vec3, stack_count> add_stacks(Physics& physics) {
     physics.add(0, {.size = {20, 1, 20}}, {.position = {0, -1, 0}});
     Random random{1};
@@ -177,10 +177,10 @@ std::array<vec3, stack_count> add_stacks(Physics& physics) {
     return feet;
 }
 
-/// Distance of the boxes from their places on rigid boxes.
+/// How far the boxes have moved from where rigid boxes would be.
 struct StackDrift {
-    std::array<double, stack_count> of_top{};  ///< distance of each stack's top box (m)
-    double sunk{};                             ///< largest distance by which a box has sunk (m)
+    std::array<double, stack_count> of_top{};  ///< distance of the top box of each stack (m)
+    double sunk{};                             ///< largest distance by which any box has sunk (m)
     std::uint64_t hash{};                      ///< hash of the states of all boxes
 };
 
@@ -218,7 +218,7 @@ Outcome stacks(Run& run) {
             .hash = drift.hash};
 }
 
-// ---- rows -------------------------------------------------------------------------------------------------------
+// ---- rows of the report -----------------------------------------------------------------------------------------
 
 struct Case {
     std::string name;
@@ -237,7 +237,7 @@ struct Setting {
     }
 };
 
-/// Numbers of the solver's iterations to compare. A quick run leaves out the one that costs most.
+/// Numbers of solver iterations to compare. A quick run leaves out the most expensive one.
 std::vector<int> iterations_of(const Case& one, bool quick) {
     if (!one.has_iterations) return {shipped_iterations};
     if (quick) return {4, shipped_iterations};
@@ -290,7 +290,7 @@ void measure_case(const Case& one, const Options& options, Report& report) {
 
 // ---- contacts ---------------------------------------------------------------------------------------------------
 
-/// One row with the shipped settings and an error that must stay below a bound.
+/// One row with the shipped settings, whose error must stay below a bound.
 struct Stress {
     std::string name;
     std::string shape;
@@ -317,7 +317,7 @@ double worst_rebound(Shape shape) {
             world.step(1e-3);
             rebound = world.velocity(2).y;
         }
-        for (int i = 0; i < 3; ++i) {  // a rim may touch some steps later
+        for (int i = 0; i < 3; ++i) {  // because a rim may touch some steps later
             world.step(1e-3);
             rebound = std::max(rebound, world.velocity(2).y);
         }
@@ -350,7 +350,7 @@ double share_through(Shape shape) {
     return through / 300.0;
 }
 
-/// Depth by which a load on four boxes of 2 kg has sunk after 10 s (m).
+/// Depth by which a load on four boxes of 2 kg sinks within 10 s (m).
 double sunk_under(double load) {
     Physics world;
     world.add(1, {.size = {50, 1, 50}}, {.position = {0, -1, 0}});

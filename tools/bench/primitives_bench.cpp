@@ -1,10 +1,10 @@
 // Benchmark of the proxy of haptic primitives (engine/haptics/primitives/balance.h): run time and remaining sum of
 // forces.
 //
-// "exact" is the shipped method. "iterative" is the usual way, which minimises the length of eq. 8's sum
-// numerically: damped steps along the sum, halved where it does not fall, at most 200. "gauss_seidel" is a
-// physics engine's way: 20 rounds in which each primitive in turn takes the force, within its strength, that
-// puts the proxy on its kink.
+// "exact" is the shipped method. "iterative" is the usual method, which minimises the length of the sum in
+// eq. 8 numerically: damped steps along the sum, halved if the length does not fall, at most 200.
+// "gauss_seidel" is the method of physics engines: 20 rounds in which each primitive in turn takes that
+// force, within its strength, which puts the proxy on its kink.
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -34,14 +34,14 @@ vec3 from_kink(const Primitive& p, vec3 x) {
     return p.kind == PrimitiveKind::line ? m - along : along;
 }
 
-/// The nearest force that the primitive can exert on its kink (N).
+/// The force nearest to `force` that the primitive can exert while the proxy is on its kink (N).
 vec3 within_strength(const Primitive& p, vec3 force) {
     if (p.kind == PrimitiveKind::plane)
         return std::clamp(glm::dot(force, p.direction), 0.0, p.strength) * p.direction;
     return limited(force, p.strength);
 }
 
-/// Force of a primitive by eqs. 4 to 7; none on the kink.
+/// Force of a primitive by eqs. 4 to 7; zero on the kink.
 vec3 force_at(const Primitive& p, vec3 x) {
     if (p.kind == PrimitiveKind::directed) return p.strength * p.direction;
     const vec3 m = from_kink(p, x);
@@ -51,8 +51,8 @@ vec3 force_at(const Primitive& p, vec3 x) {
     return distance > 0 ? m * (-p.strength / distance) : vec3(0);
 }
 
-/// Remaining sum of forces plus the largest change of a force that is computed again from the proxy (N). Zero
-/// at the balance and only there, for every method.
+/// Remaining sum of forces plus the largest change of a force that is computed again from the proxy (N). For
+/// every method it is zero at the balance and only there.
 double residual(const PrimitiveSet& set, const Spring& spring, const Balance& found) {
     vec3 sum = spring.stiffness * (spring.centre - found.proxy);
     double worst = 0;
@@ -125,9 +125,9 @@ constexpr std::array<std::size_t, 5> counts{1, 2, 4, 8, 16};
 /// Statistics of many random sets.
 struct Tally {
     double residual{};     ///< worst residual (N)
-    double own{};          ///< worst residual that the method itself reports (N)
-    double force_error{};  ///< worst error of the force at the hand against exact (N)
-    double above{};        ///< share of sets above 1e-9 N
+    double own{};          ///< worst residual as reported by the method itself (N)
+    double force_error{};  ///< worst error of the force at the hand, compared with the method "exact" (N)
+    double above{};        ///< share of sets with a residual above 1e-9 N
     double steps{};        ///< mean number of steps
     double most_steps{};
     double allocations{};
@@ -159,7 +159,7 @@ Tally tally_of(const Method& method, std::size_t count, std::size_t sets) {
 
 constexpr std::size_t batch = 64;
 
-/// Solves the next sets of a fixed stock.
+/// Solves sets of primitives from a fixed list, one after another.
 struct Stock {
     Solve solve;
     std::vector<haptics::sets::Case> cases;
@@ -211,7 +211,7 @@ void primitives(const Options& options, Report& report) {
     const auto samples = measure(contestants, {.seconds = options.quick ? 2.0 : 10.0});
     std::size_t i = 0;
     for (const Method& method : methods) {
-        // The baselines fail in the first thousand sets, so a million would only take longer.
+        // The other methods already fail in the first thousand sets, so a million would only take longer.
         const std::size_t sets = options.quick ? 10'000 : method.ships ? 1'000'000 : 50'000;
         for (const auto count : counts)
             report.rows.push_back(primitives_row(method, count, tally_of(method, count, sets), samples[i++]));

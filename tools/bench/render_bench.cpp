@@ -1,5 +1,5 @@
-// Benchmarks pictures of the duel at each quality with their distance from the best one, and the time of
-// ticks while another thread draws, in alternation with ticks alone.
+// Benchmarks pictures of the duel at each quality with their perceptual distance from the best quality, and
+// the time of ticks while another thread draws, alternating with ticks alone.
 #include <atomic>
 #include <chrono>
 #include <mutex>
@@ -17,7 +17,7 @@ namespace {
 
 using render::Quality;
 
-// Ticks between two pictures (ms of play); long enough for moving things to move.
+// Ticks between two pictures (ms); long enough for objects to move.
 constexpr Tick between_pictures = 16;
 
 struct RenderScene {
@@ -43,7 +43,7 @@ Row row_of(RenderScene& scene, Quality quality, const std::vector<double>& sampl
            const render::Image& best) {
     const auto name = render::quality_names[static_cast<std::size_t>(quality)];
     const auto image = picture_at(scene, quality);
-    // The shadow map of fixed things is up to date. The next frame includes moving things, as in a running
+    // The shadow map of fixed objects is up to date. The next frame includes moving objects, as in a running
     // match.
     scene.advance();
     scene.draw(scene.picture, quality);
@@ -66,10 +66,10 @@ Row row_of(RenderScene& scene, Quality quality, const std::vector<double>& sampl
                         {"shadow_triangles", static_cast<double>(s.shadow_triangles)}}};
 }
 
-// ---- ticks beside pictures --------------------------------------------------------------------------------
+// ---- ticks while another thread draws ---------------------------------------------------------------------
 
-/// Draws the newest picture on a thread of its own, as a match on the screen does, while drawing is
-/// switched on.
+/// Draws the newest picture on a thread of its own while drawing is switched on, as during a match on the
+/// screen.
 class Drawer {
 public:
     Drawer(RenderScene& scene, Quality quality)
@@ -80,7 +80,7 @@ public:
         may_ = false;
         over_ = true;
     }
-    /// Switches drawing on or off, and returns after the thread has followed.
+    /// Switches drawing on or off, and returns when the thread has done so.
     void set_drawing(bool drawing) {
         may_ = drawing;
         while (draws_ != drawing) std::this_thread::yield();
@@ -120,10 +120,10 @@ private:
     std::mutex mutex_;
     std::atomic<bool> may_ = false, draws_ = false, over_ = false;
     std::atomic<int> drawn_ = 0;
-    std::jthread thread_;  ///< last, so that it ends while the other members still live
+    std::jthread thread_;  ///< last member, so that the thread ends while the other members still exist
 };
 
-/// Runs one tick per millisecond and hands over a picture every 16 ticks.
+/// Runs one tick for each millisecond and passes a picture to the drawing thread every 16 ticks.
 void paced_ticks(RenderScene& scene, Drawer& drawer, int count, std::vector<double>& samples) {
     using Clock = std::chrono::steady_clock;
     auto due = Clock::now();

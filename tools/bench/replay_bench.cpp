@@ -1,4 +1,4 @@
-// Benchmarks replays: speed of verifying a log, and time to reach a place in a long one.
+// Benchmarks replays: the speed of verifying a log, and the time to jump to a tick in a long one.
 #include <algorithm>
 
 #include "core/random.h"
@@ -11,11 +11,11 @@
 namespace thaum::bench {
 namespace {
 
-/// The log of a duel. Its file is removed with it.
+/// The log of a duel. The destructor removes the file.
 struct RecordedDuel {
     std::filesystem::path file = std::filesystem::temp_directory_path() /
                                  text("thaum-bench-", static_cast<long>(now_us()), ".thaumlog");
-    double ticking_us = 0;  ///< time of the ticks, bots included (us)
+    double ticking_us = 0;  ///< time that the ticks took, including the bots (us)
 
     RecordedDuel() = default;
     RecordedDuel(const RecordedDuel&) = delete;
@@ -45,10 +45,10 @@ Expected<void> record(Tick length, RecordedDuel& duel) {
 }
 
 struct Verified {
-    double took_us{};  ///< time of opening, replaying and comparing (us)
+    double took_us{};  ///< time to open, replay and compare the log (us)
     double real_time_factor{};
-    double ratio_to_tick{};  ///< time of the live ticks, bots included, divided by the time of verifying
-    std::size_t compared{}, mismatches{};  ///< hashes in the log, and hashes that differ
+    double ratio_to_tick{};  ///< time of the live ticks, including the bots, divided by the time of verifying
+    std::size_t compared{}, mismatches{};  ///< number of hashes in the log, and number of those that differ
     double log_bytes_per_minute{};
     std::string hash;
 };
@@ -80,7 +80,7 @@ void replay_verify(const Options& options, Report& report) {
     std::vector<double> took, factors, ratios;
     Verified last;
     std::size_t mismatches = 0;
-    // Recording and verifying alternate, so that both see the same load of the machine.
+    // Recording and verifying alternate, so that both are measured under the same load of the machine.
     for (int round = 0; round < 5; ++round) {
         auto verified = record_and_verify(options.quick ? 10'000 : 40'000);
         if (!there(verified, "replay")) return;
@@ -103,8 +103,8 @@ void replay_verify(const Options& options, Report& report) {
                            .hash = last.hash});
 }
 
-/// Goes to places all over the log, forwards and back. Each has a hash in the log. Returns the number of hashes that
-/// differ, or the error of a jump.
+/// Jumps to ticks all over the log, forwards and backwards. Each of them has a hash in the log. Returns the
+/// number of hashes that differ, or the error of a jump.
 Expected<std::size_t> jump_about(game::Playback& playback, const game::ReplayIndex& index,
                                  std::vector<double>& took_us) {
     const std::atomic<bool> never{false};

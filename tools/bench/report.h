@@ -1,7 +1,8 @@
 // tools/bench/report.h: results of a benchmark, as JSON and as a table for the terminal.
 //
-// Every row is one setting of one case. Rows with a time and an error compete. The Pareto front of a case
-// holds the rows that no other row of the case beats in time or error without being worse in the other.
+// Every row is one setting of one case. Rows with a time and an error are compared. The Pareto front of a
+// case holds those rows that no other row of the case beats in time without a larger error, or in error
+// without a longer time.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -36,7 +37,8 @@ struct Row {
     std::vector<std::pair<std::string, Value>> setting{};
     std::optional<Times> time_us{};
     std::optional<ErrorMeasure> error{};
-    bool front = false;                                     ///< set by mark_fronts
+    /// true: the row is on the Pareto front; set by mark_fronts.
+    bool front = false;
     bool is_default = false;                                ///< true for the shipped setting
     std::vector<std::pair<std::string, double>> metrics{};  ///< further figures; each name includes the unit
     std::optional<std::string> hash{};                      ///< hash of the computed result, in hexadecimal
@@ -62,12 +64,11 @@ Report empty_report();
 /// Sets `front` of every row, by median time and error within one case of one area.
 void mark_fronts(std::vector<Row>& rows);
 
-/// The report as one indented JSON object with a newline at the end. Numbers that are not finite become
-/// null.
+/// The report as one indented JSON object, ending with a newline. Numbers that are not finite become null.
 std::string to_json(const Report& report);
 
-/// Reads JSON written by to_json or in its form. A value that is null or missing becomes a number that is
-/// not finite. Unknown keys are ignored. The error names the row and the key: no JSON, no rows, or a wrong
+/// Reads JSON in the form in which to_json writes it. A value that is null or missing becomes a number that
+/// is not finite. Unknown keys are ignored. The error names the row and the key: no JSON, no rows, or a wrong
 /// type.
 Expected<Report> from_json(std::string_view json);
 

@@ -21,7 +21,7 @@ const Json& member(const Json& object, std::string_view key) {
     return found == nullptr ? nothing : *found;
 }
 
-/// Members in the order of their keys, whatever their order in the file.
+/// Members sorted by key, whatever their order in the file.
 std::vector<const JsonMember*> sorted_members(const Json& object) {
     std::vector<const JsonMember*> members;
     for (const auto& item : object.members()) members.push_back(&item);
@@ -35,7 +35,7 @@ Expected<std::string> word(const Json& object, const char* key) {
     return value.string();
 }
 
-/// Reads a boolean; a missing key counts as false.
+/// Reads a boolean; false if the key is missing.
 Expected<bool> mark(const Json& object, const char* key) {
     const Json& value = member(object, key);
     if (value.is_null()) return false;
@@ -150,7 +150,7 @@ Expected<Row> read_row(const Json& from) {
     return row;
 }
 
-/// Reads the machine. Missing values stay unknown, because only the figures matter.
+/// Reads the description of the machine. Missing values stay unknown, because only the measurements matter.
 Machine read_machine(const Json& json) {
     Machine machine{"unknown", 0, "unknown"};
     const auto from = object(json, "machine");

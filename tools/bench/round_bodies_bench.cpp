@@ -3,8 +3,8 @@
 //
 // The tip circles at 0.2 m/s under a surface of radius R = 10 mm, at a distance rho from the axis. By
 // Coulomb's law the proxy is an angle theta behind the tip, with sin(theta + alpha) = sin(alpha) R / rho,
-// where tan(alpha) is the friction. In the groove of two spheres of radius S both take the pull, so the
-// friction counts S / R times.
+// where tan(alpha) is the friction. In the groove between two spheres of radius S both resist the pull, so
+// the friction is multiplied by S / R.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,7 +42,7 @@ struct Slide {
     double worst{};  ///< largest error of the force (N)
     /// Largest change of the force per tick, in the tip's frame, during steady sliding (N).
     double chatter{};
-    int lost{};  ///< ticks without force
+    int lost{};  ///< number of ticks without force
 };
 
 void add(SurfacePatch& patch, SurfaceKind kind, vec3 centre, vec3 size) {
@@ -54,12 +54,12 @@ void add(SurfacePatch& patch, SurfaceKind kind, vec3 centre, vec3 size) {
 void add_body(SurfacePatch& patch, double friction) {
     haptics::SurfaceBody& body = patch.bodies[patch.body_count];
     body.key = patch.body_count++;
-    body.orientation = rotation({1, 0, 0}, pi / 2);  // the axes of capsules and cylinders lie along z
+    body.orientation = rotation({1, 0, 0}, pi / 2);  // so that the axes of capsules and cylinders lie along z
     body.material = {
         .stiffness = surface_stiffness, .static_friction = friction, .dynamic_friction = friction};
 }
 
-/// Adds as many round bodies as fit, around the sphere that is touched.
+/// Adds as many round bodies as fit into the patch, around the sphere that is touched.
 void add_crowd(SurfacePatch& patch, double friction) {
     constexpr std::array kinds{SurfaceKind::sphere, SurfaceKind::capsule, SurfaceKind::cylinder};
     while (patch.count < haptics::surface_capacity) {
@@ -104,7 +104,7 @@ std::vector<Slide> all_slides() {
 }
 
 void add_slide_row(const Slide& run, const std::vector<double>& samples_us, Report& report) {
-    constexpr double most_chatter = 1e-6;  // largest accepted error and chatter of the force (N)
+    constexpr double most_chatter = 1e-6;  // largest accepted error and change of the force (N)
     report.rows.push_back(
         {.area = "haptics",
          .name = "round_bodies",
@@ -121,14 +121,14 @@ void add_slide_row(const Slide& run, const std::vector<double>& samples_us, Repo
 
 vec3 on_circle(double r, double angle) { return {r * det::cos(angle), r * det::sin(angle), 0}; }
 
-/// Position of the tip at a tick. It comes from outside.
+/// Position of the tip at a tick. The tip comes from outside.
 vec3 tip_at(int tick) {
     const double in = (1 - depth_ratio) * body_radius;
     return tick == 0 ? vec3(1.5 * body_radius, 0, 0)
                      : on_circle(in, speed * tick_seconds / body_radius * tick);
 }
 
-/// Compares the forces with the closed form after the proxy slides.
+/// Compares the forces with the closed form once the proxy slides.
 void judge(Slide& run) {
     const SurfacePatch patch = patch_of(run);
     const double felt = run.friction * (run.ground == Ground::groove ? groove_radius : 1);
@@ -160,7 +160,8 @@ std::vector<vec3> tips_of_all_ticks() {
     return tips;
 }
 
-/// Runs the servo over the whole slide. The tips are given, since only the servo step is to be timed.
+/// Runs the servo over the whole slide. The positions of the tip are precomputed, since only the servo step
+/// is to be timed.
 void play(Slide& run, const haptics::Servo& servo, const haptics::HapticModel& model,
           const std::vector<vec3>& tips) {
     run.state = {};

@@ -1,6 +1,6 @@
 // Benchmarks pictures of a scan of 128^3 samples at 512 x 512 pixels: while the view moves, while the scan is
-// carved, and while the scan is out of view. Beside each time stands the distance from a picture with a ray
-// per pixel and tiny steps.
+// carved, and while the scan is out of view. Each time is reported with the perceptual distance from a
+// picture with one ray for each pixel and tiny steps.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -24,9 +24,9 @@ constexpr int side = 128;          // samples
 constexpr int picture_side = 512;  // px
 constexpr int bricks = side / render::scan_brick;
 constexpr int carve_radius = 6;    // samples
-constexpr std::size_t spots = 64;  // places to carve
+constexpr std::size_t spots = 64;  // number of places that are carved
 
-/// 1 inside an ellipsoid, 0 outside, with a soft edge one and a half samples wide.
+/// Density of an ellipsoid: 1 inside, 0 outside, with a soft edge one and a half samples wide.
 float inside(fvec3 at, fvec3 centre, fvec3 radii) {
     const fvec3 from = at - centre;
     const float share = glm::length(from / radii);
@@ -56,7 +56,7 @@ std::vector<std::uint16_t> head() {
     return out;
 }
 
-/// Soft tissue like a veil over opaque bone.
+/// Transfer function with transparent soft tissue over opaque bone.
 render::ScanTable tissue() {
     render::ScanTable table{};
     for (std::size_t i = 0; i < table.size(); ++i) {
@@ -67,7 +67,7 @@ render::ScanTable tissue() {
     return table;
 }
 
-/// Place in an array with `n` elements along a side, x contiguous.
+/// Index in an array with `n` elements along a side, x contiguous.
 std::size_t index_of(int x, int y, int z, std::size_t n) {
     return (static_cast<std::size_t>(z) * n + static_cast<std::size_t>(y)) * n + static_cast<std::size_t>(x);
 }
@@ -132,7 +132,7 @@ render::Frame ScanScene::frame(ScanDetail detail) const {
             .quality = render::first_quality(renderer->device())};
 }
 
-/// Cuts a ball out of the skull, and heals it at the next call.
+/// Removes a ball from the skull, and restores it at the next call.
 void ScanScene::carve() {
     const bool heals = edits % 2 == 1;
     const float turn = 2.4F * static_cast<float>(edits / 2 % spots);  // the golden angle
@@ -164,7 +164,7 @@ struct Errors {
     double quick{}, sharp{};
 };
 
-/// Distances from a picture with a ray per pixel and steps of an eighth of a sample.
+/// Distances from a picture with one ray for each pixel and steps of an eighth of a sample.
 Errors errors_of(ScanScene& scene) {
     const auto picture = [&](ScanDetail detail) {
         scene.draw(detail);
@@ -198,7 +198,7 @@ Row row_of(ScanScene& scene, const char* look, const ScanRow& which, const std::
             .metrics = {{"pictures_per_s", 1e6 / median(samples)}}};
 }
 
-/// Draws one look in all ways, in alternation.
+/// Draws one look in all ways, alternately.
 void draw_look(ScanScene& scene, const char* look, const Options& options, Report& report) {
     scene.look_like(look);
     const auto turn = [&] { scene.angle += 0.02F; };
@@ -231,7 +231,7 @@ void skip_scan(const Options& options, Report& report) {
     auto& scene = **made;
     scene.look_like("translucent");
     scene.draw(ScanDetail::quick);
-    // The camera looks away from the scan, which is carved all the same.
+    // The camera looks away from the scan, which is carved nevertheless.
     auto seen = scene.frame(ScanDetail::quick);
     auto& camera = seen.views[0].camera;
     camera.orientation = glm::angleAxis(3.14F, fvec3(0, 1, 0)) * camera.orientation;

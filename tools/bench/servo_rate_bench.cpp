@@ -1,8 +1,9 @@
 // Benchmark of the servo's rate: the stiffest coupling that stays stable on a wall, for steps of 0.2 to 1 ms.
 //
-// The step is the pure one, tip -> modes -> balance -> force, without safety stage and passivity controller, whose
-// limits are counted in ticks of 1 ms. The device is the reference one without a hand, pressed on the wall by 1 N.
-// The passive bound b / (T / 2) says what to expect: five times the rate, five times the stiffness.
+// The step consists of tip -> modes -> balance -> force only, without safety stage and passivity controller,
+// whose limits are counted in ticks of 1 ms. The device is the reference device without a hand, pressed on
+// the wall with 1 N. The passive bound b / (T / 2) says what to expect: five times the rate, five times the
+// stiffness.
 #include <array>
 #include <cmath>
 
@@ -19,16 +20,16 @@
 namespace thaum::bench {
 namespace {
 
-constexpr double wall_damping = 0.5;  // N s/m, of the device
+constexpr double wall_damping = 0.5;  // damping of the device (N s/m)
 constexpr std::array rates_ms{0.2, 0.5, 1.0};
 
-/// A device that rests on a wall at the origin, held by the mode isosurface.
+/// A device that rests on a wall at the origin, which the mode `isosurface` renders.
 struct WallRun {
     double dt{};         ///< s
     double stiffness{};  ///< stiffness between tip and proxy (N/m)
     haptics::HalfSpace ground{.place = {}, .normal = {0, 1, 0}};
 
-    /// Fastest motion in the second and in the last quarter of the time played (m/s).
+    /// Largest speed in the second and in the last quarter of the simulated time (m/s).
     struct Motions {
         double earlier{}, later{};
     };
@@ -56,7 +57,7 @@ struct WallRun {
     }
 };
 
-/// Stiffest coupling with which the device calms down (N/m), to 1 %.
+/// Largest stiffness with which the device comes to rest (N/m), to within 1 %.
 double stiffest(double dt) {
     double stable = 50, unstable = 50'000;
     while (unstable > 1.01 * stable) {
@@ -77,7 +78,8 @@ void servo_rates(const Options& options, Report& report) {
         const WallRun run{dt, 300};
         const Contestant contestant{{}, [&] { run.play(1, end); }};
         auto samples = measure(std::span(&contestant, 1), {.seconds = options.quick ? 0.2 : 1.0});
-        for (double& us : samples[0]) us *= dt;  // a second has 1 / dt steps
+        // Converts to the time for each second, which has 1 / dt steps.
+        for (double& us : samples[0]) us *= dt;
         report.rows.push_back(
             {.area = "haptics",
              .name = "servo_rate",

@@ -1,5 +1,5 @@
-// Benchmarks what the sound of a match and a jacket cost while nobody has them, while nothing is heard or felt, and
-// during a duel. A tick of the duel is the measure.
+// Benchmarks what the sound of a match and a jacket cost while they are absent, while nothing is heard or
+// felt, and during a duel. Costs are given relative to a tick of the duel.
 #include <algorithm>
 #include <numeric>
 
@@ -14,9 +14,9 @@ namespace thaum::bench {
 namespace {
 
 constexpr std::array<std::uint32_t, game::players> both{0, 1};
-constexpr double most_share = 0.01;  ///< of a tick, while nothing is heard or felt
+constexpr double most_share = 0.01;  ///< largest cost while nothing is heard or felt, as a share of a tick
 
-/// Mean without the longest hundredth, in which other programs ran (us).
+/// Mean without the longest hundredth of the samples, during which other programs ran (us).
 double usual_mean(std::vector<double> samples) {
     std::sort(samples.begin(), samples.end());
     const auto count = samples.size() - samples.size() / 100;
@@ -24,24 +24,25 @@ double usual_mean(std::vector<double> samples) {
            static_cast<double>(count);
 }
 
-/// Scene and mixer of a match. Without a scene nothing is computed.
+/// Sound scene and mixer of a match. Without a scene, nothing is computed.
 struct SkippedSound {
     std::optional<game::SoundScene> scene{};
     std::optional<audio::Mixer> mixer{};
     audio::AudioFrame frame{};
     std::array<float, audio::block_values> block{};
 
-    /// The part of the match's thread.
+    /// The work that is done on the match's thread.
     void follow(const game::Simulation& match) {
         if (scene) scene->take(match, both, frame);
     }
-    /// The part of the loudspeakers' thread.
+    /// The work that is done on the loudspeakers' thread.
     void mix() {
         if (mixer) mixer->play(frame, block);
     }
 };
 
-/// A layout of both players, beside a scene with the figure alone. The difference is the jacket's.
+/// Tactile scene with a jacket for both players, and another with only the figure on the screen. The
+/// difference is the cost of the jacket.
 struct SkippedJacket {
     std::array<std::unique_ptr<game::TactileScene>, game::players> without{}, with{};
     std::size_t layout = 0;
@@ -65,7 +66,7 @@ struct SkippedJacket {
         for (auto& scene : scenes) scene->take(match);
         return now_us() - start;
     }
-    /// Time that the jacket adds to the frame (us).
+    /// Time that the jacket adds to a frame (us).
     double follow(const game::Simulation& match) {
         const double plain = us_of_take(without, match);
         return us_of_take(with, match) - plain;
@@ -77,7 +78,7 @@ struct SenseTimes {
     std::vector<double> sound_us{}, mixing_us{}, jacket_us{};  ///< by frame
 };
 
-/// Plays `frames` frames with `run`, which plays eight ticks.
+/// Measures `frames` frames; `run` plays eight ticks.
 SenseTimes measure_senses(const game::Simulation& match, std::size_t frames, SkippedSound& hearing,
                           SkippedJacket& jacket, const std::function<void()>& run) {
     std::vector<double> ticks_us;
@@ -92,7 +93,7 @@ SenseTimes measure_senses(const game::Simulation& match, std::size_t frames, Ski
     return out;
 }
 
-/// Time that an empty measurement takes (us).
+/// Time that is measured for an empty piece of work (us).
 double us_of_nothing() {
     std::vector<double> samples(2000);
     for (auto& sample : samples) sample = us_of([] {});
@@ -124,7 +125,7 @@ std::optional<LoadedSenses> load_skipped_senses() {
     return LoadedSenses{*data, std::move(*jacket)};
 }
 
-/// One state of both features, by the match that makes it.
+/// One state of both features, and the match that brings it about.
 struct SenseCase {
     const char* state;
     bool present{};
@@ -149,7 +150,7 @@ void skip_senses(const Options& options, Report& report) {
                           SenseCase{"absent", false, *duel->match, run_duel}}) {
         const auto& shown = *c.match.data().presentation;
         const auto effects = game::match_effects(loaded->data->effects, shown);
-        auto mixer = audio::Mixer::create(loaded->data->bank, {.music = 0});  // the score is never silent
+        auto mixer = audio::Mixer::create(loaded->data->bank, {.music = 0});  // the music is never silent
         if (!there(mixer, "skip/sound")) return;
         SkippedSound hearing;
         if (c.present) {
@@ -158,7 +159,7 @@ void skip_senses(const Options& options, Report& report) {
         }
         SkippedJacket jacket(*loaded->data, effects, loaded->jacket);
         jacket.set_used(c.present);
-        measure_senses(c.match, 200, hearing, jacket, c.run);  // until all memory is there
+        measure_senses(c.match, 200, hearing, jacket, c.run);  // runs until all memory is allocated
         const auto measured = measure_senses(c.match, frames, hearing, jacket, c.run);
         if (tick_us == 0) tick_us = measured.tick_us;
         add_row("sound", c.state, usual_mean(measured.sound_us) - empty, tick_us, report);

@@ -1,6 +1,6 @@
 // Stress test of the tick: matches of the best bots for the requested number of ticks, then the same on two
-// threads at once, one of them heard and felt. All three runs must reach the same states, everything must stay
-// finite and within bounds, and memory must not grow.
+// threads at the same time, one of them with sound and tactile output. All three runs must reach the same
+// states, everything must stay finite and within bounds, and memory must not grow.
 #include <unistd.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace {
 constexpr Tick usual_ticks = 10'000'000;
 constexpr Tick check_interval = 1000;
 constexpr Tick hash_every = 1U << 14U;
-constexpr int highest_level = 99;  ///< highest level of bots that is tried
+constexpr int highest_level = 99;  ///< highest level of bots that is looked for
 constexpr double farthest_m = 200, fastest_m_s = 250, may_grow_mib = 8;
 
 double rss_mib() {
@@ -39,7 +39,7 @@ int best_level(const std::filesystem::path& assets) {
     return best;
 }
 
-/// First quantity out of bounds; empty: none.
+/// First quantity of the match that is out of bounds; empty: none.
 std::string disorder(const game::Simulation& match) {
     std::string wrong;
     const auto& world = match.world();
@@ -64,7 +64,7 @@ std::string disorder(const game::Simulation& match) {
     return wrong;
 }
 
-/// First value out of bounds of what is heard and felt; empty: none.
+/// First value of the sound or tactile output that is out of bounds; empty: none.
 std::string disorder(const game::Senses& senses) {
     for (const auto* list : {&senses.heard().begins, &senses.heard().lasts}) {
         if (list->left_out != 0) return "a voice was left out";
@@ -90,15 +90,17 @@ struct Course {
     std::filesystem::path assets{};
     int level{};
     Tick ticks{};
-    const char* name = nullptr;                       ///< name in the progress lines; null: no lines
-    std::shared_ptr<const game::SenseData> senses{};  ///< sounds and effects; null: neither heard nor felt
+    const char* name = nullptr;  ///< name in the progress lines; null: no lines
+    /// Sounds and effects; null: no sound and tactile output.
+    std::shared_ptr<const game::SenseData> senses{};
 };
 
 struct Soaked {
-    std::uint64_t hash = 0;  ///< hash of the states at every hash_every ticks
+    std::uint64_t hash = 0;  ///< hash of the states at every hash_every-th tick
     std::uint64_t matches = 0, kills = 0;
-    std::uint64_t voices = 0, lines = 0;  ///< voices that began, and most lines in words at once
-    /// Memory after a tenth of the ticks, and largest memory after that (MiB).
+    /// Number of voices that began, and largest number of captions at a time.
+    std::uint64_t voices = 0, lines = 0;
+    /// Memory in use after a tenth of the ticks, and largest memory in use after that (MiB).
     double first_mib = 0, most_mib = 0;
     std::string fault{};
 };
@@ -119,7 +121,7 @@ void look_at_memory(const Course& course, Tick tick, Soaked& soaked) {
     }
 }
 
-/// Hears and feels the tick, if the course says so.
+/// Computes sound and tactile output of the tick, if the course asks for it.
 void follow(const game::Simulation& match, game::Senses* senses, Soaked& soaked) {
     if (senses == nullptr) return;
     senses->follow(match);

@@ -1,6 +1,6 @@
-// Benchmark of the brew's surface (engine/fluid/spring_surface.h): run time for a second against the
-// error of a wave's frequency relative to the membrane. Also the roundness of ripples, lost energy, the
-// cost of a push, and that sleep is free.
+// Benchmark of the brew's surface (engine/fluid/spring_surface.h): run time for a simulated second against
+// the error of a wave's frequency, compared with an ideal membrane. Also the roundness of ripples, the loss
+// of energy, the cost of a push, and that a sleeping surface costs nothing.
 #include <array>
 #include <cmath>
 
@@ -25,11 +25,11 @@ struct Wave {
     std::uint32_t p, q;
 };
 
-/// Waves along the sides and along the diagonals, of almost the same length.
+/// One wave along the sides and one along the diagonals, with almost the same wavelength.
 constexpr std::array round_waves{Wave{7, 0}, Wave{5, 5}};
 constexpr std::array one_wave{Wave{3, 2}};
 
-/// Shape of a mode, with the numbers of mode_frequency().
+/// Shape of a mode; its numbers are those of mode_frequency().
 double wave_shape(const SpringSurfaceSettings& s, Wave wave, std::size_t x, std::size_t z) {
     const auto X = static_cast<double>(x), Z = static_cast<double>(z);
     if (s.rim == fluid::Rim::pinned)
@@ -68,8 +68,8 @@ struct WaveRun {
     std::uint64_t hash{};
 };
 
-/// Measured frequency of a wave divided by that of the membrane. Valid if the phase error is below half
-/// a turn.
+/// Measured frequency of a wave, divided by that on the membrane. Valid if the phase error is below half a
+/// turn.
 double relative_frequency(const SpringSurface& surface, Wave wave, double seconds) {
     double height = 0, velocity = 0;
     each_node(surface.settings, wave, [&](std::size_t i, double shape) {
@@ -114,7 +114,7 @@ std::vector<WaveRun> wave_runs() {
     return runs;
 }
 
-/// Whether these are the settings used by hand and picture.
+/// Whether these are the settings that the game uses for touch and picture.
 bool is_shipped(const WaveRun& run) {
     const SpringSurfaceSettings shipped;
     return run.settings.nodes == shipped.nodes && run.settings.shear == shipped.shear && run.dt == 0.004;
@@ -145,7 +145,7 @@ void waves(const Options& options, Report& report) {
     }
 }
 
-// ---- one call --------------------------------------------------------------------------------------------------------
+// ---- cost of one call ------------------------------------------------------------------------------------------------
 
 struct CallRun {
     std::string name;

@@ -32,7 +32,7 @@ SurfacePatch patch_of(SurfaceKind kind, vec3 a, vec3 b) {
     return patch;
 }
 
-/// Largest change of the force per tick, 5 mm under a plane (N). The exact change is zero.
+/// Largest change of the force from tick to tick, 5 mm below a plane (N). The exact change is zero.
 double plane_chatter(double speed) {
     const SurfacePatch patch = patch_of(SurfaceKind::plane, {}, {0, 1, 0});
     SurfaceState state;
@@ -58,12 +58,12 @@ void proxy_plane(Report& report) {
     }
 }
 
-// ---- a mesh -----------------------------------------------------------------------------------------------
+// ---- sliding on a mesh ------------------------------------------------------------------------------------
 
 constexpr double radius = 0.05;  // m
 
-/// A sphere of 50 rings by 50 sides without the degenerate triangles at the poles, and a few more to make
-/// 5,000 triangles.
+/// A sphere of 50 rings by 50 sides without the degenerate triangles at the poles, plus a few triangles to
+/// make 5,000.
 physics::TriangleMesh ball_mesh() {
     constexpr std::uint32_t rings = 51, sides = 50;
     physics::TriangleMesh mesh;
@@ -90,12 +90,13 @@ struct MeshRun {
     double friction{};
     SurfaceState state{};
     double most_surfaces{};
-    double worst{};  // distance of the proxy from the sphere beyond the chords (m)
+    double worst{};  // largest distance of the proxy from the sphere, beyond that of the flat triangles (m)
 };
 
 constexpr int mesh_ticks = 4000;
 
-/// Slides 5 mm under the surface at 0.1 m/s, around and up: through flat triangles and slivers.
+/// Position of a tip that slides 5 mm below the surface at 0.1 m/s, around and upwards: over flat triangles
+/// and slivers.
 vec3 mesh_tip(int tick, double in) {
     const double round = 0.002 * tick, up = 0.6 * det::sin(0.0007 * tick);
     return (radius - in) *
@@ -138,7 +139,7 @@ void proxy_mesh(const Options& options, Report& report) {
     }
 }
 
-// ---- among many bodies ------------------------------------------------------------------------------------
+// ---- look-up among many bodies ----------------------------------------------------------------------------
 
 constexpr std::array<std::int64_t, 3> crowds{1, 100, 1000};
 constexpr int crowd_ticks = 4000;
@@ -157,14 +158,14 @@ void add_crates(physics::Physics& world, std::int64_t count) {
 
 struct CrowdRun {
     std::int64_t bodies{};
-    bool steps{};  // false: only the look-up runs, along the same path
+    bool steps{};  // true: run servo steps, too; false: only the look-up, along the same path
     physics::Physics world{};
     haptics::ServoState state{};
     double pressed{};  // mean force (N)
 };
 
-/// Does the work of a match for a wizard who turns and whose hand slides on a crate: look up the near
-/// surfaces, publish them, and do the servo step.
+/// Does what a match does for a wizard who turns and whose hand slides on a crate: looks up the near
+/// surfaces, publishes them, and runs the servo step.
 void feel_crowd(CrowdRun& run) {
     const haptics::DeviceSpec spec{
         .peak_force = 12, .continuous_force = 12, .max_damping = 5, .position_quantum = 5.5e-5};
@@ -179,7 +180,7 @@ void feel_crowd(CrowdRun& run) {
     for (int tick = 0; tick < crowd_ticks; ++tick) {
         game::HandFrame frame = before;
         frame.turn = rotation({0, 1, 0}, 0.2 * det::sin(0.002 * tick));
-        // From above, because a body that contains the hand at the start gives no force.
+        // Comes from above, because a body that contains the hand at the start gives no force.
         const double down = std::min(tick / 300.0, 1.0);
         const vec3 tip(0.01 * det::cos(0.005 * tick), 0.003 - 0.006 * down, 0.01 * det::sin(0.005 * tick));
         const auto& surface = run.state.surface;
@@ -196,7 +197,7 @@ void feel_crowd(CrowdRun& run) {
     }
 }
 
-/// The servo step knows only the patch. The look-up searches all bodies.
+/// The servo step reads only the patch, while the look-up searches all bodies.
 void servo_among_bodies(const Options& options, Report& report) {
     std::vector<CrowdRun> runs;
     for (const bool steps : {false, true}) {
@@ -227,7 +228,7 @@ void servo_among_bodies(const Options& options, Report& report) {
 
 // ---- a rising box -----------------------------------------------------------------------------------------
 
-/// A box rises at 0.1 m/s from below until it has passed, as in the measurement of CHAI3D.
+/// A box rises at 0.1 m/s from below until it has passed the tip, as in the measurement with CHAI3D.
 void rising_box(Report& report) {
     const vec3 half(0.02, 0.01, 0.02);
     SurfacePatch patch = patch_of(SurfaceKind::box, {0, -0.0195, 0}, half);

@@ -1,5 +1,5 @@
-// Benchmarks the tactile mixer: time of a frame with all places taken, and of a silent one; time and felt error of
-// places between actuators; a long hostile run.
+// Benchmarks the tactile mixer: time of a frame with the largest number of effects, and of a silent frame;
+// time and error of rendering places between actuators; a long run with hostile input.
 #include <array>
 #include <cmath>
 #include <memory>
@@ -31,9 +31,9 @@ Expected<Layout> layout_of(const std::string& name) {
     return tactile::load_layout(game::find_assets() / "tactile/layouts" / (name + ".toml"));
 }
 
-// ---- mix -------------------------------------------------------------------------------------------------------
+// ---- time of a frame -------------------------------------------------------------------------------------------
 
-/// An effect of each pattern that lasts longer than the benchmark. A clip cannot: it ends after a minute.
+/// An effect of each pattern that lasts longer than the benchmark, except a clip, which ends after a minute.
 EffectBank lasting_effects() {
     EffectBank bank;
     constexpr double lasting_ms = 1e12;
@@ -50,13 +50,14 @@ EffectBank lasting_effects() {
         effect.length_ms = lasting_ms;
         effect.to = tactile::BodyPoint{tactile::Part::front, {0.1, 1, 0.09}};
         if (pattern == Pattern::heartbeat) effect.envelope.hold = 1e3;
-        if (pattern == Pattern::sweep) effect.length_ms = 6e5;  // moves, and outlasts the benchmark
+        // a sweep that moves and outlasts the benchmark
+        if (pattern == Pattern::sweep) effect.length_ms = 6e5;
         bank.effects.push_back(std::move(effect));
     }
     return bank;
 }
 
-/// A mixer whose places are all taken by effects of one pattern, or of all in turn.
+/// A mixer with as many effects as it can play, all of one pattern, or of all patterns in turn.
 struct MixRun {
     std::string pattern;
     std::unique_ptr<TactileMixer> mixer;
@@ -114,7 +115,7 @@ void mixing(const Options& options, const Layout& layout, Report& report) {
         report.rows.push_back(row_of(runs[i], samples[i], runs[i].mixer->playing(), layout.actuators.size()));
 }
 
-// ---- place -----------------------------------------------------------------------------------------------------
+// ---- places between actuators ----------------------------------------------------------------------------------
 
 /// Wanted places on the chart of the torso, within the cells of the front.
 std::vector<vec2> wanted_places(const Layout& layout) {
@@ -133,7 +134,7 @@ std::vector<vec2> wanted_places(const Layout& layout) {
 
 using Amplitudes = std::array<double, tactile::most_actuators>;
 
-/// Baseline: the nearest actuator alone, as firmware of jackets does.
+/// Baseline: only the nearest actuator, as the firmware of jackets does.
 Amplitudes nearest_actuator(const Layout& layout, vec2 place) {
     Amplitudes result{};
     std::size_t best = 0;
@@ -148,7 +149,7 @@ Amplitudes nearest_actuator(const Layout& layout, vec2 place) {
     return result;
 }
 
-/// Baseline: amplitudes of a Gaussian about the place, without balancing them.
+/// Baseline: amplitudes of a Gaussian about the place, without balancing.
 Amplitudes gaussian(const Layout& layout, vec2 place) {
     Amplitudes result{};
     const double sigma = 0.7 * layout.pitch(Region::torso);
@@ -225,9 +226,10 @@ void placing(const Options& options, const std::string& name, const Layout& layo
         report.rows.push_back(row_of(renderers[i], samples[i]));
 }
 
-// ---- hostile run -----------------------------------------------------------------------------------------------
+// ---- hostile input ---------------------------------------------------------------------------------------------
 
-/// Fifty random hits a frame for a minute or ten. Counts frames beyond a limit, and events that are lost.
+/// Fifty random hits in each frame, for one minute or ten. Counts frames that exceed a limit, and events that
+/// are lost.
 Row hostile(const Options& options, const Layout& layout, const EffectBank& bank) {
     const auto mixer = std::make_unique<TactileMixer>(layout, bank);
     Random random = random_stream(11, 1);

@@ -1,6 +1,6 @@
-// Benchmark of the coupling with Bullet: a thing held by a moving hand, as felt with models of several ages,
-// and a wizard on a rope. Each for several steps, compared with steps of a sixteenth of a millisecond or
-// less.
+// Benchmark of the coupling with Bullet: an object held by a moving hand, as felt with haptic models of
+// several ages, and a wizard on a rope. Each is run with several time steps and compared with steps of a
+// sixteenth of a millisecond or less.
 #include <array>
 #include <cmath>
 
@@ -27,18 +27,18 @@ physics::Physics world_with(double mass, vec3 place) {
     return physics;
 }
 
-// ---- a thing in the hand ----------------------------------------------------------------------------------
+// ---- an object held by the hand ---------------------------------------------------------------------------
 
 constexpr double held_mass = 20;         // kg
 constexpr double held_stiffness = 4000;  // N/m
 constexpr double held_damping = 25;      // N s/m
 constexpr double held_seconds = 2;
-constexpr double hand_swing = 0.2;  // amplitude in the world (m): 10 mm of the device
+constexpr double hand_swing = 0.2;  // amplitude of the hand in the world (m): 10 mm at the device
 constexpr double hand_rate = 2;     // Hz
 
 double hand_at(double t) { return hand_swing * std::sin(2 * pi * hand_rate * t); }
 
-/// Position and velocity of the thing at each step.
+/// Position and velocity of the object at each step.
 struct Held {
     std::vector<double> place, speed;
 };
@@ -69,13 +69,13 @@ Held hold(double dt) {
 
 double spring_force(double t, double place) { return held_stiffness * (hand_at(t) - place); }
 
-/// Largest error of the spring's force in each millisecond (N, world). The model is `age` ticks old. Its
-/// thing moves on at its speed or stands still.
+/// Largest error of the spring's force in each millisecond (N, world). The haptic model is `age` ticks old;
+/// the object in it continues at its velocity, or stands still.
 double worst_force(const Held& held, std::int64_t step_ms, int age, bool moves_on, const Held& reference) {
     constexpr std::size_t per_ms = 16;
     double worst = 0;
     for (int ms = 100; ms < static_cast<int>(held_seconds * 1000); ++ms) {
-        const auto made = (ms - age) / step_ms;  // the step whose start the model shows
+        const auto made = (ms - age) / step_ms;  // number of the step from whose start the model was made
         const double late = (ms - static_cast<double>(made * step_ms)) * 1e-3;
         const auto at = static_cast<std::size_t>(made);
         const double place = held.place[at] + (moves_on ? late * held.speed[at] : 0);
@@ -117,13 +117,13 @@ void in_bullet(const Options& options, Report& report) {
 
 constexpr double wizard_mass = 75;       // kg
 constexpr double rope_stiffness = 4000;  // N/m
-constexpr double rope_length = 7;        // m: 0.7 of the 10 m at which the rope latched
+constexpr double rope_length = 7;        // length of the rope (m): 0.7 times the 10 m at which it attached
 constexpr double rope_seconds = 60;
-const vec3 let_go_at{6, -4.2, 0};  // position relative to the anchor (m)
+const vec3 let_go_at{6, -4.2, 0};  // position at which the wizard lets go, relative to the anchor (m)
 
 struct Swung {
-    double energy_drift{};  ///< share of the energy of the swing
-    double period{};        ///< mean over the run (s)
+    double energy_drift{};  ///< drift, as a share of the swing's energy
+    double period{};        ///< mean period over the run (s)
     std::uint64_t hash{};
 };
 

@@ -15,7 +15,7 @@ namespace {
 constexpr std::array mantissas{1, 2, 5};
 constexpr int most_ticks = 9;
 constexpr double zero_margin_px = 26;
-constexpr double hair = 1e-9;  ///< tolerance (decades): a value this near to a step counts as on it
+constexpr double hair = 1e-9;  ///< tolerance (decades): a value this near to a step counts as equal to it
 
 int exponent_of(int step) { return static_cast<int>(std::floor(step / 3.0)); }
 int mantissa_of(int step) { return mantissas.at(static_cast<std::size_t>(step - 3 * exponent_of(step))); }

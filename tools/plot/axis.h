@@ -6,8 +6,8 @@
 
 namespace thaum::plot {
 
-/// Both ends are of the series 1, 2, 5, 10, ... Values <= 0 have no place on a logarithmic axis. If there are
-/// any, they are drawn in a margin before the low end.
+/// Both ends are numbers of the series 1, 2, 5, 10, ... Values <= 0 have no place on a logarithmic axis; they
+/// are drawn in a margin before the low end.
 struct LogAxis {
     double low{}, high{};        ///< decimal logarithms of the ends, low < high
     double low_px{}, high_px{};  ///< pixels of the ends; low_px may be the larger
@@ -26,8 +26,8 @@ struct Tick {
 /// Axis for all values, which must be finite.
 LogAxis log_axis(std::span<const double> values, double low_px, double high_px);
 
-/// Ticks at 1, 2, 5, 10 ... if they are few, else at powers of ten or of some power of ten. At most 9, and
-/// one for 0.
+/// Ticks at 1, 2, 5, 10 ... if there are few of them, otherwise at powers of ten, or of a power of ten. At
+/// most 9, and one for 0.
 std::vector<Tick> ticks(const LogAxis&);
 
 }  // namespace thaum::plot

@@ -34,7 +34,8 @@ std::set<std::string> varying(const Rows& rows) {
     return names;
 }
 
-/// Part of a row's setting: words name the series, numbers the point in a series.
+/// Text of those settings of a row that are words (they name the series), or of those that are numbers (they
+/// distinguish the points of a series).
 std::string part_of(const Row& row, const std::set<std::string>& names, bool words) {
     std::string out;
     for (const auto& item : row.setting) {

@@ -12,7 +12,7 @@ namespace thaum::plot {
 struct Point {
     double time_us{};
     double error{};
-    std::string label;     ///< numbers of the setting that differ within the figure
+    std::string label;     ///< numbers in the row's setting that differ within the figure
     std::string tooltip;   ///< the whole setting, time and error
     std::size_t series{};  ///< index in FrontFigure::series
     bool front{};
@@ -23,9 +23,9 @@ struct Point {
 struct FrontFigure {
     std::string title;
     std::string error_name;
-    std::vector<std::string>
-        series;                 ///< words of the settings; one empty name if there are too many to tell apart
-    std::vector<Point> points;  ///< sorted by time
+    /// Names of the series, made of the settings that are words; one empty name if there are too many series.
+    std::vector<std::string> series;
+    std::vector<Point> points;  ///< points of the figure, sorted by time
 };
 
 struct Bar {
@@ -33,7 +33,7 @@ struct Bar {
     double ratio{};  ///< > 0
 };
 
-/// Ratios of one `ratio_to_...` of one area.
+/// Bars for one metric `ratio_to_...` of one area.
 struct RatioFigure {
     std::string title;
     std::vector<Bar> bars;

@@ -107,7 +107,7 @@ std::string mark_of(const Row& row) {
     return row.front ? "front" : row.is_default ? "default" : "";
 }
 
-/// Value of that name, or an empty cell.
+/// Value of the item with a name, or an empty cell.
 template <class Items, class Show>
 Cell found(const Items& items, const std::string& name, const Show& show) {
     const auto at = std::ranges::find(items, name, [](const auto& item) { return item.first; });
@@ -155,7 +155,7 @@ std::string html_table(const Rows& rows) {
 
 // ---- figures ----------------------------------------------------------------------------------------------
 
-/// Name for a file: only lower-case letters, digits, '-' and '_'.
+/// File name made of words: only lower-case letters, digits, '-' and '_'.
 std::string safe_name(std::string_view words) {
     constexpr std::size_t longest = 100;
     std::string out;
@@ -183,7 +183,7 @@ public:
     }
 
 private:
-    /// File name that no other figure has; two names may become equal when made safe.
+    /// A file name that no other figure has. Two names may become equal when they are made safe.
     std::string unused(const std::string& name) {
         auto file = text(name, ".svg");
         for (int n = 2; !names_.insert(file).second; ++n) file = text(name, "-", n, ".svg");

@@ -18,8 +18,8 @@ struct Page {
     std::string html;
     std::vector<SvgFile> figures;
     std::size_t
-        /// number of cases and areas without a figure because the page has most_figures; the tables have
-        /// their rows
+        /// number of cases and areas that got no figure because the page already has most_figures; they are
+        /// still in the tables
         not_drawn{};
 };
 

@@ -122,7 +122,7 @@ Rect frame_of(const FrontFigure& figure) {
     return {left, title_band + legend, front_width - left - right, plot_height};
 }
 
-/// Mark with the series' own shape, centred on the origin.
+/// The shape of a series' mark, centred on the origin.
 std::string form_of(std::size_t series) {
     const std::string d = px(mark_px);
     switch (series % 3) {
@@ -136,7 +136,7 @@ std::string form_of(std::size_t series) {
     }
 }
 
-/// Mark of a point: filled on the front, else an outline.
+/// Mark of a point: filled for the front, otherwise an outline.
 std::string mark(std::size_t series, bool full, double x, double y, std::string_view tooltip) {
     const auto& colour = series_colours.at(series).light;
     const auto filled = text(" class=\"t-fill-", series, " t-line-", series, "\" fill=\"", colour, "\"");
@@ -226,7 +226,8 @@ public:
     std::string take() { return std::move(out_); }
 
 private:
-    static constexpr std::size_t most = 24;  ///< largest number of labels; more would be unreadable
+    /// Largest number of labels; with more, the figure would be unreadable.
+    static constexpr std::size_t most = 24;
     static bool worth(const Point& p) { return p.is_default || p.front; }
     static Rect around(double x, double y) { return {x - mark_px, y - mark_px, 2 * mark_px, 2 * mark_px}; }
 

@@ -10,16 +10,16 @@ namespace thaum::plot {
 
 /// Axes used by to_svg(FrontFigure).
 struct FrontAxes {
-    LogAxis time;   ///< horizontal, to the right
-    LogAxis error;  ///< vertical, upwards
+    LogAxis time;   ///< horizontal axis, to the right
+    LogAxis error;  ///< vertical axis, upwards
 };
 FrontAxes axes_of(const FrontFigure&);
 
 /// Draws every point with its row as a tooltip. The front is joined by lines and labelled, and the default is
-/// ringed. Labels without room are left out.
+/// ringed. Labels for which there is no room are left out.
 std::string to_svg(const FrontFigure&);
 
-/// Draws bars from 1 to the ratio with their numbers, on a logarithmic axis.
+/// Draws bars from 1 to the ratio, labelled with their numbers, on a logarithmic axis.
 std::string to_svg(const RatioFigure&);
 
 }  // namespace thaum::plot

@@ -1,5 +1,6 @@
-// tools/mutants/mutant_switch.h: decides at run time which mutant of a mutated build is active. Every C++ source of the
-// copied tree includes it first (see tree.py). The original tree does not use it.
+// tools/mutants/mutant_switch.h: chooses at run time which mutant of a mutated build is active (mutation
+// testing). Every C++ source of the copied tree includes it first (see tree.py). The original tree does not
+// use it.
 #pragma once
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -12,12 +13,12 @@ namespace thaum_mutants {
 
 struct Switch {
     int active = 0;                    ///< number of the active mutant; 0: none
-    unsigned char* reached = nullptr;  ///< one byte per mutant, shared with the file; may be null
+    unsigned char* reached = nullptr;  ///< one byte for each mutant, shared with the file; may be null
     int count = 0;                     ///< size of `reached`
 };
 
-/// Reads THAUM_MUTANT (a number) and maps the file that THAUM_MUTANTS_REACHED names. The file is shared memory, so what
-/// a program reached is known even if it is killed.
+/// Reads THAUM_MUTANT (a number) and maps the file that THAUM_MUTANTS_REACHED names. The file is shared
+/// memory, so the mutants that a program reached are known even if it is killed.
 inline Switch read_environment() {
     Switch result;
     if (const char* active = std::getenv("THAUM_MUTANT")) result.active = std::atoi(active);
@@ -41,7 +42,7 @@ inline Switch read_environment() {
 /// on any thread. Allocates nothing.
 inline bool on(int mutant) {
     static const Switch the_switch = read_environment();
-    // A byte that is set is not written again, so threads do not take the cache line from each other.
+    // A byte that is set already is not written again, so that threads do not compete for the cache line.
     if (mutant < the_switch.count && __atomic_load_n(the_switch.reached + mutant, __ATOMIC_RELAXED) == 0)
         __atomic_store_n(the_switch.reached + mutant, static_cast<unsigned char>(1), __ATOMIC_RELAXED);
     return mutant == the_switch.active;

@@ -8,7 +8,7 @@ namespace thaum::audio::detail {
 std::size_t blocks_to_queue(double period) {
     if (!(period > 0)) return BlockStream::least_queued;
     const double blocks = std::min(period / frame_samples, 1e3);
-    // One more is being mixed. A period that is no multiple of a block ends within another one.
+    // One more block is being mixed. A period that is no multiple of a block ends within yet another block.
     const double needed = blocks == std::floor(blocks) ? blocks + 1 : std::floor(blocks) + 2;
     return std::clamp(static_cast<std::size_t>(needed), BlockStream::least_queued, BlockStream::most_queued);
 }
@@ -43,7 +43,7 @@ std::size_t BlockStream::wanted() {
     alGetSourcei(source_, AL_SOURCE_STATE, &state);
     if (playing_ && state != AL_PLAYING) {
         playing_ = false;
-        alSourceRewind(source_);  // or blocks that are queued from now on would count as played
+        alSourceRewind(source_);  // without this, blocks that are queued from here on would count as played
         queued_ = std::min(queued_ + 1, most_queued);
     }
     return queued_ - std::min(queued_, waiting());

@@ -8,21 +8,22 @@
 
 namespace thaum::audio::detail {
 
-/// Blocks that must wait in a queue so that a device which takes `period` samples (at 48 kHz) at a time finds enough.
+/// Number of blocks to keep queued so that a device which takes `period` samples (at 48 kHz) at a time never
+/// runs out.
 std::size_t blocks_to_queue(double period);
 
-/// All functions act on the context that is current.
+/// Blocks of samples queued at one source. All functions act on the context that is current.
 class BlockStream {
 public:
     static constexpr std::size_t least_queued = 2, most_queued = 24;
 
-    /// Makes the source. Up to `queued` blocks wait in it; each time that they did not suffice, one more. `channels`:
-    /// 2, or 8 in the order of surround_channels (audio/channels.h).
+    /// Makes the source. Up to `queued` blocks wait in it, and one more after each gap. `channels`: 2, or 8
+    /// in the order of surround_channels (audio/channels.h).
     explicit BlockStream(std::size_t queued, std::size_t channels = 2);
     void destroy();
 
     std::size_t wanted();
-    /// Queues a block. Playing begins, also again after a gap, when the queue is full.
+    /// Queues a block. Playing begins, and begins again after a gap, as soon as the queue is full.
     void write(std::span<const float> block);
     std::size_t queued() const { return queued_; }
 

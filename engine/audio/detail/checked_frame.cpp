@@ -33,7 +33,7 @@ std::vector<SoundFacts> facts_of(const SoundBank& bank, std::uint64_t& bad_value
             fact.group = SoundGroup::effects;
             ++bad_values;
         }
-        // A loop of one sample makes no sound, and would have no later sample to start at.
+        // A loop of one sample makes no sound and has no later sample to start at.
         if (sound.samples.size() < 2) fact.samples = 0;
         facts.push_back(fact);
     }
@@ -58,7 +58,7 @@ Listener checked_listener(const Listener& listener, const Listener& before, std:
     constexpr double least_length = 1e-6, most_length = 1e6;
     const auto usable = [](vec3 axis) {
         const double length = glm::length(axis);
-        return length > least_length && length < most_length;  // false for what is not a number
+        return length > least_length && length < most_length;  // false for NaN
     };
     if (!is_finite(listener.position) || !usable(listener.forward) || !usable(listener.up)) {
         ++bad_values;

@@ -1,4 +1,4 @@
-// audio/detail/checked_frame.h: a frame whose every value the mixer can use, made of one that may be wrong.
+// audio/detail/checked_frame.h: replaces wrong values of a frame, so that the mixer can use every value.
 #pragma once
 #include <span>
 #include <vector>
@@ -8,23 +8,24 @@
 
 namespace thaum::audio::detail {
 
-/// A sound without its samples.
+/// What the mixer must know of a sound besides its samples.
 struct SoundFacts {
     SoundGroup group{};
     bool loops{};
     double near_m{};
     double reach_m{};
-    std::uint32_t samples{};  ///< 0: the sound cannot be played
+    std::uint32_t samples{};  ///< length of the sound (samples); 0: it cannot be played
 };
 
-/// Facts of all sounds. Distances that make no sense become the usual ones and are counted.
+/// Facts of all sounds. Impossible distances are replaced by the defaults and counted.
 std::vector<SoundFacts> facts_of(const SoundBank& bank, std::uint64_t& bad_values);
 
-/// Clips the values of a voice and counts those that were wrong. Returns false if the voice must be left out: its sound
-/// does not exist, loops when it should not or the other way, or its position is not a number.
+/// Clips the values of a voice and counts those that were wrong. Returns false if the voice must be left out:
+/// its sound does not exist, it loops although the voice is not lasting, it does not loop although the voice
+/// is, or its position is NaN.
 bool check_voice(Voice& voice, bool lasting, std::span<const SoundFacts> sounds, std::uint64_t& bad_values);
 
-/// Makes the axes orthogonal unit vectors. A listener that is not a number stays where it was.
+/// Makes the axes orthogonal unit vectors. A listener with a NaN keeps its last place.
 Listener checked_listener(const Listener& listener, const Listener& before, std::uint64_t& bad_values);
 
 /// Clips the settings to what the mixer can use.

@@ -34,12 +34,12 @@ bool Limiter::process(std::span<float> stereo) {
         held_sum_ += held - held_[at_];
         held_[at_] = held;
         calm_ = held < 1 ? 0 : calm_ + 1;
-        if (calm_ >= window) held_sum_ = window;  // exactly, so that a quiet signal keeps its bits
+        if (calm_ >= window) held_sum_ = window;  // set exactly, so that a quiet signal keeps its bits
         const double gain = held_sum_ / window;
         std::swap(delayed_[2 * at_], left);
         std::swap(delayed_[2 * at_ + 1], right);
         at_ = (at_ + 1) % window;
-        // The oldest sample of the delay is the one that the next step replaces.
+        // The oldest sample of the delay line is the one that the next call overwrites.
         left = delayed_[2 * at_];
         right = delayed_[2 * at_ + 1];
         if (gain >= 1) continue;

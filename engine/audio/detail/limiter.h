@@ -1,8 +1,9 @@
 // audio/detail/limiter.h: keeps a stereo signal within -1 to 1 without clipping its waves.
 //
-// The signal is delayed by 2 ms. The gain of each sample is the average, over the delay, of the least gain that any
-// sample within the delay needs. So the gain is low enough when a peak comes out, and it has moved there evenly. After
-// a peak it rises slowly. Both channels get the same gain, so that no voice changes its side.
+// The signal is delayed by 2 ms. The gain of each sample is the average, over the delay, of the least gain
+// that any sample within the delay needs. So the gain is low enough when a peak comes out, and it has moved
+// there evenly. After a peak it rises slowly. Both channels get the same gain, so that no voice moves to the
+// other side.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -12,11 +13,11 @@ namespace thaum::audio::detail {
 
 class Limiter {
 public:
-    /// Samples by which the output is later than the input.
+    /// Delay of the output (samples).
     static constexpr std::size_t delay = 95;
 
-    /// Replaces interleaved stereo samples by the limited, delayed ones. Values that are not numbers become 0. Returns
-    /// true if the gain of some sample was below 1.
+    /// Replaces interleaved stereo samples by the limited, delayed ones. NaN becomes 0. Returns true if the
+    /// gain of some sample was below 1.
     bool process(std::span<float> stereo);
     /// Forgets what is in the delay.
     void clear() { *this = {}; }

@@ -7,12 +7,13 @@ namespace {
 
 /// Quieter voices use no source (-100 dB).
 constexpr double least_gain = 1e-5;
-/// A playing voice keeps its source against one that is louder by less than this.
+/// Factor on the gain of a voice that already plays: a new voice must be louder by this to take its source.
 constexpr double keep_factor = 1.1;
 /// Largest change of the damping in one block: all of it takes 0.4 s. The filter's output jumps by as much of the
 /// signal as its gain changes, for some samples; 2 % cannot be heard as a click.
 constexpr double most_muffle_change = 0.02;
-/// Samples by which loops of two keys are apart, so that equal sounds do not add up wave by wave.
+/// Offset between the starting samples of loops with neighbouring keys, so that equal sounds do not add up
+/// wave by wave.
 constexpr std::uint64_t samples_between_keys = 7919;
 
 fvec3 place_of(const Voice& voice, const Listener& listener) {
@@ -123,7 +124,8 @@ void ListenerMix::choose(MixReport& report) {
     if (candidate_count_ <= most_heard) return;
     const auto all = std::span(candidates_).first(candidate_count_);
     const auto rank = [](const Candidate& c) { return c.gain * (c.playing >= 0 ? keep_factor : 1); };
-    // Earlier candidates come first among equals. Their voices lie in several lists, so each gets its number.
+    // Of candidates with equal gains the earlier ones come first. Voices lie in several lists, so each gets
+    // an index here.
     std::array<std::uint16_t, most_candidates> order{};
     for (std::size_t i = 0; i < all.size(); ++i) order[i] = static_cast<std::uint16_t>(i);
     const auto used = std::span(order).first(all.size());
@@ -137,7 +139,7 @@ void ListenerMix::choose(MixReport& report) {
     candidate_count_ = most_heard;
 }
 
-/// Lets the playing voices fade that were not chosen.
+/// Fades out the playing voices that were not chosen.
 void ListenerMix::fade_the_rest() {
     for (const auto& candidate : std::span(candidates_).first(candidate_count_))
         if (candidate.playing >= 0) playing_[static_cast<std::size_t>(candidate.playing)].chosen = true;

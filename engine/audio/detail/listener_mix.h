@@ -13,7 +13,7 @@
 
 namespace thaum::audio::detail {
 
-/// Voices of one block, checked.
+/// Checked voices of one block.
 struct BlockVoices {
     std::span<const Voice> lasts;
     std::span<const Voice> begins;
@@ -43,7 +43,7 @@ private:
         Voice voice;
         std::uint32_t source{};
         bool lasting{};
-        bool fading{};  ///< ends with the block in which it was set
+        bool fading{};  ///< true: the source is fading out and is freed after this block
         bool chosen{};
         double gain{};
         double pitch{};
@@ -53,11 +53,11 @@ private:
     /// A voice that wants a source in this block.
     struct Candidate {
         const Voice* voice{};
-        std::int32_t playing{-1};  ///< index of its Playing; -1: it has none yet
+        std::int32_t playing{-1};  ///< index of the voice in the list of playing voices; -1: not in the list
         bool lasting{};
         double gain{};
     };
-    /// Playing and fading voices: as many again may fade as play.
+    /// Room for playing and fading voices: as many may fade as may play.
     static constexpr std::size_t most_playing = 2 * most_heard;
     static_assert(most_playing + most_heard <= Loopback::most_at_once);
     static constexpr std::size_t most_candidates = most_playing + 32 + most_begins;

@@ -9,14 +9,15 @@
 namespace thaum::audio::detail {
 namespace {
 
-/// Radius of every sounding thing (m). Nearer to the ear than that, panning fades out, so that a voice that passes
-/// through the head does not jump from side to side. A voice at the ear stands at the centre: equal on both sides.
+/// Radius of every sound source (m). Nearer to the ear than this, panning fades out, so that a voice that
+/// passes through the head does not jump from side to side. A voice at the ear stands at the centre: equal on
+/// both sides.
 constexpr float source_radius = 0.25F;
 
-/// Quality of a voice played faster or slower: cubic, number 2 of OpenAL's list.
+/// Resampler for a voice played faster or slower: cubic, number 2 in OpenAL's list.
 constexpr ALint cubic_resampler = 2;
 
-// A voice behind walls: what is left of it, and of its tones above about 5 kHz.
+// Gain of a voice behind walls, and the further gain of its tones above about 5 kHz.
 constexpr double muffled_gain = 0.5, muffled_high_gain = 0.02;
 
 Expected<void> expect_no_error(std::string_view doing) {
@@ -27,7 +28,7 @@ Expected<void> expect_no_error(std::string_view doing) {
 
 bool is_playable(float sample) { return std::abs(sample) <= 1; }
 
-/// Samples that OpenAL can play: those that are not numbers become 0. `changed` keeps them if any had to change.
+/// Samples that OpenAL can play: NaN becomes 0. `changed` holds the copy if any sample had to change.
 std::span<const float> playable_samples(const Sound& sound, std::vector<float>& changed) {
     const auto& samples = sound.samples;
     if (!samples.empty() && std::all_of(samples.begin(), samples.end(), is_playable)) return samples;
@@ -187,7 +188,7 @@ std::uint32_t Loopback::take(std::uint32_t sound) {
         if (best == nullptr || (fits && !best_fits) || (fits == best_fits && source.freed < best->freed))
             best = &source;
     }
-    // The pool is larger than all voices that play and fade together.
+    // The pool has more sources than voices can play and fade at a time, so one is always free.
     if (!best->has_sound || best->sound != sound) attach(*best, sound);
     best->busy = true;
     return static_cast<std::uint32_t>(best - pool_.data());

@@ -17,10 +17,10 @@ namespace thaum::audio::detail {
 class Loopback {
 public:
     static constexpr std::uint32_t pool_size = 256;
-    /// Sources that play at once, at most.
+    /// Greatest number of sources that play at a time.
     static constexpr std::uint32_t most_at_once = 192;
 
-    /// The error is one line.
+    /// Opens a device with the sounds of the bank. The error is one line.
     static Expected<std::unique_ptr<Loopback>> open(const SoundBank& bank, bool hrtf);
     ~Loopback();
     Loopback(const Loopback&) = delete;
@@ -28,12 +28,13 @@ public:
 
     /// True if HRTF is on.
     bool hrtf() const { return hrtf_; }
-    /// Turns HRTF on or off; hrtf() tells whether it succeeded. Sources go on. Sound may jump.
+    /// Turns HRTF on or off; hrtf() tells whether it succeeded. Sources keep playing; the sound may jump.
     void set_hrtf(bool wanted);
     /// Renders frame_samples samples for two channels.
     void render(std::span<float> stereo);
 
-    // Below, `source` is an index of the pool. Each call needs the scope of `enter`.
+    // In the functions below, `source` is an index into the pool. Each call must be made while a scope from
+    // `enter` exists.
     ContextScope enter() const { return {al_, context_}; }
     /// Returns a free source that has the buffer of the sound.
     std::uint32_t take(std::uint32_t sound);
@@ -42,13 +43,14 @@ public:
     bool has_ended(std::uint32_t source) const;
     void set_gain(std::uint32_t source, double gain) const;
     void set_pitch(std::uint32_t source, double pitch) const;
-    void set_place(std::uint32_t source, fvec3 place) const;  ///< (m, right, up and back of the listener)
+    /// Position (m; right, up and back of the listener).
+    void set_place(std::uint32_t source, fvec3 place) const;
     /// Dampens high tones; 0 to 1.
     void set_muffled(std::uint32_t source, double muffled) const;
     /// A source that starts later than at sample 0 fades in within the first block.
     void set_start(std::uint32_t source, std::uint32_t sample) const;
     void start(std::span<const std::uint32_t> sources) const;
-    /// Changes between the two calls take effect together.
+    /// Changes made between these two calls take effect together.
     void begin_changes() const { defer_(); }
     void end_changes() const { process_(); }
 
@@ -58,7 +60,7 @@ private:
         std::uint32_t sound{};
         bool has_sound{};
         bool busy{};
-        std::uint64_t freed{};  ///< number of the moment at which it became free
+        std::uint64_t freed{};  ///< counter value at which the source became free, to reuse the oldest first
     };
 
     explicit Loopback(const OpenAl& al) : al_(al) {}

@@ -15,10 +15,10 @@
 namespace thaum::audio::detail {
 namespace {
 
-/// OpenAL's usual three periods of 1,024 samples would be heard 60 ms late.
+/// OpenAL's default of three periods of 1,024 samples delays the sound by 60 ms.
 constexpr std::string_view short_periods = "[general]\nfrequency = 48000\nperiod_size = 384\nperiods = 3\n";
 
-/// Gives OpenAL its settings as a file in memory. It has no call for them.
+/// Passes settings to OpenAL as a file in memory, because OpenAL has no call for them.
 void choose_short_periods() {
     if (environment_value("ALSOFT_CONF")) return;
     const int fd = ::memfd_create("thaum-openal", MFD_CLOEXEC);
@@ -34,7 +34,8 @@ void choose_short_periods() {
 
 void ignore_alsa_message(const char*, int, const char*, int, const char*, ...) {}
 
-/// ALSA prints several lines for each device that it lacks. OpenAL loads ALSA itself, so it is looked up there.
+/// ALSA prints several lines for each device that it lacks. OpenAL loads ALSA itself, so ALSA's functions are
+/// looked up in the library that is already loaded.
 void silence_alsa() {
     void* const alsa = ::dlopen("libasound.so.2", RTLD_LAZY | RTLD_NOLOAD);
     if (alsa == nullptr) return;

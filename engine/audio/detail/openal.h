@@ -9,7 +9,7 @@
 
 namespace thaum::audio::detail {
 
-/// Functions of extensions. All are found, or there is no OpenAl.
+/// Functions of OpenAL's extensions. If one is missing, no OpenAl is made.
 struct OpenAl {
     LPALCLOOPBACKOPENDEVICESOFT open_loopback{};
     LPALCRENDERSAMPLESSOFT render{};
@@ -22,7 +22,7 @@ struct OpenAl {
 /// environment variables: messages of OpenAL are off, and devices play in short periods, unless the user has chosen.
 Expected<OpenAl> find_openal();
 
-/// Makes a context current for this thread, and the former one again at its end.
+/// Makes a context current for this thread; the destructor makes the former one current again.
 class ContextScope {
 public:
     ContextScope(const OpenAl& al, ALCcontext* context) : al_(al), before_(al.thread_context()) {

@@ -1,7 +1,7 @@
 // audio/detail/oscillator.h: the small parts of the sound generator, all with the same bits on every processor.
 //
-// Gains and frequencies are computed at the ends of blocks of samples. Within a block, a gain runs in a straight line
-// and a frequency stays.
+// Gains and frequencies are computed at the ends of blocks of samples. Within a block, a gain changes
+// linearly and a frequency is constant.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace thaum::audio {
 
-/// Samples of one block of a gain or a frequency.
+/// Samples between two computations of a gain or a frequency.
 inline constexpr std::size_t control_samples = 16;
 
 /// Frequency of a MIDI key (Hz).
@@ -37,13 +37,14 @@ inline double sine_of_cycles(double cycles) { return sine_of_cycles(sine_table()
 /// Gain of an envelope at `time`, without its decay.
 double steady_gain_at(const Envelope& envelope, double time);
 
-/// Factor by which a gain with this decay (s) falls within a time (s). A decay of 0 never falls.
+/// Factor by which a gain with this decay (s) falls within `time` (s). With a decay of 0 the gain never
+/// falls.
 double fall_within(double time, double decay);
 
-/// Factor of a decay (s) at `time`, 1 until it begins.
+/// Factor of the decay (s) at `time`; 1 until the decay begins.
 double fall_at(const Envelope& envelope, double decay, double time);
 
-/// Gain of an envelope at `time`, with a decay of its own (s).
+/// Gain of an envelope at `time`, with another decay than the envelope's (s).
 inline double gain_at(const Envelope& envelope, double decay, double time) {
     return steady_gain_at(envelope, time) * fall_at(envelope, decay, time);
 }
@@ -64,7 +65,7 @@ public:
     double seconds() const;
     std::vector<double>& samples() { return samples_; }
 
-    /// Adds samples, the first at a position that may lie beyond the end.
+    /// Adds samples from index `at` on, which may lie beyond the end.
     void add(std::size_t at, std::span<const double> values) {
         if (at + values.size() <= samples_.size()) {
             for (std::size_t i = 0; i < values.size(); ++i) samples_[at + i] += values[i];
@@ -86,7 +87,8 @@ private:
     bool loops_;
 };
 
-/// Number of whole periods per loop, as a rate (Hz); the rate itself in a sound without a loop, and 0 for 0.
+/// The rate nearest to `hz` that has a whole number of periods in a loop (Hz). In a sound without a loop,
+/// `hz` itself. 0 stays 0.
 double fitted_rate(double hz, const Canvas& canvas);
 
 }  // namespace thaum::audio

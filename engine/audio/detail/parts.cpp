@@ -9,16 +9,16 @@ namespace thaum::audio {
 namespace {
 
 constexpr double sample_s = 1.0 / sample_rate;
-constexpr double noise_rms = 0.35;     // strength of a noise with level 1
-constexpr double highest_hz = 20'000;  // deviations by a vibrato stay below half the sample rate
+constexpr double noise_rms = 0.35;     // root mean square of a noise with level 1
+constexpr double highest_hz = 20'000;  // so that vibrato cannot raise a frequency above half the sample rate
 
-/// A part on the time axis of its canvas, in samples.
+/// Where a part lies on the time axis of its canvas (samples).
 struct Span {
     std::size_t start{}, count{};
-    bool lasting{};  ///< the part lasts as long as its loop
+    bool lasting{};  ///< true: the part lasts as long as its loop
 };
 
-/// Span of a part whose longest decay is `decay`.
+/// Span of a part; `decay` is the longest of its decays.
 Span span_of(const Canvas& canvas, const Envelope& envelope, double decay) {
     if (decay == 0 && canvas.loops()) return {0, canvas.size(), true};
     const auto start = static_cast<std::size_t>(envelope.start * sample_rate);
@@ -28,7 +28,8 @@ Span span_of(const Canvas& canvas, const Envelope& envelope, double decay) {
     return {start, canvas.loops() ? whole : std::min(whole, rest), false};
 }
 
-/// Envelope and pitch whose modulations fit a whole number of times into a lasting part.
+/// The envelope or pitch with tremolo and vibrato rates that fit a whole number of periods into a lasting
+/// part.
 Envelope fitted(Envelope envelope, const Canvas& canvas, const Span& span) {
     if (!span.lasting) return envelope;
     envelope.attack = 0;
@@ -54,7 +55,7 @@ std::vector<double> frequencies_of(const Pitch& pitch, std::size_t count) {
 /// Samples of one block of a part.
 struct Block {
     std::size_t first{}, count{};
-    double gain{}, step{};  ///< gain of the first sample, and from each to the next
+    double gain{}, step{};  ///< gain of the first sample, and its change from sample to sample
     double hz{};
 
     double gain_of(std::size_t sample) const { return gain + step * static_cast<double>(sample); }
@@ -69,8 +70,8 @@ void each_block(const Envelope& envelope, double decay, std::span<const double> 
     for (std::size_t i = 0; i < count; i += control_samples) {
         const auto length = std::min(control_samples, count - i);
         const double time = static_cast<double>(i + length) * sample_s;
-        // Once a decay has begun, its factor shrinks by the same share in every whole block. A product costs less than
-        // another exponential.
+        // Once a decay has begun, its factor shrinks by the same share in every whole block. A multiplication
+        // is cheaper than an exponential.
         fall = fall < 1 && length == control_samples ? fall * fall_of_block : fall_at(envelope, decay, time);
         const double next = steady_gain_at(envelope, time) * fall;
         use(Block{i, length, gain, (next - gain) / static_cast<double>(length),
@@ -79,7 +80,7 @@ void each_block(const Envelope& envelope, double decay, std::span<const double> 
     }
 }
 
-/// Factor that gives a partial a whole number of periods in a lasting part.
+/// Factor on a partial's frequency that gives it a whole number of periods in a lasting part.
 double period_fit(std::span<const double> frequencies, std::size_t count, double ratio) {
     double periods = 0;
     for (std::size_t i = 0; i < count; i += control_samples)
@@ -191,7 +192,8 @@ void add_noise(Canvas& canvas, const Noise& noise, Random random) {
     const auto frequencies = frequencies_of(fitted(noise.pitch, canvas, span), span.count);
     NoiseShaper shaper(noise.filter, noise.sharpness);
     if (span.lasting) {
-        // The same noise runs through the filter twice. The second time, the filter ends as it began.
+        // The same noise runs through the filter twice, so that the filter begins the second run in the state
+        // in which it ends.
         Random before = random;
         for (std::size_t i = 0; i < span.count; ++i) {
             shaper.tune(frequencies[i / control_samples]);
@@ -210,7 +212,7 @@ void add_grains(Canvas& canvas, const Grains& grains, Random random) {
     const Envelope envelope = fitted(grains.envelope, canvas, span);
     const double seconds = static_cast<double>(span.count) * sample_s;
     const double widest = det::log(grains.high_hz / grains.low_hz);
-    // The first grain waits until the part can be heard.
+    // The first grain starts when the part becomes audible.
     double time = span.lasting ? random.uniform() / grains.rate : std::min(envelope.attack, 1 / grains.rate);
     while (time < seconds) {
         const double hz = grains.low_hz * det::exp(widest * random.uniform());
@@ -224,7 +226,7 @@ void add_grains(Canvas& canvas, const Grains& grains, Random random) {
 
 void add_score(Canvas& canvas, const Score& score) {
     const double beat_s = 60 / score.beats_per_minute;
-    // The vibrato begins anew with each note. So all notes share its course: frequencies of a note of 1 Hz.
+    // Vibrato restarts with each note, so all notes share one curve: the frequencies of a note of 1 Hz.
     std::vector<double> course, frequencies;
     for (const auto& note : score.notes) {
         Envelope envelope = score.envelope;

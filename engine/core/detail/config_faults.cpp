@@ -10,13 +10,13 @@
 namespace thaum::detail {
 namespace {
 
-constexpr std::size_t most_listed = 12;  // names in a line about an unknown key
+constexpr std::size_t most_listed = 12;  // most names that are listed in a message about an unknown key
 
-/// An unknown key with the known one that it seems to mean.
+/// An unknown key, with the known key that was probably meant.
 struct Stray {
     const UnknownKey* unknown{};
-    std::string meant;  ///< empty: none
-    bool doubtful{};    ///< the reader of its table was misled, so the key may be right
+    std::string meant;  ///< the known key that was probably meant; empty: none
+    bool doubtful{};    ///< true: a wrong value misled the reader of this table, so the key may be correct
     bool told = false;
 };
 
@@ -39,7 +39,7 @@ public:
     }
 
 private:
-    /// Keys that the table may have and does not have.
+    /// Keys that the table may have but lacks.
     std::vector<std::string_view> open_names(const UnknownKey& key) const {
         const auto found = asked_.find(key.table);
         if (found == asked_.end()) return {};
@@ -56,7 +56,7 @@ private:
         });
     }
 
-    /// Whether an unknown key is this missing one, misspelt.
+    /// Whether some unknown key is this missing key, misspelt.
     bool is_slip(const ConfigFault& fault) const {
         if (fault.kind != FaultKind::missing && fault.kind != FaultKind::told) return false;
         return std::ranges::any_of(strays_, [&](const Stray& stray) {
@@ -64,7 +64,8 @@ private:
         });
     }
 
-    /// Words on a missing key that stands in another table, where nobody asks for it.
+    /// Words for a message about a missing key: where the same key stands in another table, in which nobody
+    /// asks for it.
     std::string place_of_misplaced(const ConfigFault& fault) {
         if (fault.kind != FaultKind::missing) return {};
         const auto stray = std::ranges::find_if(strays_, [&](const Stray& one) {

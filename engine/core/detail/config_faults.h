@@ -1,4 +1,4 @@
-// core/detail/config_faults.h: faults of one data file, and the order in which they are told.
+// core/detail/config_faults.h: the faults of one data file, and the order in which they are reported.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -18,10 +18,10 @@ enum class FaultKind : std::uint8_t {
 
 struct ConfigFault {
     FaultKind kind{};
-    bool misleads = false;  ///< the reader cannot know which keys belong to the table
+    bool misleads = false;  ///< true: the reader cannot know which keys belong to the table
     const void* table{};    ///< table that holds the key; null: the whole file
     std::string key;
-    std::size_t line{};  ///< 0: no line
+    std::size_t line{};  ///< line of the fault; 0: unknown
     std::string message;
     bool operator==(const ConfigFault&) const = default;
 };
@@ -30,16 +30,17 @@ struct ConfigFault {
 struct UnknownKey {
     const void* table{};
     std::string key;
-    std::string path;  ///< the key after those of its tables: "shot.damage"
+    std::string path;  ///< path of the key through its tables, such as "shot.damage"
     std::size_t line{};
 };
 
 /// Keys that readers asked for, by table.
 using AskedKeys = std::map<const void*, std::set<std::string, std::less<>>>;
 
-/// All lines about a file in the order in which they help: a key that is unknown stands before the one that is
-/// missing for it, or in its place if only a slip of typing lies between them. In a table whose reader was misled by
-/// another fault, other unknown keys are left out: they may be right. std::nullopt: no fault.
+/// All messages about a file, in the most helpful order. An unknown key comes before the missing key that was
+/// probably meant; if the two differ by a typing mistake only, it replaces the missing one. In a table whose
+/// reader was misled by another fault, other unknown keys are left out, because they may be correct.
+/// std::nullopt: no fault.
 std::optional<Error> told_faults(const std::string& file, const std::vector<ConfigFault>& faults,
                                  const std::vector<UnknownKey>& unknown, const AskedKeys& asked);
 

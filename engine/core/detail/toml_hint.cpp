@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r";
 
-/// A part of the source for a message of one line.
+/// A part of the source file, shortened for a message of one line.
 std::string shown(std::string_view words) { return printable(words, 60); }
 
 std::string_view line_of(std::string_view source, std::size_t line) {
@@ -29,7 +29,7 @@ std::string_view line_of(std::string_view source, std::size_t line) {
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-/// Returns true if the digits around the dot are a number, not part of a key such as 1.1.1.
+/// Returns true if the digits around the dot form a number and not a key such as 1.1.1.
 bool is_decimal_point(std::string_view line, std::size_t dot) {
     if (dot == 0 || dot + 1 >= line.size() || !is_digit(line[dot - 1]) || !is_digit(line[dot + 1]))
         return false;
@@ -46,7 +46,7 @@ bool has_too_many_dots(std::string_view line) {
     return dots > most_dots;
 }
 
-/// Length of the digits at the beginning, after a sign.
+/// Number of digits at the beginning of a word, with the sign before them.
 std::size_t digits_of(std::string_view words) {
     const std::size_t sign = !words.empty() && (words[0] == '-' || words[0] == '+') ? 1 : 0;
     std::size_t length = sign;
@@ -54,7 +54,7 @@ std::size_t digits_of(std::string_view words) {
     return length > sign ? length : 0;
 }
 
-/// The number that "1,5" means, as TOML writes it; empty if the text is none with a comma.
+/// A number with a decimal comma, such as "1,5", as TOML writes it; empty if the text is no such number.
 std::string with_point(std::string_view words) {
     const auto whole = digits_of(words);
     if (whole == 0 || whole + 1 >= words.size() || words[whole] != ',') return {};
@@ -63,7 +63,7 @@ std::string with_point(std::string_view words) {
     return text(words.substr(0, whole), ".", after);
 }
 
-/// A line up to the '#' that begins its comment, which is none within quotes.
+/// A line without its comment. A '#' within quotes begins no comment.
 std::string_view without_comment(std::string_view line) {
     char quote = 0;
     for (std::size_t i = 0; i < line.size(); ++i) {
@@ -76,7 +76,7 @@ std::string_view without_comment(std::string_view line) {
     return line;
 }
 
-/// A line without its comment and without what stands in quotes, of which the quotes are left.
+/// A line without its comment and without the text between quotes; the quotes themselves stay.
 std::string bare(std::string_view line) {
     std::string out;
     char quote = 0;
@@ -105,7 +105,7 @@ bool begins_other_comment(std::string_view words) {
 constexpr std::string_view comment_words = "a comment begins with '#'";
 constexpr std::string_view list_words = "a list is [1, 2, 3], with commas between its values";
 
-/// Characters that look like one that TOML knows.
+/// Hint for a character that looks like one of TOML's characters but is another.
 std::string hint_of_characters(std::string_view line) {
     const auto words = bare(line);
     if (const auto found = invisible_character(words); !found.empty())
@@ -122,7 +122,7 @@ std::string hint_of_characters(std::string_view line) {
     return "";
 }
 
-/// Says what is wrong behind the number at the beginning of a value.
+/// Hint about the text that follows a number at the beginning of a value.
 std::string hint_after_number(std::string_view number, std::string_view rest) {
     if (rest.find('=') != rest.npos) return "a line has one KEY = VALUE";
     if (begins_other_comment(rest)) return std::string(comment_words);
@@ -145,7 +145,7 @@ bool is_exponent(std::string_view word) {
     return !number.empty() && digits_of(number) == number.size() && is_digit(number.back());
 }
 
-/// A word that begins as a number and is none.
+/// Hint for a word that begins like a number but is none.
 std::string hint_of_number(std::string_view word) {
     if (begins_with_one_of(word, {"0x", "0X"})) return "a hexadecimal number is 0x and digits 0-9, a-f";
     if (begins_with_one_of(word, {"--", "++", "+-", "-+"})) return "a number has one sign";
@@ -167,7 +167,7 @@ std::string hint_of_number(std::string_view word) {
     return text("a number has no unit: write ", shown(word.substr(0, end)));
 }
 
-/// A value that begins with a digit, a sign or a point.
+/// Hint for a value that begins with a digit, a sign or a point.
 std::string hint_of_numbers(std::string_view value) {
     if (const auto number = with_point(value); !number.empty()) {
         const auto comma = value.find(',');
@@ -185,7 +185,7 @@ std::string hint_of_numbers(std::string_view value) {
     return rest.empty() || rest[0] == '#' ? hint_of_number(number) : hint_after_number(number, rest);
 }
 
-/// A value that begins with a quote.
+/// Hint for a value that begins with a quote.
 std::string hint_of_text(std::string_view value, std::string_view parsers_words) {
     const auto end = value.find(value[0], 1);
     if (end == value.npos) return "a quote is not closed";
@@ -211,7 +211,7 @@ std::string hint_of_list(std::string_view value) {
     return std::string(list_words);
 }
 
-/// A value that begins with a letter.
+/// Hint for a value that begins with a letter.
 std::string hint_of_word(std::string_view value) {
     if (is_one_of(value, {"true", "false", "yes", "no", "on", "off", "ture", "flase", "fasle", "treu"}))
         return "write true or false";
@@ -236,7 +236,7 @@ std::string hint_of_value(std::string_view value, std::string_view parsers_words
     return is_letter(value[0]) ? hint_of_word(value) : "";
 }
 
-/// A line without '='.
+/// Hint for a line without '='.
 std::string hint_without_equals(std::string_view words) {
     const auto colon = words.find(':');
     const auto blank = words.find_first_of(blanks);
@@ -263,7 +263,7 @@ std::string hint_of_key(std::string_view key) {
     return std::ranges::all_of(key, is_plain) ? "" : "a key has only letters a-z, digits, '_' and '-'";
 }
 
-/// Says what is wrong with a line, whatever the lines before it.
+/// Hint for a line that does not depend on the lines before it.
 std::string hint_of_line(std::string_view line, std::string_view parsers_words) {
     if (line.find('\r') < line.size() - 1) return "end lines with a line feed";
     if (begins_with_one_of(line, {"<<<<<<<", "=======", ">>>>>>>", "|||||||"}))
@@ -295,7 +295,7 @@ void for_lines_before(std::string_view source, std::size_t end, Act act) {
     }
 }
 
-/// Line in which a list begins that is still open before the line `end`; 0: none.
+/// First line of a list that is still open before the line `end`; 0: none.
 std::size_t open_list_before(std::string_view source, std::size_t end) {
     std::ptrdiff_t open = 0;
     std::size_t first = 0;
@@ -312,7 +312,7 @@ std::size_t open_list_before(std::string_view source, std::size_t end) {
     return open > 0 ? first : 0;
 }
 
-/// "look.wand" of "[[look.wand]]"; empty for another line.
+/// Name in a table header: "look.wand" of "[[look.wand]]"; empty for any other line.
 std::string_view table_name(std::string_view line) {
     auto words = trimmed(without_comment(line));
     if (!words.starts_with('[') || !words.ends_with(']')) return {};
@@ -326,14 +326,14 @@ std::string_view key_of(std::string_view line) {
     return equals == words.npos ? std::string_view() : trimmed(words.substr(0, equals));
 }
 
-/// A table or key that is there for the second time. No words: the first one is not found.
+/// Hint for a table or key that is defined twice. The words are empty if the first definition is not found.
 TomlSlip second_of_name(std::string_view source, std::size_t line) {
     const auto here = trimmed(line_of(source, line));
     const auto name = table_name(here), key = key_of(here);
     std::size_t first = 0;
     bool is_list = false;
     for_lines_before(source, line, [&](std::size_t number, std::string_view other) {
-        if (name.empty() && !table_name(other).empty()) first = 0;  // the key of another table
+        if (name.empty() && !table_name(other).empty()) first = 0;  // the key belonged to another table
         if (first != 0 || (name.empty() ? key_of(other) != key : table_name(other) != name)) return;
         first = number;
         is_list = trimmed(other).starts_with("[[");

@@ -1,5 +1,5 @@
-// core/detail/toml_hint.h: the text of a TOML file: lines that the parser must not see, and the usual slips in those that it
-// cannot read.
+// core/detail/toml_hint.h: the text of a TOML file: lines that the parser must not see, and the common
+// mistakes in lines that it cannot read.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -16,20 +16,20 @@ inline constexpr std::size_t most_dots = 200;
 /// Number of the first line with too many dots, counted from 1; 0 if there is none.
 std::size_t overdotted_line(std::string_view source);
 
-/// A fault of a text that is no TOML.
+/// The place and a description of a fault in a text that is not TOML.
 struct TomlSlip {
     std::size_t line{};  ///< line to mend, counted from 1
-    std::string words;   ///< says what is wrong there, and what to write if that is plain
+    std::string words;   ///< what is wrong there, and what to write instead if that is clear
 };
 
-/// Explains why a file is no TOML. `line` and `parsers_words` are what the parser says, which stands for slips that are none of
-/// the usual ones.
+/// Explains why a file is not TOML. `line` and `parsers_words` are the parser's own error, returned if no
+/// common mistake is found.
 TomlSlip toml_slip(std::string_view source, std::size_t line, std::string_view parsers_words);
 
 /// The colour "#RRGGBB" as 0xRRGGBB; std::nullopt for another text.
 std::optional<std::uint32_t> parse_colour(std::string_view words);
 
-/// What to change where a text stands in the place of a number: "; write 1.5". Empty if the text is no number.
+/// Advice for a text where a number is expected, such as "; write 1.5". Empty if the text is no number.
 std::string number_hint(std::string_view words);
 
 }  // namespace thaum::detail

@@ -9,7 +9,7 @@
 namespace thaum::detail {
 namespace {
 
-/// The part of a source up to the end of a line, counted from 1.
+/// The source up to and including the line with this number (from 1).
 std::string_view first_lines(std::string_view source, std::size_t lines) {
     std::size_t at = 0;
     for (; lines > 0 && at < source.size(); --lines)
@@ -26,7 +26,8 @@ bool is_asserting(std::string_view source) {
     }
 }
 
-/// The line that fails an assertion of the parser. It tells no place, so we look for the shortest beginning that fails.
+/// The line that fails an assertion of the parser. The assertion names no line, so we look for the shortest
+/// beginning of the file that fails.
 std::size_t asserting_line(std::string_view source) {
     std::size_t good = 0, bad = 1 + static_cast<std::size_t>(std::ranges::count(source, '\n'));
     while (bad - good > 1) {

@@ -1,4 +1,5 @@
-// core/detail/toml_parse.h: the library toml++, and reading a text with it. Included by few sources, which compile slowly.
+// core/detail/toml_parse.h: the library toml++, and reading a text with it. Few sources include it, because
+// it is slow to compile.
 #pragma once
 #include <string>
 #include <string_view>
@@ -8,7 +9,7 @@
 // Some broken files (such as "x = 1:.2") fail an assertion inside toml++ 3.3. We report them like any other
 // fault: in every build the library's assertions throw, and parse_toml catches the exception.
 namespace thaum::detail {
-struct ParserAsserted {};  ///< an assertion of the parser failed
+struct ParserAsserted {};  ///< Thrown when an assertion of the parser fails.
 }  // namespace thaum::detail
 #undef NDEBUG
 #define TOML_ASSERT(condition)                                     \
@@ -35,7 +36,8 @@ struct ParserAsserted {};  ///< an assertion of the parser failed
 
 namespace thaum::detail {
 
-/// Parses a whole file. The error names the line to mend, what is wrong there, and what to write if that is plain.
+/// Parses a whole file. The error names the line to mend, what is wrong there, and what to write instead if
+/// that is clear.
 Expected<toml::table> parse_toml(std::string_view source, const std::string& name);
 
 }  // namespace thaum::detail

@@ -12,16 +12,18 @@ constexpr double least_weight = 1e-9;
 
 bool is_round(ExtentShape shape) { return shape == ExtentShape::sphere || shape == ExtentShape::gaussian; }
 
-/// Distance beyond each half edge up to which a voxel may have a weight, in the extent's unit.
+/// Distance beyond each half edge within which a voxel may have a weight, in the extent's unit.
 vec3 margin_of(const Footprint& f) {
     if (f.shape == ExtentShape::gaussian) return vec3(0);
     if (f.shape != ExtentShape::stamp) return vec3(f.rim / 2);
     return f.half / vec3(f.stamp->cells[0], f.stamp->cells[1], f.stamp->cells[2]);
 }
 
-/// Voxels around the centre, cut at the body's ends. Numbers are cut before they become integers.
+/// Voxels around the centre that lie within the body. Values are clamped before they are converted to
+/// integers.
 VoxelBox box_of(const Footprint& f, const VoxelBox& all) {
-    vec3 reach = glm::min(f.half + margin_of(f), vec3(1e300));  // a turn of infinity would not be a number
+    // An infinite `reach` times a turn would give NaN.
+    vec3 reach = glm::min(f.half + margin_of(f), vec3(1e300));
     if (!is_round(f.shape)) {
         const mat3 size(glm::abs(f.turn[0]), glm::abs(f.turn[1]), glm::abs(f.turn[2]));
         reach = size * reach;
@@ -36,13 +38,14 @@ VoxelBox box_of(const Footprint& f, const VoxelBox& all) {
     return box.empty() ? VoxelBox{} : box;
 }
 
-/// A weight within [0, 1]. Rounding must not make it almost 0 or almost 1: a cut would leave a trace of density.
+/// A weight within [0, 1]. Weights that rounding leaves almost 0 or almost 1 are set to that, because they
+/// would leave a trace of density after a cut.
 double clean(double weight) {
     if (weight < least_weight) return 0;
     return weight > 1 - least_weight ? 1 : weight;
 }
 
-/// Weight of a voxel this far inside an edge.
+/// Weight of a voxel at the distance `inside` within an edge.
 double coverage(double inside, double rim) { return clean(0.5 + inside / rim); }
 
 double box_weight(const Footprint& f, vec3 local) {
@@ -58,7 +61,7 @@ double cell_weight(const Stamp& stamp, std::array<int, 3> cell) {
     return static_cast<double>(stamp.weight[static_cast<std::size_t>(at)]);
 }
 
-/// Trilinear between the middles of the cells, 0 beyond them.
+/// Trilinear between the centres of the cells, 0 beyond them.
 double stamp_weight(const Footprint& f, vec3 local) {
     const Stamp& stamp = *f.stamp;
     const vec3 cells(stamp.cells[0], stamp.cells[1], stamp.cells[2]);
@@ -89,7 +92,8 @@ std::array<BrickAxis, 3> along_axes(const Footprint& f, const VoxelBox& part, Fu
     return axes;
 }
 
-/// Sets every weight to weight(x, y, z), of the functions along the axes. Returns the number of weights.
+/// Sets every weight to weight(x, y, z), with the values of the functions along the axes. Returns the number
+/// of weights.
 template <class Weight>
 std::size_t combine(const std::array<BrickAxis, 3>& axes, const VoxelBox& part, PartWeights& weights,
                     Weight weight) {
@@ -106,8 +110,8 @@ std::size_t combine(const std::array<BrickAxis, 3>& axes, const VoxelBox& part, 
     return at;
 }
 
-/// Taylor series of exp(r) up to the power Last, in Horner's form. A template, so that the loop is unrolled before
-/// the compiler looks for work on several voxels.
+/// Taylor series of exp(r) up to the power Last, in Horner's form. A template, so that the loop is unrolled
+/// before the compiler vectorises over voxels.
 template <int Power, int Last>
 double series(double r) {
     if constexpr (Power > Last) {
@@ -121,7 +125,7 @@ double series(double r) {
 double falling_exp(double x) {
     constexpr double log_2_high = 0x1.62e42fee00000p-1, log_2_low = 0x1.a39ef35793c76p-33;
     constexpr double per_log_2 = 1.4426950408889634,
-                     whole = 0x1.8p52;  // adding `whole` rounds to a whole number
+                     whole = 0x1.8p52;  // adding and subtracting `whole` rounds to an integer
     const double rounded = x * per_log_2 + whole, n = rounded - whole;
     const double r = (x - n * log_2_high) - n * log_2_low;
     const auto exponent = (std::bit_cast<std::uint64_t>(rounded) + 1023U) << 52U;
@@ -144,7 +148,8 @@ Footprint footprint_of(const VoxelView& body, const Extent& extent, vec3 place, 
 }
 
 Footprint plate_of(const VoxelView& body, const Extent& extent, vec3 place, vec3 motion, const mat3& turn) {
-    const vec3 step = extent.in_metres ? vec3(1) : 1.0 / body.spacing;  // m to the extent's unit
+    // Distance between voxels, converted to the extent's unit.
+    const vec3 step = extent.in_metres ? vec3(1) : 1.0 / body.spacing;
     const vec3 way = motion * step;
     const double length = glm::length(way);
     if (!(length > 1e-9)) return footprint_of(body, extent, place, turn);
@@ -173,7 +178,7 @@ std::size_t weigh(const Footprint& f, const VoxelBox& part, PartWeights& weights
     }
     const auto distances = along_axes(f, part, [](double d) { return d; });
     return combine(distances, part, weights, [&](double x, double y, double z) {
-        const vec3 local = vec3(x, y, z) * f.turn;  // by the transpose: body frame to tool frame
+        const vec3 local = vec3(x, y, z) * f.turn;  // multiplies by the transpose: body frame to tool frame
         return f.shape == ExtentShape::stamp ? stamp_weight(f, local) : box_weight(f, local);
     });
 }

@@ -14,19 +14,19 @@
 
 namespace thaum::field {
 
-/// An extent at a place of a body.
+/// An extent placed in a body.
 struct Footprint {
     VoxelBox box{};  ///< voxels that may have a weight above 0
     ExtentShape shape{};
     const Stamp* stamp{};
-    vec3 centre{};   ///< counted in voxels from the first one
+    vec3 centre{};   ///< centre, counted in voxels from the first voxel
     vec3 step{1};    ///< distance between voxels, in the extent's unit
     vec3 half{};     ///< half edges along the tool's axes, in the extent's unit
     double rim{};    ///< width of the rim, in the extent's unit
     mat3 turn{1.0};  ///< tool frame to body frame
 };
 
-/// The footprint has no voxels if the place is outside, or if a number is not finite.
+/// The footprint has no voxels if `place` is outside the body or if a number is not finite.
 Footprint footprint_of(const VoxelView& body, const Extent& extent, vec3 place, const mat3& turn);
 
 /// Like footprint_of, for a plate that reaches from one place to the next. Its z axis lies along the motion, its y
@@ -36,14 +36,15 @@ Footprint plate_of(const VoxelView& body, const Extent& extent, vec3 place, vec3
 /// A number for each voxel of a part of at most 8 x 8 x 8 voxels, x fastest.
 using PartWeights = std::array<double, voxels_of_brick>;
 
-/// Weights from 0 to 1 of the part. Returns their number.
+/// Computes the weights of the voxels of `part`, from 0 to 1. Returns their number.
 std::size_t weigh(const Footprint& footprint, const VoxelBox& part, PartWeights& weights);
 
 /// Greatest strength of a filter in one edit. exp(-most_amount) is close to the least normal number.
 inline constexpr double most_amount = 700;
 
-/// Turns the first `count` weights w into 1 - exp(-amount w), the part by which a filter moves a property. The error
-/// is below 1e-13. Four voxels are computed at once: with det::exp an edit took twice as long.
+/// Turns the first `count` weights w into 1 - exp(-amount w), the part by which a filter moves a property.
+/// The error is below 1e-13. Four voxels are computed at once: with one det::exp for each voxel an edit took
+/// twice as long.
 void to_shares(double amount, std::size_t count, PartWeights& weights);
 
 }  // namespace thaum::field

@@ -15,10 +15,10 @@
 namespace thaum::field {
 namespace {
 
-constexpr std::size_t shown = 60;  ///< bytes of a value in a message
+constexpr std::size_t shown = 60;  ///< longest part of a value that a message quotes (bytes)
 constexpr std::string_view magic = "NRRD000";
 
-/// Fields of the format, without blanks, that are read or skipped.
+/// Names of fields, without blanks, that are read, or known and skipped.
 constexpr std::array<std::string_view, 31> known_fields{"type",
                                                         "dimension",
                                                         "sizes",
@@ -53,26 +53,26 @@ constexpr std::array<std::string_view, 31> known_fields{"type",
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
-/// "Data File" -> "datafile".
+/// Field name without blanks and capitals: "Data File" -> "datafile".
 std::string name_of_field(std::string_view name) {
     std::string out = in_lower_case(name);
     std::erase_if(out, is_blank);
     return out;
 }
 
-/// Names of fields with blanks, as the format writes them.
+/// Names of those fields that contain blanks, as the format writes them.
 constexpr std::array<std::string_view, 14> names_with_blanks{
     "space dimension",   "space directions", "space origin", "space units", "data file",
     "measurement frame", "byte skip",        "line skip",    "axis mins",   "axis maxs",
     "old min",           "old max",          "sample units", "block size"};
 
-/// "datafile" -> "data file".
+/// Field name as the format writes it: "datafile" -> "data file".
 std::string_view written_name(std::string_view field) {
     const auto found = std::ranges::find(names_with_blanks, field, name_of_field);
     return found == names_with_blanks.end() ? field : *found;
 }
 
-/// Names the field that is probably meant by one which the format does not have.
+/// Advice that names the field which an unknown name probably means.
 std::string advice_for_field(std::string_view name) {
     std::array<std::string_view, known_fields.size()> names{};
     std::ranges::transform(known_fields, names.begin(), written_name);
@@ -95,7 +95,8 @@ bool is_not_given(std::string_view word) {
     return lower == "nan" || lower == "-nan" || lower == "none" || lower == "???";
 }
 
-/// Takes "none" or "(x,y,z)" from the front. Returns false if the text begins with neither.
+/// Reads "none" or "(x,y,z)" from the front of the text and removes it. Returns false if the text begins with
+/// neither.
 bool take_vector(std::string_view& s, std::optional<vec3>& out) {
     s = trimmed(s);
     if (s.starts_with("none")) {
@@ -176,7 +177,7 @@ Expected<NrrdFields> NrrdFields::parse(std::string_view file, std::string name) 
         return result.at_line(1, text("not an NRRD file, which begins with ", magic));
     if (first[magic.size()] < '1' || first[magic.size()] > '5')
         return result.at_line(1, "a version of NRRD that is not known; convert the file to NRRD0005");
-    // Lines may also end as on old computers of Apple.
+    // Old Apple computers end lines with \r alone.
     const auto first_end = file.find_first_of("\r\n");
     const bool by_return =
         first_end < file.size() && file[first_end] == '\r' && file.substr(first_end + 1, 1) != "\n";

@@ -14,29 +14,29 @@ namespace thaum::field {
 /// Longest header that is read (bytes). Key/value pairs of segmentations take hundreds of kilobytes.
 inline constexpr std::size_t longest_header = std::size_t{4} << 20U;
 
-/// The one key/value pair that is kept; NrrdFields gives its value by this name.
+/// The only key/value pair that is read; NrrdFields gives its value under this name.
 inline constexpr std::string_view key_of_save = "thaum save";
 
-/// Fields of a header by name. Keeps the first fault, so that a reader asks for all values as if the header
-/// were correct and checks once.
+/// Fields of a header by name. Keeps the first fault, so that a reader can ask for all values as if the
+/// header were correct and check once.
 class NrrdFields {
 public:
     /// `file` begins with the header. The error names `name`, which is the path, and the line.
     static Expected<NrrdFields> parse(std::string_view file, std::string name);
 
-    /// Position behind the header and its empty line. std::nullopt: the file ends with the header.
+    /// Position after the header and its empty line. std::nullopt: the file ends with the header.
     std::optional<std::size_t> end() const { return end_; }
     bool has(std::string_view field) const { return fields_.contains(field); }
     /// Whether the header ends with "data file: LIST" and names of files.
     bool lists_files() const;
-    /// A file of samples by its name, and the line that names it.
+    /// A file of samples that the header names, and the line that names it.
     struct ListedFile {
         std::string name;
         std::size_t line{};
     };
-    /// Files named after "data file: LIST".
+    /// Files named in the lines after "data file: LIST".
     const std::vector<ListedFile>& listed_files() const { return listed_files_; }
-    /// Lines of all fields, by their names as the format writes them: "space directions".
+    /// Line of each field, by the field's name as the format writes it, such as "space directions".
     std::map<std::string, std::size_t, std::less<>> lines() const;
     /// Line of a field; 0 if it is missing.
     std::size_t line_of(std::string_view field) const;
@@ -47,8 +47,8 @@ public:
     long integer(std::string_view field, long low, long high, long fallback);
     /// Reads words without blanks: 128 128 54.
     std::vector<std::string_view> words(std::string_view field) const;
-    /// Reads numbers; std::nullopt: "nan", "none" or "???", which mean that it is not given. Reports a wrong count and a
-    /// word that is no number.
+    /// Reads numbers. "nan", "none" and "???" mean that a number is not given: std::nullopt. Reports a wrong
+    /// count and a word that is no number.
     std::vector<std::optional<double>> numbers(std::string_view field, std::size_t count);
     /// Reads words in quotes: "mm" "mm" "mm".
     std::vector<std::string> quoted(std::string_view field, std::size_t count);
@@ -58,7 +58,7 @@ public:
     std::size_t choice(std::string_view field, std::string_view names_for_message,
                        const std::vector<std::vector<std::string_view>>& names);
 
-    /// Reports a fault of a field; a missing one if the header lacks it.
+    /// Reports a fault of a field, or that the field is missing if the header lacks it.
     void report(std::string_view field, std::string_view message);
     Expected<void> check() const;
 
@@ -76,11 +76,11 @@ private:
     std::map<std::string, Line, std::less<>> fields_;
     std::vector<ListedFile> listed_files_;
     std::optional<std::size_t> end_;
-    std::size_t last_line_{1};  ///< the empty one that ends the header, or the last one of the file
+    std::size_t last_line_{1};  ///< the empty line that ends the header, or the last line of the file
     std::optional<Error> fault_;
 };
 
-/// With letters of ASCII in lower case.
+/// Text with ASCII letters in lower case.
 std::string in_lower_case(std::string_view s);
 
 /// Reads a number that may begin with '+'; NaN for any other word.

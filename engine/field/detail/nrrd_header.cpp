@@ -10,8 +10,8 @@
 namespace thaum::field {
 namespace {
 
-constexpr double shortest = 1e-9, longest = 1e3;  ///< spacings that are believed (m)
-constexpr double farthest = 1e6;                  ///< farthest origin that is believed (m)
+constexpr double shortest = 1e-9, longest = 1e3;  ///< spacings outside this range are refused (m)
+constexpr double farthest = 1e6;                  ///< an origin farther away than this is refused (m)
 constexpr std::size_t most_axes = 5;
 constexpr std::size_t most_files = 100'000;
 
@@ -25,7 +25,7 @@ struct Axis {
 /// Axes of the file: three of space, at most one of components, at most one of time.
 struct Axes {
     std::vector<Axis> all;
-    std::array<std::size_t, 3> in_space{};  ///< axes of space in the file's order
+    std::array<std::size_t, 3> in_space{};  ///< index of each axis of space in the file
 };
 
 void read_type(NrrdFields& fields, NrrdHeader& header) {
@@ -52,7 +52,8 @@ void read_type(NrrdFields& fields, NrrdHeader& header) {
 
 // ---- axes -------------------------------------------------------------------------------------------------
 
-/// A kind of axis that is read: its role, and the number of samples that such an axis has (0: any number).
+/// A kind of axis that can be read: its role, and the number of samples that such an axis must have (0: any
+/// number).
 struct KindOfAxis {
     std::string_view name;
     Role role{};
@@ -110,10 +111,11 @@ void read_sizes(NrrdFields& fields, std::size_t limit, NrrdHeader& header, Axes&
     header.stored = product;
 }
 
-/// Gives an axis the role of its kind, and the header what the kind says of colours.
+/// Gives an axis the role that its kind means, and notes in the header what the kind says about colours.
 void take_kind(NrrdFields& fields, std::string_view word, Axis& axis, NrrdHeader& header) {
     const auto* kind = kind_of(word);
-    const bool of_one = axis.size == 1 && !is_unknown(word);  // one entry of a list, and so on
+    // A single entry of a list or the like, which needs no role.
+    const bool of_one = axis.size == 1 && !is_unknown(word);
     if (kind == nullptr && !of_one) {
         fields.report(
             "kinds", text("an axis of the kind '", printable(word, 40), "' cannot be read; ",
@@ -129,15 +131,15 @@ void take_kind(NrrdFields& fields, std::string_view word, Axis& axis, NrrdHeader
     if (kind != nullptr && axis.size != 1) header.colour = std::max(header.colour, kind->colour);
 }
 
-/// The line "kinds" with one kind beyond those of space: 'kinds: vector domain domain domain'.
+/// The line "kinds" with one more kind than the three of space, such as 'kinds: vector domain domain domain'.
 std::string kinds_with(std::string_view kind, std::size_t at, std::size_t axes) {
     std::string line = "'kinds:";
     for (std::size_t a = 0; a < axes; ++a) append_text(line, text(' ', a == at ? kind : "domain"));
     return line + "'";
 }
 
-/// Takes an axis whose kind the header does not tell as components: three or four bytes are a colour, because bytes have
-/// no sign, as parts of a vector need.
+/// Treats an axis whose kind the header does not give as components. Three or four bytes are a colour,
+/// because bytes have no sign, which parts of a vector need.
 void take_unknown_axis(NrrdFields& fields, std::size_t at, Axes& axes, NrrdHeader& header) {
     auto& axis = axes.all[at];
     axis.role = Role::component;
@@ -158,7 +160,8 @@ void take_unknown_axis(NrrdFields& fields, std::size_t at, Axes& axes, NrrdHeade
     header.notes.push_back(text(untold, taken, axis.size == 4 ? "" : text("; ", other)));
 }
 
-/// The one axis for which a field of the header gives nothing; std::nullopt: there is none, or there are several.
+/// The only axis for which a field of the header gives no value; std::nullopt: there is none, or there are
+/// several.
 template <class Value>
 std::optional<std::size_t> axis_without(const std::vector<std::optional<Value>>& values) {
     const auto none = std::ranges::find_if_not(values, &std::optional<Value>::has_value);
@@ -166,8 +169,8 @@ std::optional<std::size_t> axis_without(const std::vector<std::optional<Value>>&
     return static_cast<std::size_t>(none - values.begin());
 }
 
-/// Finds the axis beyond space whose kind the header does not tell: the one without a direction or without a spacing, or
-/// else the first, as most programs write.
+/// Finds the axis beyond the three of space whose kind the header does not give: the one without a direction
+/// or without a spacing, or else the first, where most programs put it.
 void find_component_axis(NrrdFields& fields, Axes& axes, NrrdHeader& header) {
     std::optional<std::size_t> at;
     if (fields.has("spacedirections")) at = axis_without(fields.vectors("spacedirections", axes.all.size()));
@@ -230,9 +233,9 @@ void keep_axes(const Axes& axes, NrrdHeader& header) {
 
 // ---- space ------------------------------------------------------------------------------------------------
 
-/// A unit as a division, because that rounds a length of 2 mm as the number 0.002 is rounded.
+/// A unit of length as a divisor of metres: dividing 2 by 1000 rounds like the number 0.002.
 struct Unit {
-    std::string_view words;  ///< names between blanks, in lower case
+    std::string_view words;  ///< names of the unit in lower case, separated by blanks
     double in_a_metre{};
 };
 
@@ -245,7 +248,8 @@ constexpr std::array units_read{
     Unit{" in inch inches ", 1 / 0.0254},
 };
 
-/// Lengths of a field with units. A word that is no unit of length, such as "pixel", counts as none, and is told.
+/// Lengths of a field with units. A word that is no unit of length, such as "pixel", counts as no unit, and
+/// the user gets a note.
 class Lengths {
 public:
     Lengths(NrrdHeader& header, std::vector<std::string> units) : header_(header), units_(std::move(units)) {}
@@ -285,15 +289,15 @@ vec3 read_space(NrrdFields& fields, NrrdHeader& header) {
     return signs[space];
 }
 
-/// Numbers of a field for all axes of the file; none is given if the header lacks the field.
+/// Numbers of a field for all axes of the file; all std::nullopt if the header lacks the field.
 std::vector<std::optional<double>> numbers_if_there(NrrdFields& fields, std::string_view field,
                                                     const Axes& axes) {
     if (!fields.has(field)) return std::vector<std::optional<double>>(axes.all.size());
     return fields.numbers(field, axes.all.size());
 }
 
-/// Spacings by the ends of the axes. An axis has a sample at each end if it is centred on nodes, otherwise, as the format
-/// says, the samples are the middles of cells between the ends.
+/// Spacings from the ends of the axes. A node-centred axis has a sample at each end; otherwise the samples
+/// are the middles of cells between the ends, as the format says.
 std::vector<std::optional<double>> spacings_of_ends(NrrdFields& fields, const Axes& axes) {
     const auto low = numbers_if_there(fields, "axismins", axes),
                high = numbers_if_there(fields, "axismaxs", axes);
@@ -307,7 +311,7 @@ std::vector<std::optional<double>> spacings_of_ends(NrrdFields& fields, const Ax
     return spacing;
 }
 
-/// Directions that the header gives for axes of space, one for each or none at all.
+/// Directions that the header gives for the axes of space: one for each axis, or none at all.
 std::array<std::optional<vec3>, 3> read_directions(NrrdFields& fields, const Axes& axes) {
     std::array<std::optional<vec3>, 3> of_space{};
     if (!fields.has("spacedirections")) return of_space;
@@ -322,12 +326,13 @@ std::array<std::optional<vec3>, 3> read_directions(NrrdFields& fields, const Axe
     return of_space;
 }
 
-/// Spacings of the axes of the file by two kinds of fields.
+/// Spacings of the axes of the file, from two kinds of fields.
 struct Spacings {
     std::vector<std::optional<double>> given, of_ends;
 };
 
-/// Tells what is not used of the ends of the axes: their place, or all of them if other fields say something else.
+/// Notes which part of the fields for the ends of the axes is not used: their position, or all of them if
+/// other fields contradict them.
 void note_ends(NrrdFields& fields, const Axes& axes, const Spacings& spacings, bool has_directions,
                NrrdHeader& header) {
     const auto low = numbers_if_there(fields, "axismins", axes);
@@ -348,7 +353,8 @@ void note_ends(NrrdFields& fields, const Axes& axes, const Spacings& spacings, b
             "'axis mins' and 'axis maxs' have no effect beside the other fields of space");
 }
 
-/// Reads the place of the samples into the header: directions, or else spacings along the axes of space, and the origin.
+/// Reads where the samples lie into the header: directions, or else spacings along the axes of space, and the
+/// origin.
 void read_place(NrrdFields& fields, const Axes& axes, vec3 sign, NrrdHeader& header) {
     const auto directions = read_directions(fields, axes);
     const Spacings spacings{numbers_if_there(fields, "spacings", axes), spacings_of_ends(fields, axes)};
@@ -414,13 +420,13 @@ void read_frame_of_values(NrrdFields& fields, vec3 sign, NrrdHeader& header) {
     }
     if (header.components == 3 && !(std::abs(glm::determinant(frame)) > 0))
         fields.report("measurementframe", "its vectors do not span space; remove it or correct it");
-    // Colours are no vectors in space.
+    // Colours are not vectors in space, so they must not be turned.
     if (header.colour != NrrdColour::none || header.components == 1) header.of_values = mat3(0.0);
 }
 
 // ---- the samples' files -----------------------------------------------------------------------------------
 
-/// Numbers of the files of a pattern: "slice%03d.raw 1 40 1".
+/// Files named by a pattern with numbers: "slice%03d.raw 1 40 1".
 struct FilePattern {
     std::string_view before, after;
     int digits{};
@@ -503,7 +509,7 @@ void read_place_of_data(NrrdFields& fields, NrrdHeader& header) {
         fields.report("byteskip", "numbers in text do not end the file at a known byte");
 }
 
-/// Tells which fields have no effect.
+/// Notes for the user which fields have no effect.
 void note_unused(const NrrdFields& fields, NrrdHeader& header) {
     std::string unused;
     for (const auto& [field, written] : {std::pair{"labels", "labels"},

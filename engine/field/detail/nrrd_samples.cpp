@@ -15,9 +15,9 @@
 namespace thaum::field {
 namespace {
 
-/// Deflate packs at most 1032 bytes into one.
+/// Deflate packs at most 1,032 bytes into one; this allows a little more.
 constexpr std::size_t most_packed = 1040;
-/// Most bytes before samples that end gzip data.
+/// Most bytes that may precede samples at the end of gzip data.
 constexpr std::size_t most_before_end = std::size_t{64} << 20U;
 
 using Path = std::filesystem::path;
@@ -28,15 +28,15 @@ std::string_view characters_of(std::span<const std::byte> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// Samples of one file, as they stand in it.
+/// The stored samples of one file.
 struct FileOfSamples {
     Path path;
-    std::span<const std::byte> bytes;  ///< behind the header, if it is in the same file
-    std::size_t samples{};             ///< how many are promised
-    std::size_t not_read{};            ///< bytes of the file behind these
+    std::span<const std::byte> bytes;  ///< bytes after the header, if the samples are in the same file
+    std::size_t samples{};             ///< number of samples that the header promises
+    std::size_t not_read{};            ///< number of bytes at the end of the file that were not read
 };
 
-/// Returns the bytes behind the lines that a header tells to skip.
+/// Returns the bytes after the lines that the header says to skip.
 std::span<const std::byte> behind_lines(std::span<const std::byte> data, std::size_t lines) {
     for (; lines > 0 && !data.empty(); --lines) {
         const auto end = std::ranges::find(data, std::byte{'\n'});
@@ -45,14 +45,15 @@ std::span<const std::byte> behind_lines(std::span<const std::byte> data, std::si
     return data;
 }
 
-/// "ball.raw", for a file beside the header, or "the file" that has both.
+/// Name of the file in messages: "ball.raw" for a separate file of samples, "the file" for one that also
+/// holds the header.
 std::string name_in_message(const NrrdHeader& header, const FileOfSamples& file) {
     return header.data_files.empty() ? "the file" : file.path.filename().string();
 }
 
 // ---- bytes of another encoding ----------------------------------------------------------------------------
 
-/// Forms of bytes that their beginning tells, and what to do with them where another form is promised.
+/// A format that the first bytes of a file reveal, and advice if the header promises another one.
 struct Form {
     std::string_view begins;
     std::string_view name;
@@ -84,14 +85,14 @@ bool begins_with_numbers(std::string_view bytes) {
            std::ranges::all_of(start, [&](char c) { return within(of_numbers)(c) || within(between)(c); });
 }
 
-/// True if the bytes begin with characters alone.
+/// True if the bytes begin with text only.
 bool begins_with_text(std::string_view bytes) {
     return std::ranges::all_of(bytes.substr(0, 256), [](char c) {
         return (c >= ' ' && c <= '~') || c == '\t' || c == '\r' || c == '\n';
     });
 }
 
-/// Says what the bytes are and what to do, if they are clearly of another encoding than the header's; else empty.
+/// Says what the bytes are and what to do, if their encoding clearly differs from the header's; else empty.
 std::string other_encoding(const NrrdHeader& header, const FileOfSamples& file) {
     const auto bytes = characters_of(file.bytes);
     const auto is = [&](std::string_view what, std::string_view advice) {
@@ -102,7 +103,7 @@ std::string other_encoding(const NrrdHeader& header, const FileOfSamples& file) 
     if (may_be_plain && bytes.size() == skipped + size_of(header.type) * file.samples)
         return is("as many plain bytes as the sizes and the type promise", "write 'encoding: raw'");
     for (const Form& form : forms) {
-        // Plain samples may begin with the two bytes of zlib.
+        // The first two bytes of a zlib stream may also occur in plain samples.
         const bool sure = form.begins.size() > 2 || header.encoding == NrrdEncoding::gzip;
         if (sure && bytes.starts_with(form.begins)) return is(text(form.name, " bytes"), form.advice);
     }
@@ -111,7 +112,7 @@ std::string other_encoding(const NrrdHeader& header, const FileOfSamples& file) 
     return {};
 }
 
-/// How many bytes there are for each sample, if that is the size of another type; else empty.
+/// Says how many bytes there are for each sample, if that is the size of another type; else empty.
 std::string other_type(const NrrdHeader& header, std::size_t samples, std::size_t there) {
     const std::size_t own = size_of(header.type);
     for (const std::size_t size : {1U, 2U, 4U, 8U})
@@ -130,7 +131,7 @@ Error too_few(const NrrdHeader& header, const FileOfSamples& file, std::string_v
              "; correct ", type.empty() ? "the sizes" : "type or sizes", " or copy the file again"));
 }
 
-/// Words on a header before bytes that begin with the end of a line; empty if they do not.
+/// Advice about the header's end if the samples begin with a line break; empty if they do not.
 std::string_view line_too_many(const NrrdHeader& header, const FileOfSamples& file) {
     const auto bytes = characters_of(file.bytes);
     const bool begins_so = bytes.starts_with("\n") || bytes.starts_with("\r\n");
@@ -142,7 +143,7 @@ void note_more(const NrrdHeader& header, const FileOfSamples& file, std::vector<
     const auto type = header.encoding == NrrdEncoding::raw
                           ? other_type(header, file.samples, file.bytes.size() + file.not_read)
                           : "";
-    // One more byte at the beginning moves all samples.
+    // One byte too many at the beginning would shift all samples.
     const bool one_line_more =
         header.encoding == NrrdEncoding::raw && file.bytes.size() <= size_of(header.type) * file.samples + 2;
     const auto ends = one_line_more ? line_too_many(header, file) : "";
@@ -151,7 +152,7 @@ void note_more(const NrrdHeader& header, const FileOfSamples& file, std::vector<
 
 // ---- reading ----------------------------------------------------------------------------------------------
 
-/// Unpacks gzip data from the first skipped byte on.
+/// Unpacks gzip data after the skipped bytes.
 Expected<std::string> unpacked(const NrrdHeader& header, const FileOfSamples& file, std::size_t promised,
                                std::vector<std::string>& notes) {
     if (!characters_of(file.bytes).starts_with("\x1f\x8b")) {
@@ -204,13 +205,13 @@ Expected<std::span<const std::byte>> bytes_in(const NrrdHeader& header, FileOfSa
     return file.bytes.first(promised);
 }
 
-/// A number of a type of integers, as it is made from any number.
+/// Truncates a number to an integer and limits it to the range of the type.
 double whole_number(double value, SampleType type) {
     const auto [low, high] = limits_of(type);
     return std::clamp(std::trunc(value), low, high);
 }
 
-/// Appends numbers in text, between blanks or commas, as bytes of doubles.
+/// Appends numbers written as text, separated by blanks or commas, as the bytes of doubles.
 Expected<void> append_numbers(const NrrdHeader& header, const FileOfSamples& file, Bytes& out,
                               std::vector<std::string>& notes) {
     const auto skipped = std::min(file.bytes.size(), static_cast<std::size_t>(header.skipped_bytes));
@@ -251,7 +252,7 @@ Expected<void> append_numbers(const NrrdHeader& header, const FileOfSamples& fil
     return {};
 }
 
-/// Reads a file of samples, as far as its samples can reach and one byte more.
+/// Reads as much of a file as its samples can occupy, and one byte more to notice a longer file.
 Expected<Bytes> read_part(const NrrdHeader& header, const Path& path, std::size_t samples,
                           std::size_t most_bytes) {
     const bool ends_known =
@@ -261,7 +262,7 @@ Expected<Bytes> read_part(const NrrdHeader& header, const Path& path, std::size_
                       static_cast<std::size_t>(header.skipped_bytes) + samples * size_of(header.type) + 1);
 }
 
-/// Bytes of a file that were not read.
+/// Number of bytes of a file after those that were read.
 std::size_t rest_of(const Path& path, std::size_t read) {
     std::error_code error;
     const auto size = std::filesystem::file_size(path, error);
@@ -299,7 +300,7 @@ Expected<void> read_nrrd_samples(const NrrdHeader& header, const Path& path, std
         const auto part = bytes_in(header, one, out.from_gzip, volume.notes);
         if (!part) return part.error();
         if (samples == header.stored)
-            out.all = *part;  // The bytes of large scans are not copied.
+            out.all = *part;  // not copied, because a scan may be large
         else
             out.joined.insert(out.joined.end(), part->begin(), part->end());
         return {};

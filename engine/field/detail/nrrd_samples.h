@@ -10,11 +10,11 @@
 
 namespace thaum::field {
 
-/// All samples of a header, and who holds their bytes.
+/// All samples of a header, and the buffer that holds their bytes.
 struct NrrdSamples {
     Bytes file{}, joined{};
     std::string from_gzip{};
-    std::span<const std::byte> all{};  ///< in one of these
+    std::span<const std::byte> all{};  ///< the samples, a part of one of the buffers above
 };
 
 /// Reads the samples behind the header in `out.file`, or those of the files that it names: bytes of the header's type,

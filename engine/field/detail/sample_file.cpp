@@ -19,7 +19,7 @@ bool is_there(const Path& path) {
 
 Path as_named(const Path& header, std::string_view name) { return header.parent_path() / Path(name); }
 
-/// The one entry of a folder that is called `name`, or else the one that differs in nothing but capitals.
+/// The entry of a folder that is called `name`, or else the only one whose name differs in capitals alone.
 std::optional<Path> entry_like(const Path& folder, std::string_view name) {
     if (is_there(folder / name)) return folder / name;
     std::optional<Path> found;
@@ -35,7 +35,7 @@ std::optional<Path> entry_like(const Path& folder, std::string_view name) {
     return found;
 }
 
-/// The entry that a relative path leads to, part by part.
+/// The entry that a relative path leads to, where each part of the path may differ in capitals.
 std::optional<Path> entry_at(Path folder, const Path& relative) {
     if (relative.is_absolute()) return {};
     for (const auto& part : relative) {

@@ -1,4 +1,5 @@
-// field/detail/sample_file.h: the file of samples that a header names, also where the header comes from another computer.
+// field/detail/sample_file.h: the file of samples that a header names, even if the header was made on another
+// computer with other rules for names.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -6,13 +7,14 @@
 
 namespace thaum::field {
 
-/// Path of the file of samples that a header names, relative to the header's folder. If there is none of that name: the
-/// one file that the name leads to without quotes, with Windows separators and without regard to capitals, or else the one
-/// file beside the header with the last part of the name. The path as it is named if there is no such file, or more than
-/// one.
+/// Path of the file of samples that a header names, relative to the header's folder. If there is no such
+/// file, tries the name without quotes, with Windows separators and without regard to capitals, then a file
+/// beside the header with the last part of the name. If none or several match, returns the path as the header
+/// gives it.
 std::filesystem::path sample_file(const std::filesystem::path& header, std::string_view name);
 
-/// A note on a file of samples that lies elsewhere than the header says, or in another folder; empty: none is needed.
+/// A note for the user if a file of samples was found under another name or in another folder than the header
+/// says; empty: no note is needed.
 std::string note_on_place(const std::filesystem::path& header, std::string_view name,
                           const std::filesystem::path& found);
 

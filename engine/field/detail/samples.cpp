@@ -44,7 +44,7 @@ T read_sample(const std::byte* from, bool big_endian) {
     return value;
 }
 
-/// Watches which samples a float rounds. Types of which it rounds none cost nothing.
+/// Records which samples change when they are rounded to float. Types that float holds exactly cost nothing.
 template <class T>
 class RoundingWatch {
 public:
@@ -60,7 +60,7 @@ public:
         const auto number = static_cast<double>(value);
         const auto kept = static_cast<float>(number);
         if (!std::isfinite(kept)) ++beyond_;
-        // An integer from here on may have been rounded on its way to a double.
+        // Integers from here on may have been rounded when they were converted to double.
         constexpr double exact_integers = 0x1p53;
         const bool by_double = std::integral<T> && std::abs(number) >= exact_integers;
         rounded_ = rounded_ || by_double || static_cast<double>(kept) != number;
@@ -99,7 +99,7 @@ T stored_value(float sample) {
     if constexpr (std::floating_point<T>) {
         return static_cast<T>(sample);
     } else {
-        // The largest integer of 32 or 64 bits, converted to a float, is rounded up to one that its type does not hold.
+        // The largest integer of 32 or 64 bits becomes a float that is too large for its type.
         constexpr auto low = static_cast<float>(std::numeric_limits<T>::min());
         constexpr auto high = static_cast<float>(std::numeric_limits<T>::max());
         if (std::isnan(sample)) return T{};
@@ -114,7 +114,8 @@ bool is_number(T value) {
     return true;
 }
 
-/// True for a float that hardly any quantity has, as random bytes often give, and for an integer that ends in zeros.
+/// True for values that hardly any quantity has, as when bytes are in the wrong order: floats of extreme
+/// size, and integers that end in zeros.
 template <class T>
 bool is_odd(T value) {
     if constexpr (std::floating_point<T>) {
@@ -130,7 +131,7 @@ bool is_odd(T value) {
 ByteOrder check_byte_order(const StoredSamples& stored) {
     constexpr std::size_t most_looked_at = 4096, share = 10;
     constexpr std::size_t fewest_values =
-        16;  // the bytes of a few values may make sense in both orders by chance
+        16;  // least number of values to judge by; fewer may look right in both byte orders by chance
     ByteOrder result{};
     with_type(stored.type, [&]<class T>(T) {
         const std::size_t all = stored.bytes.size() / sizeof(T), step = all / most_looked_at + 1;

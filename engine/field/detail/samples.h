@@ -19,38 +19,40 @@ std::size_t size_of(SampleType type);
 std::string_view name_of(SampleType type);
 /// Smallest and largest number of a type.
 std::pair<double, double> limits_of(SampleType type);
-std::span<const std::string_view> sample_type_names();  ///< in the order of SampleType
+std::span<const std::string_view> sample_type_names();  ///< Names of all types, in the order of SampleType.
 
-/// Order of stored samples: where the samples of a volume lie in a file, counted in samples.
+/// Where the samples of a volume are in a file, counted in samples.
 struct StoredOrder {
-    std::ptrdiff_t first{};                  ///< component 0 of sample (0, 0, 0)
-    std::array<std::ptrdiff_t, 3> stride{};  ///< step along each axis; below 0 if the file runs the other way
+    std::ptrdiff_t first{};  ///< index of component 0 of sample (0, 0, 0)
+    /// Step along each axis; negative if the file runs the other way.
+    std::array<std::ptrdiff_t, 3> stride{};
     std::ptrdiff_t component_stride{1};
 };
 
-/// The order of Volume::samples.
+/// Order of the samples in Volume::samples.
 StoredOrder plain_order(const std::array<int, 3>& count, int components);
 
-/// Bytes of samples.
+/// Samples as bytes of a file.
 struct StoredSamples {
     std::span<const std::byte> bytes;
     SampleType type{};
     bool big_endian{};
 };
 
-/// Whether samples make sense in the byte order in which they are read.
+/// Whether the samples are plausible in the byte order in which they are read.
 enum class ByteOrder : std::uint8_t {
     plausible,
-    doubtful,  ///< every integer is a multiple of 256
-    wrong,     ///< many floats are beyond or below all quantities, and none is in the other byte order
+    doubtful,  ///< every sample is an integer multiple of 256
+    /// Many floats are too large or too small for any quantity, and none is in the other byte order.
+    wrong,
 };
 ByteOrder check_byte_order(const StoredSamples& stored);
 
-/// Fills volume.samples and volume.rounding from stored samples, which must be all that the order names.
+/// Fills volume.samples and volume.rounding from stored samples; every index that the order gives must exist.
 void decode(const StoredSamples& stored, const StoredOrder& order, Volume& volume);
 
-/// Checks that rounding has left the samples of a volume apart, and adds a note if it has moved them. The error says
-/// what to do with the samples.
+/// Checks that rounding to float has not made different samples equal, and adds a note if it has changed
+/// some. The error says what to do with the samples.
 Expected<void> check_rounding(Volume& volume);
 
 /// Samples as little-endian bytes of the type volume.stored_as. Integers are rounded and limited to the range

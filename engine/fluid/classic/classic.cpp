@@ -9,10 +9,10 @@
 namespace thaum::fluid {
 namespace {
 
-/// Values of a field in the one layer of ghosts that this solver uses.
+/// Rule for the values of a field in the one layer of ghosts that this solver uses.
 struct Border {
     std::array<float, 3> factor{1, 1, 1};  ///< multiple of the nearest inner cell, for walls across each axis
-    float lid{};                           ///< added in the ghosts above the top of y
+    float lid{};                           ///< value that is added in the ghosts above the top of y
 };
 
 Border border_of_scalar() { return {}; }
@@ -30,7 +30,7 @@ Border border_of_velocity(const Settings& settings, std::size_t component) {
     return result;
 }
 
-/// Both ghosts of one row of cells along an axis.
+/// Both ends of one row of cells along an axis, with their ghosts.
 struct RowEnds {
     std::ptrdiff_t last;    ///< index distance from the first cell of the row to the last
     std::ptrdiff_t stride;  ///< index distance from a cell to the next
@@ -79,8 +79,8 @@ void relax(const Lattice& lattice, const Border& border, int sweeps, float own, 
             float* const c = x.data() + first;
             float west = c[-1];
             for (int i = 0; i < n; ++i) {
-                // The cell written last is added last, because only this term must wait for the
-                // previous cell.
+                // The cell that was written last is added last, because only that term must wait for its
+                // result.
                 const float others = c[i + 1] + c[i - ny] + c[i + ny] + c[i - nz] + c[i + nz];
                 west = (b[i] + share * (others + west)) * inverse;
                 c[i] = west;
@@ -90,7 +90,7 @@ void relax(const Lattice& lattice, const Border& border, int sweeps, float own, 
     }
 }
 
-/// Implicit diffusion: finds the field that reverse diffusion turns into the given one.
+/// Implicit diffusion: finds the field that, diffused backwards in time, gives the old field.
 void diffuse(const Fluid& fluid, const Border& border, double coefficient, double dt, ClassicScratch& scratch,
              Samples& samples) {
     if (!(coefficient > 0)) return;
@@ -128,8 +128,8 @@ void subtract_gradient(Fluid& fluid, const Samples& pressure) {
     }
 }
 
-/// Divergence remains for two reasons: the sweeps are not exact, and a difference across two cells
-/// misses the shortest waves.
+/// Some divergence remains for two reasons: the sweeps are not exact, and a difference across two cells does
+/// not see the shortest waves.
 void project(Fluid& fluid, ClassicScratch& scratch) {
     write_divergence(fluid, scratch.source);
     std::ranges::fill(fluid.now.pressure, 0.0F);
@@ -138,13 +138,13 @@ void project(Fluid& fluid, ClassicScratch& scratch) {
     classic_fill(fluid);
 }
 
-/// A place between eight cells.
+/// A place between eight cell centres.
 struct TracedPlace {
     std::ptrdiff_t corner;      ///< index of the cell with the lowest coordinates
     std::array<float, 3> part;  ///< position between the lowest and the highest cell, 0 to 1
 };
 
-/// The origin of a cell's fluid along one axis: the lower cell, and the position between it and the
+/// Where the fluid of a cell came from along one axis: the lower cell, and the position between it and the
 /// next, 0 to 1.
 struct AxisPlace {
     std::ptrdiff_t cell;
@@ -286,7 +286,7 @@ StepReport report_of(const Fluid& fluid, Samples& divergence) {
     for (const Samples& component : fluid.now.velocity)
         result.speed = std::max(result.speed, largest(fluid.lattice, component));
     write_divergence(fluid, divergence);
-    // The written values contain a factor of h^2; the reported measure has one of h.
+    // The values written by write_divergence contain a factor of h^2; the reported measure has a factor of h.
     if (result.speed > 0)
         result.divergence = largest(fluid.lattice, divergence) / (fluid.lattice.h * result.speed);
     result.energy = energy(fluid);

@@ -22,15 +22,15 @@ namespace thaum::fluid {
 
 /// Memory kept between steps so that no step allocates; holds no state.
 struct ClassicScratch {
-    /// velocities or a substance that a pass reads while writing its result
+    /// copies of velocities or of a substance, which a pass reads while it writes its result
     std::array<Samples, 3> before{};
     Samples source{};  ///< right-hand side of a solve
 };
 
-/// Advances the fluid by dt (s), > 0, in one step. Uses only the ghosts next to the box.
+/// Advances the fluid by dt (s), > 0, in one step. Uses only the layer of ghosts next to the box.
 StepReport classic_step(Fluid& fluid, ClassicScratch& scratch, double dt);
 
-/// Writes the velocity's ghosts next to the box.
+/// Writes the velocity's layer of ghosts next to the box.
 void classic_fill(Fluid& fluid);
 
 /// Advances only the substances by dt (s), carried by the current velocity.

@@ -6,10 +6,10 @@
 namespace thaum::fluid {
 namespace {
 
-/// Advection of one row of values across one axis; the change is multiplied by -2 h (m/s).
+/// Advection of one row of values along one axis; the change is multiplied by -2 h (m/s).
 struct AxisAdvection {
     const float* velocity;
-    const float* open;  ///< null: all faces are open
+    const float* open;  ///< open shares of the faces; null: all faces are open
     std::ptrdiff_t step;
 
     Floats8 flow(std::ptrdiff_t i) const {
@@ -21,14 +21,15 @@ struct AxisAdvection {
     }
 };
 
-/// The open faces across one axis in a range of cells: one level, or all levels if the axis is x.
+/// The open faces across one axis in a range of cells: the cells of one level, or of all levels if the axis
+/// is x.
 struct LevelFaces {
     const Rows& rows;
     std::size_t axis;
     Cells first, end;
     int order;
     const float* weight;
-    const float* open;  ///< null: all faces are open
+    const float* open;  ///< open shares of the faces; null: all faces are open
 
     /// Calls `visit` with the index of each group of eight faces, and its position along x.
     template <class Visit>
@@ -80,7 +81,7 @@ LevelMeans means_of(const LevelFaces& faces) {
     return means;
 }
 
-/// Adds the force on the faces, less the part that belongs to the means.
+/// Adds the force on the faces, minus the mean of each level.
 void add_weight_of(const LevelFaces& faces, float pull, const LevelMeans& means, float* force) {
     faces.each_8([&](std::ptrdiff_t at, std::ptrdiff_t x) {
         const Floats8 more = 0.5F * pull * (faces.both_sides(at) - load(means.data() + x));
@@ -103,7 +104,7 @@ void add_weight(const Rows& rows, int order, const std::array<Samples, 3>* open,
                          .order = order,
                          .weight = weight.data(),
                          .open = open != nullptr ? (*open)[axis].data() : nullptr};
-        // Rows across x contain all levels, so they form one group.
+        // For axis x, every row contains all levels, so all rows form one group.
         const int groups = axis == 0 ? 1 : rows.lattice.cells[axis];
         for (int group = 0; group < groups; ++group) {
             if (axis != 0) {

@@ -41,14 +41,14 @@ DensityStencil densities_along(const float* density, const float* aperture, std:
     return result;
 }
 
-// A hill or slope counts as smooth if it bends or rises from cell to cell by at most `change_most` of
-// its height. The smallest such change must be at least `evenness` of the largest.
+// A hill or slope counts as smooth if its bend or its rise from cell to cell is at most `change_most` of its
+// height. The smallest such change must be at least `evenness` of the largest.
 constexpr float change_most = 0.125F, evenness = 0.7F;
-/// share of a hill's bend; below it, the top of the hill lies in this cell
+/// largest slope, as a share of a hill's bend, with which the top of the hill lies in this cell
 constexpr float slope_most = 0.6F;
 
-/// Height that a smooth slope gains between the cell at a wall and the wall; 0 if there is no wall or
-/// no such slope.
+/// Height that a smooth slope gains between the last cell before a wall and the wall; 0 if there is no wall
+/// or no such slope.
 float rise_to_wall(const std::array<float, 7>& v) {
     const auto rise = [&](std::size_t first, std::size_t second, bool mirrored) {
         const float near = v[3] - v[first], far = v[first] - v[second];

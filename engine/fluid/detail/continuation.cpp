@@ -9,21 +9,22 @@
 namespace thaum::fluid {
 namespace {
 
-/// Search range of a fit along each axis (cells). With fewer faces the fit follows noise, and the flow gains
-/// energy.
+/// Search range of a fit along each axis (cells). With a shorter range the fit has too few faces: it follows
+/// noise, and the flow gains energy.
 constexpr int reach = 2;
-/// Added to the spread of the faces of a fit, which may lie in a plane (cells^2).
+/// Added to the variance of the positions of a fit's faces, which may all lie in one plane (cells^2).
 constexpr double least_spread = 1e-6;
-/// Largest sum of the absolute weights of a fit. It and the share below were chosen by trials in turning and stirred bowls
-/// of 16 to 64 cells: with 6, flows gained energy.
+/// Largest sum of the absolute weights of a fit. This value and upwind_share were chosen by trials in turning
+/// and stirred bowls of 16 to 64 cells: with 6, flows gained energy.
 constexpr double weights_most = 4;
-/// Share of upwind differences. With less, flows gained energy in some trials; with 1 a turning flow lost twice as much.
+/// Weight of upwind differences. With a smaller one, flows gained energy in some trials; with 1 a turning
+/// flow lost twice as much energy.
 constexpr float upwind_share = 0.5F;
-/// Number of sums into which the sources of a velocity are shared out. In a single sum each addition would wait for
-/// the one before.
+/// Number of partial sums over the sources of a velocity. In a single sum each addition would wait for the
+/// one before.
 constexpr std::uint32_t sums_at_once = 4;
 
-/// The faces of one component.
+/// The faces across one axis, on which one component of the velocity is sampled.
 struct Faces {
     const Lattice& lattice;
     const Solids& solids;
@@ -63,11 +64,11 @@ bool is_read(const Faces& faces, const Cells& cell) {
     return result;
 }
 
-/// An open face near the one whose velocity is continued.
+/// An open face near the face whose velocity is continued.
 struct FittedFace {
     std::size_t at{};
-    vec3 apart{};     ///< place relative to the centre of that face (cells)
-    double weight{};  ///< in the fit, later in the velocity
+    vec3 apart{};     ///< place relative to the centre of the continued face (cells)
+    double weight{};  ///< weight in the fit, later weight in the continued velocity
 };
 
 std::vector<FittedFace> open_faces_around(const Faces& faces, const Cells& centre) {
@@ -87,8 +88,8 @@ std::vector<FittedFace> open_faces_around(const Faces& faces, const Cells& centr
     return result;
 }
 
-/// Turns the weights of the fit into those of the velocities in its value at the centre. Far outside, where a fit
-/// would magnify noise, the function is made as much flatter as needed.
+/// Turns the weights of the fit into weights of the velocities, for the value of the fitted function at the
+/// centre. Far outside, where a fit would magnify noise, the function is made as much flatter as needed.
 void solve_fit(std::vector<FittedFace>& faces) {
     double total = 0;
     vec3 mean(0);
@@ -181,7 +182,7 @@ void Continuation::apply(std::array<Samples, 3>& velocity) {
 }
 
 void Continuation::correct(const RungeKuttaStage& stage) const {
-    // The advecting velocity on a side is half of each sum below, and the mean of two velocities is half of theirs.
+    // Each sum below is twice the advecting velocity on a side, and twice the mean of two velocities.
     const auto factor = static_cast<float>(0.25 / lattice_.h);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto along = static_cast<std::size_t>(lattice_.stride[axis]);

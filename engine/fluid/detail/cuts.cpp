@@ -8,11 +8,11 @@
 namespace thaum::fluid {
 namespace {
 
-constexpr int pieces = 4;           ///< parts of a line, each searched for a wall
+constexpr int pieces = 4;           ///< number of parts into which a line is divided to search for walls
 constexpr int halvings = 20;        ///< bisections to locate a crossing
 constexpr int cells_looked_at = 3;  ///< search range along each axis for the distance to a wall (cells)
 
-/// A place of Gauss's rule of four places on a stretch from 0 to 1, and its weight.
+/// A place of the four-point Gauss rule on the interval from 0 to 1, and its weight.
 struct GaussPlace {
     double at, weight;
 };
@@ -55,7 +55,7 @@ OpenLength open_length(const SolidShare& solid, vec3 from, vec3 along) {
     return result;
 }
 
-/// Adds the places where the wall crosses an edge, as shares of the edge.
+/// Adds the positions at which the wall crosses an edge, as fractions of the edge.
 void add_crossings(const SolidShare& solid, vec3 from, vec3 along, std::vector<double>& places) {
     for (int i = 0; i < pieces; ++i) {
         const vec3 low = from + along * (double(i) / pieces), step = along * (1.0 / pieces);
@@ -66,16 +66,17 @@ void add_crossings(const SolidShare& solid, vec3 from, vec3 along, std::vector<d
     }
 }
 
-/// A face: its corner with the lowest coordinates and its two edges from there (m). Open lengths are measured along
-/// `first`.
+/// A face: its corner with the lowest coordinates, and the two edges that start there (m). Open lengths are
+/// measured along `first`.
 struct FaceEdges {
     vec3 low, first, second;
 };
 
-/// Open area and its centre. The open length of a line is a smooth function of the line's place between those places
-/// where the wall crosses an edge, so each stretch between two of them has a Gauss rule of its own. Lines at equal
-/// distances would miss small openings: with eight, the flow that the wall seemed to let through was 8 % of that through
-/// an open face, and the velocities on small open parts were off by a fifth, on fine grids as on coarse ones.
+/// Open area and its centre. The open length of a line is a smooth function of the line's position, except at
+/// positions where the wall crosses an edge. So each interval between two such positions has a Gauss rule of
+/// its own. Lines at equal distances would miss small openings: with eight, the flow that the wall seemed to
+/// let through was 8 % of that through an open face, and the velocities on small open parts were off by a
+/// fifth, on fine grids as on coarse ones.
 OpenPart measured_part(const SolidShare& solid, const FaceEdges& face) {
     std::vector<double> ends{0, 1};
     add_crossings(solid, face.low, face.second, ends);
@@ -111,7 +112,7 @@ OpenPart open_part(const SolidShare& solid, vec3 low, std::size_t axis, double h
         }
     if (open == 0) return {0, low};
     if (open == 9) return {1, low + 0.5 * (first + second)};
-    // Lines that meet the wall more steeply have the smoother lengths.
+    // Lines that cross the wall more steeply have open lengths that vary more smoothly.
     return std::abs(along_first) >= std::abs(along_second) ? measured_part(solid, {low, first, second})
                                                            : measured_part(solid, {low, second, first});
 }

@@ -1,9 +1,9 @@
 // fluid/detail/independent_iterations.h: a hint for the compiler on loops along rows.
 #pragma once
 
-/// Stands before a loop of which no iteration writes what another one reads or writes. Then the compiler need not compare the
-/// places of the arrays, which it may give up for so many of them. No such loop adds up numbers: clang would take the order of
-/// the sum as free.
+/// Placed before a loop whose iterations are independent: none writes what another one reads or writes. The
+/// compiler then need not check whether the arrays overlap, and it may give up if there are many arrays. Such
+/// a loop must not add up numbers, because clang would then change the order of the sum.
 #if defined(__clang__)
 #define THAUM_INDEPENDENT_ITERATIONS _Pragma("clang loop vectorize(assume_safety)")
 #else

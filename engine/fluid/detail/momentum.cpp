@@ -28,12 +28,13 @@ struct CarryingRows {
     std::ptrdiff_t step;  ///< index distance between advected neighbours along this axis
 };
 
-/// Flux to the next samples minus flux from the previous ones.
+/// Flux to the next samples minus flux from the previous ones. `by` is the advecting velocity, q the advected
+/// values.
 inline Floats8 flux(const CarryingRows& by, const float* q, std::ptrdiff_t i) {
     return load(by.high + i) * load(q + by.step) - load(by.low + i) * load(q - by.step);
 }
-/// The same at order 4 by the formula in momentum.h, times a common factor. The sum of 30 T and its neighbours is
-/// 32 times T + delta2(T) / 32.
+/// Flux difference at order 4, by the formula in momentum.h, multiplied by a common factor. The sum of 30 T
+/// and its neighbours is 32 times T + delta2(T) / 32.
 inline Floats8 flux_of_fourth(const CarryingRows& by, const float* q, std::ptrdiff_t i) {
     const Floats8 before = load(by.before + i), low = load(by.low + i);
     const Floats8 high = load(by.high + i), after = load(by.after + i);
@@ -55,7 +56,8 @@ FluxFactors flux_factors(float h, float viscosity) {
     return {-(fourth ? 9.0F / 768 : 0.25F) / h, viscosity / (h * h) / (fourth ? 12 : 1)};
 }
 
-/// The first axis is added to the sum of the other two, so exchanging those two changes no bit.
+/// The first axis is added to the sum of the other two, so exchanging those two axes changes no bit of the
+/// sum.
 template <bool fourth, bool viscous>
 inline Floats8 rate_at(const CarryingRows& a, const CarryingRows& b, const CarryingRows& c, const float* q,
                        std::ptrdiff_t i, const FluxFactors& factors) {
@@ -70,7 +72,7 @@ inline Floats8 rate_at(const CarryingRows& a, const CarryingRows& b, const Carry
         if constexpr (fourth) {
             const Floats8 twos = sum_of_both_sides(q, 2 * a.step) +
                                  (sum_of_both_sides(q, 2 * b.step) + sum_of_both_sides(q, 2 * c.step));
-            // The factors are integers (twelfths), which float holds exactly, so what leaves one sample
+            // The factors are integers (twelfths), which float represents exactly, so what leaves one sample
             // enters the others.
             sum += factors.spread * ((16.0F * ones - twos) - 90.0F * load(q));
         } else {
@@ -84,10 +86,10 @@ inline Floats8 rate_at(const CarryingRows& a, const CarryingRows& b, const Carry
 struct RowTargets {
     const float* start;
     const float* before;  ///< sum of the earlier stages
-    const float* force;   ///< null: no force
+    const float* force;   ///< acceleration by forces; null: no force
     const float* open;    ///< open shares of faces; null: all are open
     float* sum;
-    float* next;  ///< null in the last stage
+    float* next;  ///< velocity for the next stage; null in the last stage
 };
 
 template <bool fourth, bool viscous>
@@ -106,12 +108,12 @@ template <bool fourth, bool viscous>
     }
 }
 
-/// Index in a plane of the advecting velocity.
+/// Index of a sample in a plane of the advecting velocity.
 inline std::ptrdiff_t place_in_plane(const Lattice& lattice, int i, int j) {
     return (j + ghosts) * lattice.stride[1] + i + ghosts;
 }
 
-/// Number of the plane with the advecting velocity along z at layer k: one of a ring of four.
+/// Index of the plane that holds the advecting velocity along z at layer k: one of a ring buffer of four.
 inline std::size_t plane_along_z(int k) { return 2 + static_cast<std::size_t>(k + 1) % 4; }
 
 /// Rows of the advecting velocity along x, y and z around the row that starts at `place` in layer k.
@@ -127,7 +129,7 @@ inline std::size_t plane_along_z(int k) { return 2 + static_cast<std::size_t>(k 
             CarryingRows{z(k - 1), z(k), z(k + 1), z(k + 2), stride[2]}};
 }
 
-/// Arrays of one component from index `at` on.
+/// Arrays of one component, starting at index `at`.
 [[gnu::always_inline]] inline RowTargets row_targets(const RungeKuttaStage& stage, const Solids* solids,
                                                      std::size_t axis, std::ptrdiff_t at) {
     return {.start = stage.start[axis].data() + at,

@@ -27,10 +27,10 @@ namespace thaum::fluid {
 ///     next = start + next_part * rate(from)
 ///     sum  = (first ? start : sum) + sum_part * rate(from)
 struct RungeKuttaStage {
-    const std::array<Samples, 3>& from;  ///< ghosts must be filled
+    const std::array<Samples, 3>& from;  ///< velocity at the start of the stage, with filled ghosts
     const std::array<Samples, 3>& start;
     const std::array<Samples, 3>* force{};  ///< acceleration by forces; null: none (m/s^2)
-    std::array<Samples, 3>* next{};         ///< null in the last stage
+    std::array<Samples, 3>* next{};         ///< velocity for the next stage; null in the last stage
     std::array<Samples, 3>& sum;
     float next_part{}, sum_part{};  ///< time by which the rate is multiplied (s)
     bool first{};
@@ -67,8 +67,8 @@ private:
     int order_;
     const Solids* solids_;
     Rows rows_;
-    std::vector<LayerBounds> layer_bounds_;  ///< one for each layer
-    /// Interpolated advecting velocity: a plane along x, one along y, and a ring of four along z.
+    std::vector<LayerBounds> layer_bounds_;  ///< bounds of each layer
+    /// Interpolated advecting velocity: one plane along x, one along y, and a ring buffer of four along z.
     std::array<Samples, 6> planes_;
 };
 

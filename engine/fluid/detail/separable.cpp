@@ -18,7 +18,8 @@ struct Wave {
     bool cosine;
 };
 
-/// All waves for places at i + 1/2 (cells) or i + 1 (faces between walls), i from 0.
+/// All waves along an axis of n cells. Place i (from 0) lies at i + 1/2 (cell centres) or at i + 1 (faces
+/// between walls).
 std::vector<Wave> waves_of(int n, Edge edge, GhostRule rule) {
     std::vector<Wave> result;
     if (edge == Edge::periodic) {
@@ -45,7 +46,7 @@ std::vector<double> column(const Wave& wave, int count, double offset) {
     return result;
 }
 
-/// Shorter ranges are not folded again, because folding would take longer than the work it saves.
+/// Shorter ranges are not folded further, because folding would take longer than the work it saves.
 constexpr int fold_least = 8;
 constexpr double symmetry_error = 1e-9;
 
@@ -55,7 +56,7 @@ struct SampledWave {
     std::vector<double> values;
 };
 
-/// Whether a wave equals `sign` times its own mirror image about the middle of a range.
+/// Whether a wave equals `sign` times its own mirror image about the middle of a range of places.
 bool mirrored(const SampledWave& column, const CellRange& places, double sign) {
     const double* here = column.values.data() + places.first;
     for (int i = 0; i < places.count; ++i) {
@@ -83,8 +84,8 @@ void add_dense(const std::vector<SampledWave>& columns, const CellRange& places,
     waves.back.push_back(std::move(back));
 }
 
-/// Folds a range as long as each of its waves is symmetric or antisymmetric about the middle. There are
-/// as many waves as places.
+/// Folds a range repeatedly, as long as each of its waves is symmetric or antisymmetric about the middle.
+/// There are as many waves as places.
 void fold_waves(const std::vector<SampledWave>& columns, const CellRange& places, Waves& waves) {
     if (places.count == 0) return;
     std::vector<SampledWave> symmetric;
@@ -154,7 +155,7 @@ struct RowBlock {
     std::size_t width;
 };
 
-/// `whole` means that width is `wide`; a compile-time width is faster.
+/// `whole` means that width equals `wide`, a compile-time constant, which is faster.
 template <bool whole>
 inline void load_row(const RowBlock& rows, int row, Floats8* to) {
     if constexpr (!whole) to[0] = to[1] = Floats8{};
@@ -190,10 +191,11 @@ inline void unfold(const CellRange& places, Floats8* values) {
     }
 }
 
-/// `through` multiplies by a matrix from places to places, with folds on both sides.
+/// Direction of a transform. `through` multiplies by a matrix from places to places, with folds on both
+/// sides.
 enum class TransformDirection : std::uint8_t { to_waves, from_waves, through };
 
-/// One matrix, [in][out], for each dense range of the waves.
+/// The matrices of a transform, one for each dense range of the waves: [in][out].
 struct DenseTransform {
     const Waves& waves;
     const std::vector<std::vector<float>>& matrices;
@@ -231,8 +233,8 @@ void change(const DenseTransform& by, float* from, float* to, std::ptrdiff_t wid
 /// Factor of a Poisson equation for each product of three waves: scale / ((along + outer) + inner).
 struct SpectralDivision {
     float scale;
-    const float* along;          ///< by the wave along the columns
-    const float *outer, *inner;  ///< by the column
+    const float* along;          ///< factor of each wave along the columns
+    const float *outer, *inner;  ///< factors of each column
 };
 
 template <bool whole>
@@ -260,8 +262,7 @@ void divide_columns(const Waves& waves, const SpectralDivision& by, const RowBlo
     for (int i = 0; i < waves.count; ++i) store_row<whole>(block, i, given + 2 * i);
 }
 
-/// Transforms along the outer index of values[count][width], multiplies by the factors, and transforms
-/// back.
+/// Transforms along the outer index of values[count][width], multiplies by the factors, and transforms back.
 void divide(const Waves& waves, const SpectralDivision& by, float* values, std::ptrdiff_t width) {
     std::ptrdiff_t c = 0;
     for (; c + wide <= width; c += wide) divide_columns<true>(waves, by, {values + c, width, wide}, c);
@@ -272,9 +273,9 @@ void divide(const Waves& waves, const SpectralDivision& by, float* values, std::
 DenseTransform forth(const Waves& waves) { return {waves, waves.forth}; }
 DenseTransform back(const Waves& waves) { return {waves, waves.back}; }
 
-/// Matrix with elements sum over k of wave_k[i] factor[k] wave_k[j]. Momentum is the sum over all
-/// places, so each row must keep its sum. The rounding error of a row is added to its smallest element,
-/// which has the finest resolution.
+/// Matrix with elements sum over k of wave_k[i] factor[k] wave_k[j]. Momentum is the sum over all places, so
+/// each row must keep its sum. The rounding error of a row is therefore added to its smallest element, where
+/// float has the finest resolution.
 std::vector<float> damped(const std::vector<double>& waves, std::span<const double> factor) {
     const std::size_t n = factor.size();
     std::vector<float> result(n * n);

@@ -10,7 +10,7 @@
 // wave is symmetric or antisymmetric about the middle, so folding the two halves saves half of the
 // work. A half whose waves are again symmetric about its own middle, as with cosines, is folded again.
 //
-// Sums are taken in one fixed order. A mirrored input gives the mirrored output to the bit.
+// Sums are taken in one fixed order. A mirrored input gives exactly the mirrored output, bit for bit.
 #pragma once
 #include <array>
 #include <span>
@@ -29,16 +29,16 @@ struct CellRange {
 /// with the middle, and differences in the upper half. After all folds each dense range has a matrix of
 /// its own, with as many waves as places.
 struct Waves {
-    int start{};                     ///< first cell or face that is not fixed by the edge
-    int count{};                     ///< number of places, and of waves
+    int start{};                     ///< first cell or face whose value is not fixed by the edge
+    int count{};                     ///< number of places, which is also the number of waves
     std::vector<double> angle{};     ///< phase per cell of each wave (rad)
     std::vector<CellRange> folds{};  ///< ranges to fold, in this order; the first is the whole axis
     std::vector<CellRange> dense{};
     std::vector<std::vector<float>>
-        forth{};  ///< places to waves, a matrix for each dense range: [place][wave]
+        forth{};  ///< matrices from places to waves, one for each dense range: [place][wave]
     std::vector<std::vector<float>>
-        back{};  ///< waves to places, a matrix for each dense range: [wave][place]
-    std::vector<std::vector<double>> exact{};  ///< `back` before it was rounded
+        back{};  ///< matrices from waves to places, one for each dense range: [wave][place]
+    std::vector<std::vector<double>> exact{};  ///< `back` in double precision
 };
 
 Waves make_waves(int cells, Edge edge, GhostRule rule);
@@ -59,7 +59,7 @@ public:
 
 private:
     std::array<Waves, 3> waves_;
-    std::vector<float> along_z_;      ///< symbols of the waves along z
+    std::vector<float> along_z_;      ///< symbols (eigenvalues) of the waves along z
     std::vector<float> by_x_, by_y_;  ///< symbols of the waves along x and y, in the order of a plane: [x][y]
     float scale_;
     std::vector<float> scratch_;

@@ -10,12 +10,13 @@
 namespace thaum::fluid {
 namespace {
 
-// Extra term of the preconditioner for a mostly closed cell with sum d of open shares: own_part h^2 (1
-// / d - 1 / own_below). With these values the cauldron takes 4.2 iterations; with h^2 / d it took 6.2.
+// Extra term of the preconditioner for a mostly closed cell: own_part h^2 (1 / d - 1 / own_below), where d is
+// the sum of the open shares of the cell's faces. With these values the cauldron takes 4.2 iterations; with
+// h^2 / d it took 6.2.
 constexpr double own_part = 0.8, own_below = 5;
-// In float, conjugate gradients stop converging at a few thousandths of the initial residual. The residual
-// is then computed again from the corrected velocity. The search goes on conjugate to the last direction: a
-// new start of the search would cost a third of an iteration per step.
+// In float, conjugate gradients stop converging at a few thousandths of the initial residual. The residual is
+// then computed again from the corrected velocity. The next search direction stays conjugate to the last one,
+// because restarting the search would cost a third of an iteration per step.
 constexpr double gain_of_round = 2e-3;
 constexpr int rounds_most = 4;
 
@@ -25,7 +26,7 @@ double total(const Floats8& values) {
     return sum;
 }
 
-/// to += part * from
+/// Adds a multiple of an array to another one: to += part * from.
 void add(const Rows& rows, Samples& to, double part, const Samples& from) {
     const auto factor = static_cast<float>(part);
     each_row(rows, [&](Row row) {
@@ -36,8 +37,7 @@ void add(const Rows& rows, Samples& to, double part, const Samples& from) {
     });
 }
 
-/// Fills ghosts at periodic sides only. Walls are closed faces, and values beyond closed faces have no
-/// effect.
+/// Fills the ghosts at periodic sides only. Walls are closed faces, beyond which values have no effect.
 void fill_round(const Rows& rows, Samples& potential) {
     for (std::size_t axis = 0; axis < 3; ++axis)
         if (rows.lattice.edges[axis] == Edge::periodic)
@@ -97,7 +97,7 @@ Solids::Maxima Solids::divergence(const std::array<Samples, 3>& velocity) {
     Magnitudes8 largest{}, fastest{};
     each_row(rows_, [&, x = x, y = y, z = z](Row row) {
         for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8) {
-            // Also correct beyond the end of a row that is not a multiple of eight.
+            // This also gives correct values beyond the end of a row whose length is no multiple of eight.
             const auto holds = load(diagonal_.data() + i) > zero8;
             const Floats8 ux = load(u + i), vy = load(v + i), wz = load(w + i);
             const Floats8 along_x = load(a + i + x) * load(u + i + x) - load(a + i) * ux;
@@ -160,7 +160,7 @@ Solids::Products Solids::precondition() {
                 packed_.data() + (k * lattice_.cells[1] + j) * nx + (row.at - lattice_.at(0, j, k));
             Floats8 by_residual{}, by_image{};
             for (std::ptrdiff_t i = 0; i < row.count; i += 8) {
-                // The operator has the sign of -lap, the solve of the box that of lap.
+                // The operator is -lap, but the direct solve of the box is for +lap.
                 const Floats8 d = load(diagonal_.data() + row.at + i);
                 const Floats8 residual = load(residual_.data() + row.at + i);
                 const Floats8 both = load(own_.data() + row.at + i) * residual - load(found + i);
@@ -193,7 +193,7 @@ std::optional<double> Solids::step_along_direction(double slope) {
             const Floats8 left = load(residual_.data() + i) - step * load(image_.data() + i);
             store(residual_.data() + i, left);
             const Floats8 size = left < zero8 ? -left : left;
-            // A comparison with NaN is false, so a NaN is kept.
+            // A comparison with NaN is false, so the result stays NaN.
             most = size <= most ? most : size;
         }
     });
@@ -213,7 +213,8 @@ int Solids::solve(double left, double tolerance, int iterations_most) {
     while (iterations < iterations_most && left > tolerance) {
         const Products products = precondition();
         if (!(products.residual > 0)) break;
-        // Conjugate to the direction before, which may be the start of the search or belong to the round before.
+        // Conjugate to the previous direction, which may be the start of the search or belong to the previous
+        // round.
         const auto turn = static_cast<float>(curvature_ > 0 ? -products.image / curvature_ : 0);
         each_row(rows_, [&](Row row) {
             for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8)

@@ -27,9 +27,9 @@ struct CutFace {
 /// of the squared error of a flow in a bowl, and more on finer grids. Smaller openings do not add iterations to the
 /// pressure solve.
 inline constexpr double open_least = 0.02;
-/// The same where the fluid slips along solids, so that the flow beside them is as fast as elsewhere. The pressure sends
-/// what is lost through other small openings: with 0.02 a flow that turns as a rigid body was off by 1.7 times as much
-/// at 48 cells, and hardly less at 64.
+/// Smallest open share of a face along which the fluid slips, where the flow beside the wall is as fast as
+/// elsewhere. What is lost through a small closed opening is pushed through others by the pressure. With
+/// 0.02, a flow that turns as a rigid body had 1.7 times the error at 48 cells, and hardly less at 64.
 inline constexpr double open_least_where_slipping = 0.002;
 
 /// Solids on one lattice: open shares of faces, and the projection that removes divergence.
@@ -57,10 +57,10 @@ public:
     /// Removes the divergence, until it is at most `share` times the largest velocity component divided
     /// by h. The velocity must be 0 on closed faces.
     ///
-    /// `potential` is input and output. On return its gradient is what was subtracted, ghosts included.
-    /// On entry it holds the potential of the last projection, along which the search begins. The first
-    /// step goes as far along it as reduces the energy most (Fischer 1998, with one direction), so a
-    /// bad guess does no harm.
+    /// `potential` is input and output. On return its gradient is what was subtracted, ghosts included. On
+    /// entry it holds the potential of the last projection, which is the first search direction. The step
+    /// along it is as long as reduces the energy most (Fischer 1998, with one direction), so a bad guess does
+    /// no harm.
     ProjectionResult project(std::array<Samples, 3>& velocity, Samples& potential, double share,
                              int iterations_most);
 
@@ -82,7 +82,7 @@ private:
     std::array<Samples, 3> open_;
     std::array<std::vector<CutFace>, 3> cut_faces_;
     Samples diagonal_;  ///< sum of the open shares around a cell
-    Samples own_;       ///< additional factor of the preconditioner on a cell's own residual (m^2)
+    Samples own_;       ///< additional factor of the preconditioner for the cell's own residual (m^2)
     Rows rows_;
     PressureSolver box_;
     // Conjugate gradients: residual, preconditioned residual, search direction, operator times

@@ -15,9 +15,9 @@
 namespace thaum::fluid {
 namespace {
 
-// Runge-Kutta of third order in which each stage uses only the previous one. With stages at 0.4, 1/2
-// and 1 this scheme is unique. The classic scheme of fourth order has its first stage at 1/2. The value
-// 0.4 is chosen to keep the phase of an advected wave: for a wave that turns by t in a step, the
+// Runge-Kutta of third order in which each stage uses only the previous one. With stages at 0.4, 1/2 and 1
+// this scheme is unique. The classic scheme of fourth order has its first stage at 1/2. The value 0.4 is
+// chosen to keep the phase of an advected wave: for a wave whose phase advances by t (rad) in a step, the
 // classic scheme lags by t^5 / 120, this one by two thirds of that. It is stable up to t = 2.79.
 constexpr double place_1 = 0.4;
 constexpr double weight_3 = place_1 / 6 / (1.5 * place_1 - place_1 * place_1 - 0.25);
@@ -25,18 +25,18 @@ constexpr double weight_4 = 1.0 / 3 - weight_3 * place_1;
 constexpr double weight_2 = (1.0 / 6 - weight_3 * (0.5 - place_1)) / place_1;
 constexpr double weight_1 = 1 - weight_2 - weight_3 - weight_4;
 
-/// Largest distance that the flow may move in a sub-step, summed over the axes (cells). The steepest
-/// wave turns by 1.37 of that at order 4.
+/// Largest distance that the flow may move in a sub-step, summed over the axes (cells). At order 4 the phase
+/// of the shortest wave advances by 1.37 times that (rad).
 constexpr double carried_most = 2.0;
-/// Largest nu dt / h^2 for which the stages include viscosity. The steepest wave has 16 times that,
-/// 2.4.
+/// Largest nu dt / h^2 for which the stages include viscosity. For the shortest wave, rate times dt is 16
+/// times that: 2.4.
 constexpr double explicit_most = 0.15;
 /// Largest nu dt / h^2 of the base fluid for which implicit viscosity takes one pass. At 0.66 one pass
 /// doubles the error beside a curved wall.
 constexpr double one_pass_most = 0.25;
-/// Limit of nu dt / h^2 where viscosity varies or there are solids. At this value fluid already moves
-/// as a rigid body within a step, and in float the coupling of more to the rest would be lost. At 9e6 a
-/// thick lump beside thin fluid in a bowl gained energy without end.
+/// Limit of nu dt / h^2 where viscosity varies or there are solids. At this value the fluid already moves as
+/// a rigid body within a step. With a larger one, float could no longer represent its coupling to the fluid
+/// around it. At 9e6 a thick lump beside thin fluid in a bowl gained energy without end.
 constexpr double rigid = 1e5;
 /// Largest accepted divergence with solids, times h and divided by the largest velocity component.
 constexpr double max_divergence_with_solids = 9.5e-7;
@@ -46,8 +46,8 @@ constexpr int iterations_most = 40;
 /// `solves_more` times at most.
 constexpr double max_divergence_without_solids = 1e-6;
 constexpr int solves_more = 2;
-/// Largest number of sub-steps of the substances after a semi-Lagrangian step. It is lower than usual
-/// to bound the time; in most such steps no number would be enough.
+/// Largest number of sub-steps of the substances after a semi-Lagrangian step. It is lower than usual to
+/// limit the processor time; in most such steps no number would be enough.
 constexpr int transports_of_fall_back = 7;
 /// Flow slower than this comes to rest unless a force accelerates it (m/s).
 constexpr double rest_speed = 1e-6;
@@ -125,9 +125,9 @@ bool StaggeredSolver::has_weight(const Settings& settings) {
 
 /// Number of sub-steps of equal length that keeps the distance per sub-step within carried_most.
 ///
-/// Where the fluid slips along solids, advection reads continued velocities on cut faces. A face then counts by its
-/// open share. A small opening may be much faster than the flow around it, or under a force that would make it so,
-/// and would ask for sub-steps that nothing needs.
+/// Where the fluid slips along solids, advection reads continued velocities on cut faces. A face then counts
+/// by its open share. In a small opening the velocity, or the force, may be much larger than around it, and
+/// without the weight it would require sub-steps that the flow does not need.
 double StaggeredSolver::substeps_wanted(const Settings& settings, const Velocity& velocity, double dt) const {
     const auto wanted = [&](double flow, double push) {
         const double carried = flow + std::abs(settings.lid) + dt * push;
@@ -144,7 +144,7 @@ double StaggeredSolver::substeps_wanted(const Settings& settings, const Velocity
     return wanted(flow, push);
 }
 
-/// Sums all forces. `share` turns the queued velocity changes into an acceleration (1/s).
+/// Sums all forces. `share` converts the queued velocity changes to an acceleration (1/s).
 void StaggeredSolver::gather_forces(const Settings& settings, const State& now, double share) {
     has_force_ = now.pushed || solids_ != nullptr;
     const auto factor = static_cast<float>(share);
@@ -187,7 +187,7 @@ void StaggeredSolver::add_buoyancy(const Settings& settings, const State& now) {
     add_gravity(settings);
 }
 
-/// Replaces the buoyancy at the start of a sub-step by that half a sub-step later. gather_forces left
+/// Replaces the buoyancy at the start of a sub-step by the buoyancy half a sub-step later. gather_forces left
 /// the initial weight in mixed_property_.
 void StaggeredSolver::predict_buoyancy(const Settings& settings, const State& now, double dt) {
     if (!has_weight(settings)) return;
@@ -284,10 +284,10 @@ double StaggeredSolver::work_of_pushes(const State& now, const Velocity& velocit
     return work;
 }
 
-/// Slows the flow if it gained more kinetic energy than was available. Available are: the energy before
-/// the sub-step, whose velocity is in sum_; the energy that substances released by sinking; the work of
-/// the pushes at the mean of old and new velocity. Excess energy has two sources: with solids, the
-/// pressure of the previous step; and differences between the force on a substance and its flux.
+/// Slows the flow if it gained more kinetic energy than was available. Available are the energy before the
+/// sub-step, whose velocity is in sum_, the energy that substances released by sinking, and the work of the
+/// pushes at the mean of old and new velocity. Excess energy has two sources: with solids, the pressure of
+/// the previous step; and differences between the force on a substance and its flux.
 ///
 /// `share` is this sub-step's share of the pushes. `sunk` is the released potential energy (m^2/s^2,
 /// summed over cells).
@@ -304,7 +304,8 @@ void StaggeredSolver::limit_energy(const Settings& settings, State& now, double 
         current_norms_ = found;
         return;
     }
-    // If the flow is slowed by a factor f, the pushes also do less work: f^2 is = most + f by_pushes.
+    // If the flow is slowed by a factor f, its energy is f^2 times `is` and the pushes do f times the work:
+    // f^2 is = most + f by_pushes.
     const double root = std::sqrt(std::max(0.0, by_pushes * by_pushes + 4 * is * most));
     const double factor = std::clamp((by_pushes + root) / (2 * is), 0.0, 1.0);
     for (Samples& u : now.velocity)
@@ -401,8 +402,8 @@ double StaggeredSolver::transport_after_substep(const Settings& settings, State&
     return transport_substances(sum_, now.velocity, settings, now, dt, most_substeps);
 }
 
-/// A step of any length: each sample takes the value from where its fluid came from. Energy that the
-/// interpolation adds is removed.
+/// A semi-Lagrangian step of any length: each sample takes the value from the place where its fluid was
+/// before. Energy that the interpolation adds is removed.
 void StaggeredSolver::semi_lagrangian(const Settings& settings, State& now, double dt, double whole,
                                       StepReport& report) {
     const double before = start_norms_.half_square;
@@ -427,7 +428,7 @@ void StaggeredSolver::semi_lagrangian(const Settings& settings, State& now, doub
     report.fell_back = true;
 }
 
-/// Stops a flow slower than rest_speed if no force drives it. It falls asleep unless a substance still
+/// Stops a flow slower than rest_speed if no force drives it. The fluid falls asleep unless a substance still
 /// diffuses.
 void StaggeredSolver::come_to_rest(const Settings& settings, State& now, double dt, double speed) const {
     if (settings.lid != 0) return;
@@ -435,8 +436,8 @@ void StaggeredSolver::come_to_rest(const Settings& settings, State& now, double 
     for (std::size_t s = 0; s < now.substances.size(); ++s)
         spreads = spreads || (settings.substances[s].diffusion > 0 && largest(rows_, now.substances[s]) > 0);
     if (has_force_ && dt * sum_of_largest(rows_, force_) >= rest_speed) {
-        // A force counts only if it makes the flow faster; strong viscosity may leave nothing of it.
-        // sum_ holds the velocity before the last sub-step.
+        // A force counts only if it makes the flow faster; strong viscosity may cancel its effect. sum_ holds
+        // the velocity before the last sub-step.
         const double before = largest(rows_, sum_);
         if (spreads || before >= rest_speed || speed > before) return;
     }
@@ -447,7 +448,7 @@ void StaggeredSolver::come_to_rest(const Settings& settings, State& now, double 
     now.asleep = true;
 }
 
-/// Reduces the remaining divergence in a box without solids (1/s).
+/// Reduces the divergence that remains in a box without solids (1/s).
 void StaggeredSolver::clear_divergence(const Settings& settings, State& now, StepReport& report) {
     const double most = max_divergence_without_solids * report.speed / lattice_.h;
     for (int more = 0;; ++more) {
@@ -468,8 +469,8 @@ double StaggeredSolver::plan_substeps(const Settings& settings, State& now, doub
     gather_forces(settings, now, 1 / whole);
     const double wanted = std::max(1.0, substeps_wanted(settings, now.velocity, left));
     if (!solids_ || wanted <= allowed) return wanted;
-    // A collision within a shorter step left a pressure that would push much too hard over a longer step.
-    // Without it the step is of first order, and stable.
+    // After a collision within a shorter step, the stored pressure would push much too hard over a longer
+    // step, so it is dropped. The step is then of first order, and stable.
     std::fill(now.pressure.begin(), now.pressure.end(), 0.0F);
     gather_forces(settings, now, 1 / whole);
     return std::max(1.0, substeps_wanted(settings, now.velocity, left));
@@ -484,10 +485,10 @@ StepReport StaggeredSolver::step(const Settings& settings, State& now, double dt
         const int allowed = substeps_most - report.substeps;
         const double wanted = plan_substeps(settings, now, left, dt, allowed);
         if (wanted > allowed) {
-            // The semi-Lagrangian step covers all remaining time at once, because sub-steps before it
-            // gain little. Relative error after twenty steps that follow a push, against fine steps: if
-            // four sub-steps are wanted, 0.021 (0.015 with the four). If five are wanted, 0.053, and
-            // 0.059 with four sub-steps first. If ten are wanted, there is no difference.
+            // The semi-Lagrangian step covers all remaining time at once, because doing some sub-steps first
+            // gains little. Relative error after twenty steps that follow a push, compared with fine steps:
+            // where four sub-steps would be needed, 0.021 (0.015 with those four); where five would be
+            // needed, 0.053 (0.059 with four sub-steps first); where ten would be needed, no difference.
             viscosity_in_stages_ = false;
             semi_lagrangian(settings, now, left, dt, report);
             break;

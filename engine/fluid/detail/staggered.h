@@ -32,10 +32,10 @@ public:
     void carry_substances(const Settings& settings, State& now, double dt);
     /// Null if there are no solids inside the box.
     const Solids* solids() const { return solids_.get(); }
-    /// Shares by which faces count in the energy: the open ones where the fluid slips along solids. Null: all count
-    /// alike.
+    /// Weights of the faces in the energy: their open shares where the fluid slips along solids. Null: all
+    /// faces have the same weight.
     const std::array<Samples, 3>* energy_shares() const { return continuation_ ? &solids_->open() : nullptr; }
-    /// Writes the ghosts, and 0 on walls and in solids.
+    /// Writes the ghosts, and zeros on walls and in solids.
     void fill(const Settings& settings, std::array<Samples, 3>& velocity) const;
 
 private:
@@ -74,7 +74,8 @@ private:
     std::unique_ptr<Solids> solids_;
     Rows rows_;  ///< cells that hold fluid
     PressureSolver pressure_;
-    std::optional<Continuation> continuation_;  ///< used where the fluid slips along solids
+    /// Continued velocities; used where the fluid slips along solids.
+    std::optional<Continuation> continuation_;
     Momentum momentum_;
     Viscosity viscosity_;
     Diffusion diffusion_;

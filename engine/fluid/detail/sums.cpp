@@ -14,7 +14,7 @@ void each_whole_row(const Lattice& lattice, auto&& visit) {
 }
 void each_whole_row(const Rows& rows, auto&& visit) { each_row(rows, visit); }
 
-/// Cells left out by Rows are zero, so they change no bit of the sum.
+/// Cells that are not in Rows hold zeros, so leaving them out changes no bit of the sum.
 double sum_over(const auto& where, auto&& term) {
     std::array<double, lanes> sums{};
     each_whole_row(where, [&](Row row) {

@@ -19,8 +19,9 @@ double largest(const Rows& rows, const std::array<Samples, 3>& velocity);
 /// Largest absolute value of the product of two samples of one place.
 double largest_product(const Rows& rows, const Samples& a, const Samples& b);
 
-/// Intensity of segregation of a density >= 0 over `cells` cells with fluid (Danckwerts 1952), 0 to 1: its variance,
-/// divided by that of a body of its highest density with the same amount. 1: every cell has that density or none.
+/// Intensity of segregation of a density >= 0 over `cells` cells with fluid (Danckwerts 1952), 0 to 1: its
+/// variance, divided by the variance that the same amount would have if each cell were either empty or at the
+/// highest density. 1: it is distributed in that way.
 double segregation(const Rows& rows, double cells, const Samples& density);
 
 /// Largest components of a velocity, and half its square.
@@ -30,8 +31,9 @@ struct VelocityNorms {
     double sum_of_largest{};  ///< sum over the axes of the largest component along each (m/s)
 };
 
-/// Norms of a velocity. In the sum, a face counts by its share (null: all count alike). With the open shares at
-/// solids it is the energy that a projection lowers. Small openings then have little of it, however fast they are.
+/// Norms of a velocity. In the sum, each face is weighted by its share (null: all have weight 1). With the
+/// open shares at solids as weights, the sum is the energy that a projection lowers. Small openings then
+/// contribute little, however fast the flow in them is.
 VelocityNorms velocity_norms(const Rows& rows, const std::array<Samples, 3>& velocity,
                              const std::array<Samples, 3>* shares);
 

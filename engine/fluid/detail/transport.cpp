@@ -38,30 +38,31 @@ namespace thaum::fluid {
 namespace {
 
 constexpr float bias = 0.1F;
-/// Largest sharpness of the flux above. With it, a sphere of 64^3 returns from LeVeque's flow with an error of 0.31. A
-/// sharpness of 0.15 gives 0.35, and none 0.60. A larger one harms slots and corners of a few cells.
+/// Largest sharpness of the flux above. With it, a sphere of 64^3 returns from LeVeque's flow with an error
+/// of 0.31. A sharpness of 0.15 gives 0.35, and a sharpness of 0 gives 0.60. A larger one deforms slots and
+/// corners that are a few cells wide.
 constexpr double sharpness_most = 0.25;
-/// Intensities of segregation at which edges begin to be kept, and are kept fully. A Gaussian has at most 0.41 in a
-/// flow that stretches it. At 0.5 and above, more of a body lies in its inside than on its edge.
+/// Intensities of segregation from which on edges are kept sharp in part, and fully. A Gaussian has at most
+/// 0.41 in a flow that stretches it. At 0.5 and above, more of a body lies in its inside than on its edge.
 constexpr double segregation_of_blurred = 0.5, segregation_of_sharp = 0.6;
 // Smaller numbers soon become subnormal (below 1e-38), which are slow.
 constexpr float least_density = 1e-20F;
 
 using Floats = const float* __restrict;
 
-// The loops over rows are functions without inlining and without branches; GCC 12 then vectorises all
+// The loops over rows are functions that are not inlined and have no branches, so that GCC 12 vectorises all
 // of them.
 
 /// One row of faces.
 struct FaceRow {
     Floats courant;
-    Floats aperture, third, fifth;  ///< null if all faces are open
+    Floats aperture, third, fifth;  ///< tables of the faces; null if all faces are open
     std::ptrdiff_t step;            ///< index distance between the cells on both sides of a face
 };
 
-/// Scale of a sub-step relative to the whole time.
+/// Values of one sub-step, which is a part of the whole time.
 struct SubstepScale {
-    float courant;    ///< part of the flow
+    float courant;    ///< factor on the Courant numbers of the whole time
     float diffusion;  ///< k dt / h^2
     float sharpness;  ///< share of the flow that carries slopes back; see the top of this file
 };
@@ -94,8 +95,8 @@ inline float minmod(float a, float b, float c) {
     return above_zero(minimum(minimum(a, c), b)) + below_zero(maximum(maximum(a, c), b));
 }
 
-/// Adds the flux of a stage to the sum. The last stage replaces the sum by the difference of high order
-/// and first order from `start`.
+/// Adds the flux of a stage to the sum. In the last stage, replaces the sum by the difference between the
+/// flux of high order and that of first order, which is computed from `start`.
 template <StageIndex stage, TransportTerms terms>
 [[gnu::noinline]] void flux_row(SubstepScale scale, const FaceRow& face, Floats value, Floats start,
                                 std::ptrdiff_t count, float* __restrict sum) {
@@ -133,8 +134,8 @@ template <StageIndex stage, TransportTerms terms>
     }
 }
 
-/// Fluxes through the lower faces of a row of cells, one row for each axis. Those of the upper faces
-/// are a step farther.
+/// Fluxes through the lower faces of a row of cells, one row for each axis. The fluxes of the upper faces are
+/// one step farther in memory.
 struct Fluxes {
     std::array<const float*, 3> low;
     std::array<std::ptrdiff_t, 3> step;
@@ -161,9 +162,9 @@ inline float donors(float part, float diffusion, Floats courant, Floats aperture
            donor<terms>(part * courant[i], below, value[i - s], value[i]);
 }
 
-/// Applies the first-order fluxes to a row of cells, and computes the share of the differences that
-/// each cell can take. `part` limits those that leave a cell, so that it stays above zero. `room`
-/// limits those that enter it, so that it stays below `ceiling`.
+/// Applies the first-order fluxes to a row of cells, and computes the share of the differences that each cell
+/// can take. `part` limits differences that leave a cell, so that its density stays above zero. `room` limits
+/// those that enter it, so that its density stays below `ceiling`.
 template <TransportTerms terms>
 [[gnu::noinline]] void limit_row(SubstepScale scale, const std::array<FaceRow, 3>& faces,
                                  const Fluxes& difference, Floats start, float ceiling, std::ptrdiff_t count,
@@ -185,7 +186,7 @@ template <TransportTerms terms>
         const float given =
             ((above_zero(x[i]) - below_zero(x[i + 1])) + (above_zero(y[i]) - below_zero(y[i + sy]))) +
             (above_zero(z[i]) - below_zero(z[i + sz]));
-        // The share is slightly below 1, so that rounding cannot exceed the limit.
+        // Slightly below the exact share, so that rounding cannot exceed the limit.
         const float most = left * 0.999999F / (taken + 1e-30F);
         const float free = above_zero(ceiling - left) * 0.999999F / (given + 1e-30F);
         value[i] = left;
@@ -225,8 +226,8 @@ struct LevelCrossing {
     double either{};   ///< sum of the absolute flows of fluid (cells)
     double carried{};  ///< sum of absolute flow times mean density beside the face
 
-    /// Density that crossed beyond the flow of the mean density. The net flow through a level is zero
-    /// except for the error of the pressure solve.
+    /// Density that crossed, minus what the mean density would have carried. The net flow through a level is
+    /// zero except for the error of the pressure solve.
     double beyond_mean() const { return either > 0 ? density - flow * carried / either : density; }
 };
 
@@ -270,7 +271,7 @@ template <TransportTerms terms>
     for (std::size_t lane = 0; lane < lanes; ++lane) flush(lane, *levels);
 }
 
-// ---- over the lattice --------------------------------------------------------------------------------------------
+// ---- fluxes over the whole lattice -------------------------------------------------------------------------------
 
 /// Arguments and arrays of one sub-step.
 struct SubstepContext {
@@ -305,8 +306,8 @@ template <StageIndex stage, TransportTerms terms>
     });
 }
 
-/// Copies the first faces to the last ones at periodic sides. On walls and behind the last cells before
-/// a solid, the last faces are closed: their flux is never written and stays 0.
+/// Copies the first faces to the last ones at periodic sides. The last faces at walls and after the last cell
+/// before a solid are closed: their flux is never written and stays 0.
 void copy_last_faces(const SubstepContext& c, int k) {
     const auto [nx, ny, nz] = c.lattice.cells;
     auto& flux = c.scratch.flux;
@@ -336,7 +337,7 @@ void each_layer(const SubstepContext& c, const Samples& value, Layer layer) {
     layer(nz - 1);
 }
 
-/// The field after `part` of the sum of fluxes so far.
+/// The density after `part` of the sum of fluxes so far.
 template <StageIndex stage, TransportTerms terms>
 void take_stage(const SubstepContext& c, const Samples& value, float part, Samples& next) {
     each_layer<stage, terms>(c, value, [&](int k) {
@@ -419,14 +420,15 @@ Substep substep_of(SubstepScale scale) {
     return substep<TransportTerms{solids, false, false}>;
 }
 
-// ---- how many sub-steps ------------------------------------------------------------------------------------------
+// ---- number of sub-steps -----------------------------------------------------------------------------------------
 
 struct Schedule {
     int substeps;
     double carried, spread;
 };
 
-/// Divides a time into sub-steps. `outflow` and `diffusion` (k dt / h^2) are for the whole time.
+/// Divides a time into at most `most` sub-steps. `outflow` and `diffusion` (k dt / h^2) are for the whole
+/// time.
 Schedule schedule(double outflow, double diffusion, int most) {
     const double spreading = 6 * diffusion;
     const double wanted = std::max(1.0, std::ceil((outflow + spreading) / courant_most));
@@ -446,7 +448,7 @@ bool is_empty(const Rows& rows, const Samples& density) {
     });
 }
 
-/// Sharpness for a body: none while it has no inside of one density, and none if it diffuses.
+/// Sharpness for a substance: 0 if it has no region of uniform density, and 0 if it diffuses.
 float sharpness_of(const FaceFlow& face_flow, double diffusion, const Samples& density) {
     if (diffusion > 0) return 0;
     const Cells n = face_flow.rows().lattice.cells;
@@ -454,11 +456,12 @@ float sharpness_of(const FaceFlow& face_flow, double diffusion, const Samples& d
         face_flow.face_apertures != nullptr ? face_flow.face_apertures->cells : double(n[0]) * n[1] * n[2];
     const double share = (segregation(face_flow.rows(), cells, density) - segregation_of_blurred) /
                          (segregation_of_sharp - segregation_of_blurred);
-    // Rounding the share to sixteenths keeps the symmetry of the flow from the rounding of sums.
+    // Rounding the share to sixteenths hides the rounding errors of the sums, so that the symmetry of the
+    // flow is kept.
     return static_cast<float>(sharpness_most * std::round(16 * std::clamp(share, 0.0, 1.0)) / 16);
 }
 
-/// Outflow of each cell of a row, kept in `most` if it is larger than the value there.
+/// Outflow of each cell of a row; `most` keeps the largest value so far.
 [[gnu::noinline]] void outflow_row(const Fluxes& courant, std::ptrdiff_t count, float* __restrict most) {
     const Floats x = courant.low[0], y = courant.low[1], z = courant.low[2];
     const std::ptrdiff_t sy = courant.step[1], sz = courant.step[2];

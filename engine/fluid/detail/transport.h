@@ -1,8 +1,8 @@
 // fluid/detail/transport.h: advection and diffusion of one substance, dc/dt = -div(u c) + k lap c.
 //
-// The method is of finite volumes. The flux that leaves a cell through a face enters its neighbour, so
-// the amount is conserved up to rounding. No cell falls below zero, and none rises above the highest
-// one. A sub-step has three parts:
+// The method is of finite volumes. The flux that leaves a cell through a face enters its neighbour, so the
+// amount is conserved up to rounding. No density falls below zero, and none rises above the highest density.
+// A sub-step has three parts:
 //
 //     1. Fluxes of fifth order, slightly upwind-biased, in three stages of Runge-Kutta (Shu and Osher
 //        1988), summed to one flux for each face.
@@ -36,13 +36,15 @@
 
 namespace thaum::fluid {
 
-/// Apertures of the faces, at the positions of the velocities, and the allowed order of each flux. Made
+/// Apertures of the faces, at the positions of the velocities, and the order that each flux may have. Made
 /// once.
 struct FaceApertures {
     std::array<Samples, 3> aperture{};
-    std::array<Samples, 3> third{}, fifth{};  ///< 5 and 1 where the flux may have that order, else 0
-    Rows rows{};                              ///< cells with open faces
-    int cells{};                              ///< number of those cells
+    /// Factors of the flux: `third` is 5 where it may have order 3, `fifth` is 1 where it may have order 5,
+    /// else 0.
+    std::array<Samples, 3> third{}, fifth{};
+    Rows rows{};  ///< cells with open faces
+    int cells{};  ///< number of cells with open faces
 };
 
 /// Makes the tables from apertures between 0 and 1, whose ghosts are not read. Faces on the lattice's
@@ -53,8 +55,8 @@ FaceApertures make_face_apertures(const Lattice& lattice, const std::array<Sampl
 /// shared by all substances.
 struct FaceFlow {
     std::array<Samples, 3> courant{};
-    const FaceApertures* face_apertures{};  ///< null: all faces are open
-    Rows whole{};                           ///< all cells; used if all faces are open
+    const FaceApertures* face_apertures{};  ///< tables of the faces; null: all faces are open
+    Rows whole{};                           ///< rows of all cells; used if all faces are open
     double outflow{};  ///< largest part that leaves a cell; above 1 if its content is replaced more than once
     double dt{};       ///< time (s)
 
@@ -91,7 +93,7 @@ struct TransportSettings {
     /// Largest number of sub-steps, >= 1; 10 are enough for a flow of four cells along two axes at
     /// once.
     int most_substeps{10};
-    vec3 moved_along{};  ///< nonzero for the axes along which `moved` is wanted
+    vec3 moved_along{};  ///< nonzero for the axes along which `moved` is to be computed
 };
 
 /// Result of one transport of a substance.
@@ -109,8 +111,8 @@ struct TransportReport {
     std::int64_t cells{};  ///< visited cells, over all sub-steps
 };
 
-/// Transports a density, finite and >= 0, by a flow. Ghosts are filled by this function. Results below
-/// 1e-20 become 0.
+/// Transports a density by a flow. The density must be finite and >= 0. Fills the ghosts itself. Results
+/// below 1e-20 become 0.
 TransportReport transport(const Lattice& lattice, const FaceFlow& face_flow,
                           const TransportSettings& settings, Samples& density, TransportScratch& scratch);
 

@@ -14,15 +14,15 @@ namespace {
 /// velocity by the product of three factors. If that product were thousands, the pressure would take
 /// minutes to settle.
 constexpr double least_way = 0.2;
-/// Smallest ratio of the velocity at the centre of a face to that at the centre of its open part. Faces
-/// with less are dragged.
+/// Smallest ratio of the velocity at the centre of a face to that at the centre of its open part. Faces with
+/// a smaller ratio are dragged (DraggedFace).
 constexpr double least_factor = 0.25;
 /// Strength of the drag, relative to dt nu / h^2 and to the distance from the centre of the open part
 /// to the wall in h.
 constexpr float drag_factor = 8;
-/// Limits of the explicit half for a link between open places and for a link to a wall. Even if both
-/// links of a place are at their limit, no wave grows in that half, so energy only falls. Between open
-/// places all values stay within their previous range.
+/// Limits of the explicit half for a link between open places and for a link to a wall. Even if both links of
+/// a place are at their limit, no wave grows in the explicit half, so energy only falls. Between open places
+/// all values stay within their previous range.
 constexpr float explicit_link_most = 0.25F;
 constexpr float explicit_wall_link_most = 0.5F;
 
@@ -37,8 +37,8 @@ Slabs slabs_along(const Lattice& lattice, std::size_t across) {
     return {beside, 3 - across - beside, round_up_to_8(lattice.cells[beside])};
 }
 
-/// Parallel lines with their layout and their ends. Row r holds place r of each line, `row` values
-/// after place r - 1.
+/// Parallel lines with their layout and their ends. Row r holds place r of every line and begins `row` values
+/// after row r - 1.
 struct Lines {
     float* value;
     const float* coefficient;  ///< values of face_coefficients_
@@ -49,7 +49,7 @@ struct Lines {
     bool through;  ///< true: the component is parallel to the line, so it is 0 on the walls at both ends
     bool no_slip_at_solids;
     bool varies;      ///< whether the viscosity differs between places
-    float link_most;  ///< largest coefficient of a link, except one that a wall shortens
+    float link_most;  ///< largest coefficient of a link, not counting links that a wall shortens
     float lid;        ///< speed of the wall at the high end (m/s)
     std::span<const CutLink> cuts;
     std::ptrdiff_t skipped;  ///< closed places left out before the first place
@@ -62,7 +62,8 @@ inline Floats8 explicit_part(const Floats8& whole, const Floats8& most) {
     return half < most ? half : most;
 }
 
-/// The same for the link between two places.
+/// Part of the link between two places that uses the velocity before the step. Its limit depends on whether
+/// one of the places is closed.
 inline Floats8 explicit_part(const Floats8& whole, const Floats8& a, const Floats8& b) {
     const Floats8 most =
         ((a < zero8) | (b < zero8)) ? zero8 + explicit_wall_link_most : zero8 + explicit_link_most;
@@ -74,10 +75,11 @@ float largest_coefficient(const Lattice& lattice, const ViscousStep& step) {
     return static_cast<float>(step.thickest * step.dt / (step.passes * lattice.h * lattice.h));
 }
 
-/// The lines along one direction that carry one component of the velocity. Each slab sets their arrays.
+/// The lines along one direction on which one component of the velocity is solved. Each slab sets their
+/// arrays.
 Lines lines_along(const Lattice& lattice, const ViscousStep& step, std::size_t axis, std::size_t across) {
     const Slabs slabs = slabs_along(lattice, across);
-    const bool adjacent = lattice.stride[slabs.beside] == 1;  // else the slab is transposed first
+    const bool adjacent = lattice.stride[slabs.beside] == 1;  // if not, the slab is transposed first
     return {.value = nullptr,
             .coefficient = nullptr,
             .row = adjacent ? lattice.stride[across] : slabs.pitch,
@@ -107,8 +109,8 @@ struct RowBuffers {
 /// Results of the elimination: the factor of each place's next neighbour, and the second solution for
 /// periodic lines.
 struct EliminationFactors {
-    float* upper;   ///< preceded by a row of zeros
-    float* corner;  ///< preceded by a row of zeros
+    float* upper;   ///< factor of each place's next neighbour, preceded by a row of zeros
+    float* corner;  ///< second solution for periodic lines, preceded by a row of zeros
 };
 
 /// Coefficients of the links to the walls at the low and high end, as multiples of the coefficient of
@@ -132,7 +134,8 @@ const float* coefficients_at(const Lines& lines, const RowBuffers& buffers, std:
     return wall ? buffers.closed : lines.coefficient + r * lines.row;
 }
 
-/// Coefficients around the link from place r to the next one, which is the first place for the last one.
+/// Coefficients of the places around the link from place r to the next place. After the last place of a
+/// periodic line comes the first.
 LinkRows rows_around(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r) {
     LinkRows rows{};
     for (std::size_t i = 0; i < rows.size(); ++i)
@@ -140,7 +143,7 @@ LinkRows rows_around(const Lines& lines, const RowBuffers& buffers, std::ptrdiff
     return rows;
 }
 
-/// Whether a line's viscosity varies and its place r may hold an interface, for any of the lines.
+/// Whether viscosity varies and place r may hold an interface on at least one of the lines.
 bool may_hold_interface(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r) {
     if (!lines.varies) return false;
     const PlacesAround rows{coefficients_at(lines, buffers, r - 2), coefficients_at(lines, buffers, r - 1),
@@ -211,7 +214,8 @@ struct PlaceRows {
     float* value;
     const float* coefficient;
     const float* next_coefficient;  ///< coefficients of the next place; null at the last one
-    float wall_multiple;  ///< link to the wall at the high end, by links_to_walls; 0 before the last
+    /// Multiple for the link to the wall at the high end, from links_to_walls; 0 before the last place.
+    float wall_multiple;
 };
 
 template <bool last>
@@ -286,7 +290,7 @@ void eliminate_place(const Lines& lines, const RowBuffers& buffers, const Elimin
     }
 }
 
-/// Whether no wall holds any place of these lines, so that only differences of values matter.
+/// Whether no wall drags on these lines, so that only differences of values matter.
 bool is_loose(const Lines& lines, bool solids) {
     return !solids && (lines.edge == Edge::periodic || (lines.edge == Edge::free_slip && !lines.through));
 }
@@ -382,7 +386,7 @@ vec3 Viscosity::position_of(std::size_t axis, std::size_t at) const {
 void Viscosity::find_faces(const SolidShare& solid, std::size_t axis) {
     const double h = lattice_.h;
     Samples& on_line = on_lines_[axis];
-    // The ghosts are 0, so no step can depend on them.
+    // The ghosts are set to 0, so that no step can depend on them.
     on_line = make_samples(lattice_);
     each_cell(lattice_, [&](int, int, int, std::size_t at) { on_line[at] = solids_->open()[axis][at]; });
     for (const CutFace& face : solids_->cut_faces(axis)) {
@@ -438,8 +442,8 @@ void Viscosity::find_cuts(const SolidShare& solid, std::size_t axis, std::size_t
     }
 }
 
-/// For each slab, the range of places along its lines that contains all open ones, with one closed
-/// place at either end.
+/// For each slab, the range of places along its lines that contains all open places, with one closed place at
+/// either end.
 void Viscosity::find_open_ranges(std::size_t axis, std::size_t across) {
     const auto [beside, outer, pitch] = slabs_along(lattice_, across);
     const int n = lattice_.cells[across];
@@ -502,8 +506,8 @@ void Viscosity::component(const ViscousStep& step, std::size_t axis, Samples& u)
     });
 }
 
-/// Adds a force's contribution to eight places with the given coefficients. It is the part that the
-/// explicit half would have seen if the force had acted from the start.
+/// Adds a force's contribution to eight places with the given coefficients: the part that the explicit half
+/// would have computed if the force had acted from the start of the step.
 void Viscosity::add_force(const ViscousStep& step, std::size_t axis, float sign, const Floats8& coefficients,
                           std::ptrdiff_t at, Samples& u) {
     const auto half = 0.5F * sign * static_cast<float>(step.dt);
@@ -513,8 +517,8 @@ void Viscosity::add_force(const ViscousStep& step, std::size_t axis, float sign,
     store(u.data() + at, load(u.data() + at) + (coefficients < zero8 ? zero8 : more));
 }
 
-/// Scales velocities from the centre of the open part to the centre of the face. Dragged faces are set
-/// aside.
+/// Scales velocities from the centre of the open part to the centre of the face. The velocities of dragged
+/// faces are saved.
 void Viscosity::scale_to_lines(std::size_t axis, Samples& u) {
     const auto& dragged = dragged_[axis];
     for (std::size_t i = 0; i < dragged.size(); ++i) {
@@ -573,8 +577,8 @@ void Viscosity::along(const ViscousStep& step, std::size_t axis, std::size_t acr
             transpose({values, line}, {value_.data(), w}, width, lines.count);
             transpose({coefficients, line}, {coefficient_.data(), w}, width, lines.count);
         }
-        // A uniform line must stay uniform to the bit. Rounding would give a flow of layers a velocity across
-        // them, and a little of a very thick layer thickens all that it enters.
+        // A uniform line must stay uniform to the bit. Rounding errors would give a flow in layers a velocity
+        // across the layers, and even a little of a very viscous layer thickens all the fluid that it enters.
         const bool loose = is_loose(lines, solids_ != nullptr);
         if (loose) subtract_first(lines, firsts.data());
         ring ? solve<true>(lines, buffers, left) : solve<false>(lines, buffers, left);

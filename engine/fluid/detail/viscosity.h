@@ -14,8 +14,8 @@
 // explicit part is added at the end, so that a steady flow does not depend on dt.
 //
 // Where the viscosity varies, the link between two places has the harmonic mean of their coefficients. A flow
-// along layers is then exact if they meet halfway between places. Where they meet within a cell and nothing else
-// is mixed, its coefficient tells how far each layer reaches into it.
+// along layers is then exact if they meet halfway between places. Where they meet within a cell that holds no
+// other fluid, the coefficient of the cell tells how far each layer reaches into it.
 //
 // Curved walls: the coefficient of a link from an open place to the wall beside it is divided by the
 // open part of its length. No slip then holds at the true position of the wall (Gibou, Fedkiw, Cheng
@@ -33,10 +33,10 @@ namespace thaum::fluid {
 /// Arguments of one implicit viscous step.
 struct ViscousStep {
     const Samples* viscosity{};  ///< kinematic viscosity at cell centres, with filled ghosts (m^2/s)
-    /// Largest viscosity between two places (m^2/s). Single places may have more, so that one which is only in
-    /// part thick differs from one which is so throughout.
+    /// Largest viscosity of a link between two places (m^2/s). Single places may have a larger one, so that a
+    /// cell that is thick in part differs from one that is thick throughout.
     double thickest = std::numeric_limits<double>::infinity();
-    bool varies = true;  ///< whether it differs between places
+    bool varies = true;  ///< true: the viscosity differs between places
     /// Constant force of this step, already included in the velocity (m/s^2); null for none.
     const std::array<Samples, 3>* force{};
     bool no_slip_at_solids = true;  ///< true: no slip at solids; false: free slip
@@ -45,7 +45,7 @@ struct ViscousStep {
     int passes = 1;                 ///< number of passes into which the step is divided
 };
 
-/// A link between a place that belongs to a line and a neighbour behind a wall.
+/// A link between a place that belongs to a line and a neighbour beyond a wall.
 struct CutLink {
     int slab{};
     std::ptrdiff_t at{};  ///< index in the slab of the lower place
@@ -64,9 +64,9 @@ struct ScaledFace {
 /// that grows in proportion to the distance from the wall and fits its neighbours.
 struct DraggedFace {
     std::size_t at{};
-    float nearer{};  ///< h divided by the distance from the centre of its open part to the wall
-    std::array<std::size_t, 6> from{};  ///< indices of the neighbours
-    std::array<float, 6> share{};       ///< weights of their velocities; 0 for an unused neighbour
+    float nearer{};  ///< h divided by the distance from the centre of the face's open part to the wall
+    std::array<std::size_t, 6> from{};  ///< indices of the neighbouring faces
+    std::array<float, 6> share{};       ///< weights of the neighbours' velocities; 0 for an unused neighbour
 };
 
 /// Solver for implicit viscosity on one lattice.
@@ -95,12 +95,14 @@ private:
 
     Lattice lattice_;
     const Solids* solids_;
-    Rows rows_;                        ///< cells that hold fluid
-    std::array<Samples, 3> on_lines_;  ///< above 0 for faces that belong to the lines; empty without solids
+    Rows rows_;  ///< cells that hold fluid
+    /// Above 0 for faces that belong to the lines; empty if there are no solids.
+    std::array<Samples, 3> on_lines_;
     std::array<std::vector<ScaledFace>, 3> scaled_;
     std::array<std::vector<DraggedFace>, 3> dragged_;
-    std::vector<float> dragged_speeds_;                        ///< velocities of the dragged faces
-    std::array<std::array<std::vector<CutLink>, 3>, 3> cuts_;  ///< by component and direction, sorted by slab
+    std::vector<float> dragged_speeds_;  ///< velocities of the dragged faces
+    /// Links that a wall cuts, by component and direction, sorted by slab.
+    std::array<std::array<std::vector<CutLink>, 3>, 3> cuts_;
     /// Range with open places, by component, direction and slab.
     std::array<std::array<std::vector<CellRange>, 3>, 3> open_ranges_;
     Samples face_coefficients_;  ///< dt nu / (passes h^2) at each face; below 0 on closed faces

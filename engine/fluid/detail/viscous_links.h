@@ -12,20 +12,21 @@ namespace thaum::fluid {
 /// thin layer beside a thick one is half a cell too thin. A negative coefficient marks a closed place.
 inline Floats8 link(bool holds, const Floats8& a, const Floats8& b) {
     const Floats8 low = smaller(a, b), high = larger(a, b);
-    // The order of the operations keeps equal coefficients as they are, to the bit.
+    // This order of operations leaves equal coefficients unchanged, to the bit.
     const Floats8 both = low * ((high + high) / (low + high + 1e-30F));
     const Floats8 one = holds ? larger(high, zero8) : zero8;
     return low < zero8 ? one : both;
 }
 
-/// Ratio of the coefficients of two places from which their link is looked at more closely. Below, the mean is
-/// off by at most a twentieth of a cell.
+/// Ratio of the coefficients of two places from which on their link is corrected for an interface. Below this
+/// ratio, the mean places the interface at most a twentieth of a cell wrong.
 inline constexpr float layers_from = 1.1F;
 
-/// Rows of coefficients of six places in turn. The link joins the third and the fourth.
+/// Rows of coefficients of six consecutive places. The link joins the third and the fourth.
 using LinkRows = std::array<const float*, 6>;
 
-/// Coefficients from the far side of a place to the far side of the neighbour that it faces.
+/// Coefficients of the places around one place, in order from its far side to the far side of the neighbour
+/// that it faces.
 struct HalfPlaces {
     Floats8 far_behind, behind, own, faced, far_faced;
 };
@@ -36,9 +37,9 @@ inline Floats8 step_beyond(const Floats8& place, const Floats8& beyond) {
     return larger(step, -step);
 }
 
-/// How surely a place between two others holds an interface, 0 to 1: only if the places beyond them equal them to
-/// within a hundredth of the jump. In a gradual mixture, and in an edge that the flow has smeared over more than
-/// one place, they do not.
+/// Confidence that a place between two others holds an interface, 0 to 1: high only if the places beyond its
+/// neighbours equal those neighbours to within a hundredth of the jump. In a gradual mixture, and in an edge
+/// that is smeared over more than one place, they do not.
 inline Floats8 sureness(const HalfPlaces& at, const Floats8& jump) {
     const Floats8 uneven = step_beyond(at.behind, at.far_behind) + step_beyond(at.faced, at.far_faced);
     const Floats8 sure = 2.0F - 200.0F * uneven / (jump + 1e-30F);
@@ -48,8 +49,8 @@ inline Floats8 sureness(const HalfPlaces& at, const Floats8& jump) {
 /// Rows of coefficients of the two places before a place and of the two after it.
 using PlacesAround = std::array<const float*, 4>;
 
-/// Which of eight places may hold an interface: those whose neighbours on either side differ, while the places beyond
-/// equal them.
+/// Which of eight places may hold an interface: places whose two neighbours differ, while the places beyond
+/// the neighbours equal them.
 inline Magnitudes8 interface_between(const PlacesAround& rows, std::ptrdiff_t i) {
     const Floats8 before = load(rows[1] + i), after = load(rows[2] + i);
     const Floats8 uneven = step_beyond(before, load(rows[0] + i)) + step_beyond(after, load(rows[3] + i));
@@ -57,8 +58,8 @@ inline Magnitudes8 interface_between(const PlacesAround& rows, std::ptrdiff_t i)
     return (low >= zero8) & (high > layers_from * low) & (100.0F * uneven < high - low);
 }
 
-/// Resistance of the half of a place that faces a neighbour. If the place holds an interface, its coefficient tells
-/// how far each neighbour reaches into it. A place beside a closed one is as it is throughout.
+/// Resistance of the half of a place that faces a neighbour. If the place holds an interface, its coefficient
+/// tells how far each neighbour reaches into it. A place beside a closed one is treated as uniform.
 inline Floats8 half_resistance(const HalfPlaces& at) {
     const Floats8 one = zero8 + 1.0F, whole = one / (at.own + 1e-30F);
     const Floats8 sign = at.behind > at.faced ? one : -one;

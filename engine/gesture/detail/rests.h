@@ -1,10 +1,10 @@
 // gesture/detail/rests.h: leaves out the time for which the hand rests before, within and after a stroke.
 //
 // A hand that rests trembles, so its points do not coincide. A rest is a run of points that lasts longer than
-// `longest_halt` and stays within 2 % of the stroke's extent of one place; a single point outside is noise. A corner
-// of a slow stroke is shorter than that. What is left of a rest is its last point before the stroke, its first point
-// after the stroke, and both ends of it, `longest_halt` apart, within the stroke. So a stroke with rests has nearly
-// the points that it would have without.
+// `longest_halt` and stays within 2 % of the stroke's extent of one place; a single point outside is noise.
+// The time that a slow stroke spends in a corner is shorter. Of a rest before the stroke, only the last point
+// is kept; of a rest after the stroke, only the first point; of a rest within the stroke, both ends, moved to
+// `longest_halt` apart. So a stroke with rests has nearly the points that it would have without them.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -15,19 +15,20 @@
 
 namespace thaum::gesture {
 
-/// Longest time at one place that is a part of the stroke (s).
+/// Longest time near one place that still belongs to the stroke (s).
 inline constexpr double longest_halt = 0.2;
-/// Distance from the middle of a rest within which the hand rests, as a share of the largest of the stroke's width, height
-/// and depth.
+/// Distance from the middle of a rest within which the hand counts as resting, as a share of the largest of
+/// the stroke's width, height and depth.
 inline constexpr double rest_reach = 0.02;
 
-/// Points of a stroke from one rest to the next.
+/// Points of a stroke between two rests.
 struct MovingPart {
-    std::size_t first{}, last{};  ///< numbers of its first and last point
-    double earlier{};             ///< time of the rests before it that is left out (s)
+    std::size_t first{}, last{};  ///< indices of the part's first and last point
+    double earlier{};             ///< duration of the rests before it that was removed (s)
 };
 
-/// The parts of a stroke between its rests. More rests than there is room for stay in the last part.
+/// The parts of a stroke between its rests. If there are more rests than room, the remaining ones stay in the
+/// last part.
 struct MovingParts {
     static constexpr std::size_t most = 32;
     std::array<MovingPart, most> items{};
@@ -40,16 +41,17 @@ struct MovingParts {
     }
 };
 
-/// Points that stay near one place.
+/// A run of points that stay near one place.
 template <class Vec>
 struct Run {
-    std::size_t first{}, last{};  ///< numbers of its points, both included
-    Vec middle{};                 ///< place near which they stay
+    std::size_t first{}, last{};  ///< indices of the run's first and last point
+    Vec middle{};                 ///< middle of the run's points
 };
 
-/// Finds runs in a stroke. A stroke has the number of its points `size()`, their places `place(i)` as vectors, and their
-/// times `t(i)` (s). Its `may_rest(i)` tells cheaply whether a rest may begin at a point, so that most points need no
-/// search: it may be true without a rest, but where it is false there is none.
+/// Finds rests in a stroke. Stroke must have `size()`, the number of its points, `place(i)`, their positions
+/// as vectors, and `t(i)`, their times (s). `may_rest(i)` is a cheap test whether a rest may begin at a
+/// point, so that most points need no search: it may be true without a rest, but if it is false there is
+/// none.
 template <class Stroke>
 class RunFinder {
 public:
@@ -60,7 +62,7 @@ public:
     RunFinder(const Stroke& stroke, double extent)
         : stroke_(stroke), square_(static_cast<Real>(rest_reach * rest_reach * extent * extent)) {}
 
-    /// The next rest at or after a point, joined with those that follow it at the same place.
+    /// The next rest at or after a point, joined with the rests that follow it at the same place.
     std::optional<Rest> next_rest(std::size_t from) const {
         std::optional<Rest> rest;
         while (from < stroke_.size()) {
@@ -78,12 +80,12 @@ public:
         return rest;
     }
 
-    /// The rest without the approach to its place and the departure from it, and with all points from `begin` on before and
-    /// after it in which the hand only trembles. A run that begins in the approach may end there, by a point of tremor that
-    /// is far from its middle.
+    /// Shortens a rest by the approach to its place and by the departure from it, and extends it by all
+    /// neighbouring points (from `begin` on) in which the hand only trembles. A run that was found from the
+    /// approach may have ended too early, at a point of tremor far from its middle.
     Rest without_motion(Rest rest, std::size_t begin) const {
-        // Way from the middle, in root mean squares of that way, below which a point is tremor and no motion. Points
-        // that differ by rounding alone are no motion either.
+        // Distance from the middle, relative to its root mean square over the run, below which a point counts
+        // as tremor instead of motion. Points that differ only by rounding are no motion either.
         constexpr auto tremor_reach = static_cast<Real>(2.5), rounding = static_cast<Real>(1e-9);
         const auto points = static_cast<Real>(rest.last - rest.first + 1);
         Vec sum(0);
@@ -96,7 +98,7 @@ public:
         while (rest.first < rest.last && square_from(rest.middle, rest.first) > near) ++rest.first;
         while (rest.first < rest.last && square_from(rest.middle, rest.last) > near) --rest.last;
         const auto trembles = [&](std::size_t i) { return square_from(rest.middle, i) <= near; };
-        // Of two neighbours that follow each other, one may be noise.
+        // Of two consecutive points outside, one may be noise.
         const std::size_t end = stroke_.size();
         while (rest.first > begin &&
                (trembles(rest.first - 1) || (rest.first > begin + 1 && trembles(rest.first - 2))))
@@ -111,7 +113,7 @@ public:
 
 private:
     Rest run_from(std::size_t first) const {
-        constexpr int points_of_middle = 16;  // number of points whose mean is the middle of the run
+        constexpr int points_of_middle = 16;  // largest number of points whose mean is the middle of the run
         Rest run{first, first, stroke_.place(first)};
         for (int count = 1; run.last + 1 < stroke_.size();) {
             const std::size_t next = run.last + 1;
@@ -128,7 +130,7 @@ private:
         return run;
     }
 
-    /// True if the hand has hardly left one rest when the other one begins.
+    /// True if the hand has hardly left one rest before the other begins.
     bool is_same(const Rest& rest, const Rest& next) const {
         const Vec way = rest.middle - next.middle;
         return seconds(rest.last, next.first) < longest_halt && glm::dot(way, way) < 4 * square_;
@@ -143,7 +145,8 @@ private:
     Real square_;  ///< square of the distance from the middle within which the hand rests
 };
 
-/// The moving parts of a stroke; one of all points if it has no rest, or nothing else.
+/// The moving parts of a stroke; one part with all points if the stroke has no rest, or consists of rests
+/// only.
 template <class Stroke>
 MovingParts moving_parts(const Stroke& stroke, double extent) {
     const std::size_t last = stroke.size() - 1;

@@ -1,7 +1,7 @@
 // gesture/detail/vectors.h: numbers side by side, for arithmetic on four or eight of them at once.
 //
-// Arrays of vectors in this folder have no initialiser where all of them are written anyway. The compiler clears long
-// blocks with an instruction that takes longer than the arithmetic.
+// Arrays of vectors in this folder have no initialiser where every element is written anyway, because
+// clearing a long block takes longer than the arithmetic.
 #pragma once
 #include <cstdint>
 #include <cstring>

@@ -18,7 +18,7 @@ std::array<StrokePoint, dot_points> equally_spaced(Points stroke) {
     for (std::size_t i = 1; i < stroke.size(); ++i) length += distance(stroke[i - 1], stroke[i]);
     std::array<StrokePoint, dot_points> result;
     result.fill(stroke[0]);
-    double begin = 0;  // arc length at stroke[j]
+    double begin = 0;  // arc length up to stroke[j]
     std::size_t j = 0;
     for (std::size_t i = 1; i < dot_points && stroke.size() > 1; ++i) {
         const double wanted = length * static_cast<double>(i) / (dot_points - 1);

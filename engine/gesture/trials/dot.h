@@ -28,7 +28,7 @@ std::array<StrokePoint, dot_points> equally_spaced(Points stroke);
 /// finite.
 bool make_vector(Points stroke, Channels channels, StrokeVector& vector);
 
-/// 1 for equal vectors, less otherwise.
+/// Similarity of two strokes: 1 for equal vectors, less otherwise.
 double dot_product(const StrokeVector& a, const StrokeVector& b);
 
 }  // namespace thaum::gesture

@@ -13,19 +13,20 @@ namespace {
 
 constexpr std::uint32_t none = 0xffffffff;
 constexpr double false_accepts_wanted = 0.01;
-/// A random half of the strokes is enough for the weights, and there may be very many.
+/// Number of strokes to which weights are fitted at most: a random half of the strokes would be enough, and
+/// there may be very many.
 constexpr std::size_t most_fitted = 20'000;
 
 using Numbers = std::vector<std::vector<std::size_t>>;
 
-/// Keeps `count` random elements at the front.
+/// Moves `count` randomly drawn elements to the front and drops the others.
 void draw(std::vector<std::size_t>& from, std::size_t count, Random& random) {
     const std::size_t most = std::min(count, from.size());
     for (std::size_t i = 0; i < most; ++i) std::swap(from[i], from[i + random.below(from.size() - i)]);
     from.resize(most);
 }
 
-/// One round of tests with the same templates.
+/// One round of a test, in which the templates stay the same.
 struct Fold {
     std::uint32_t user{};
     std::size_t repeat{};
@@ -59,7 +60,7 @@ private:
         return std::nullopt;
     }
 
-    /// Gestures without templates; the same for every user in one repeat.
+    /// Whether each gesture is left without templates; the same for every user in one repeat.
     std::vector<char> unknown_gestures(std::size_t repeat) const {
         std::vector<std::size_t> order(index_.gestures.size());
         for (std::size_t g = 0; g < order.size(); ++g) order[g] = g;
@@ -83,7 +84,7 @@ private:
             for (const auto s : templates[g]) used[s] = 1;
         }
         auto gestures = gestures_of(strokes_, index_, templates);
-        std::vector<std::uint32_t> number;  // gesture of the data set for each of the classifier's
+        std::vector<std::uint32_t> number;  // for each gesture of the classifier, its number in the data set
         for (std::uint32_t g = 0; g < templates.size(); ++g) {
             if (!templates[g].empty()) number.push_back(g);
         }
@@ -124,7 +125,7 @@ std::vector<std::uint32_t> groups_of(std::span<const Trial> trials) {
     return groups;
 }
 
-/// Sets the probabilities of one group by weights from the other groups.
+/// Sets the probabilities of one group with weights fitted to the other groups.
 void calibrate_group(std::vector<Trial>& trials, std::uint32_t group) {
     std::vector<LabelledEvidence> samples;
     const std::size_t stride = trials.size() / most_fitted + 1;
@@ -139,7 +140,7 @@ void calibrate_group(std::vector<Trial>& trials, std::uint32_t group) {
     }
 }
 
-/// Probability that the given share of the unknown strokes exceeds.
+/// Probability that only the given share of the unknown strokes exceeds.
 double threshold_of(std::vector<double> unknown) {
     if (unknown.empty()) return 0;
     std::sort(unknown.begin(), unknown.end(), std::greater<>());

@@ -37,17 +37,18 @@ struct EvaluationSettings {
     double at = 1;             ///< share of each tested stroke's length that is shown, from its start: 0 to 1
     double unknown_share = 0;  ///< share of gestures without templates, 0 to less than 1
     std::uint64_t seed = 1;
-    bool own_calibration = false;  ///< true to keep the probability of the method itself, for templates alone
+    /// true: keep the probability of the method itself, made from templates alone.
+    bool own_calibration = false;
 };
 
 /// One tested stroke.
 struct Trial {
     std::uint32_t truth{};   ///< gesture of the stroke
-    std::uint32_t answer{};  ///< nearest gesture; 0xffffffff: no shape
+    std::uint32_t answer{};  ///< nearest gesture; 0xffffffff: the stroke has no shape
     bool known{};            ///< true if the gesture had templates
     std::uint32_t group{};
     Evidence evidence{};
-    double probability{};  ///< that the stroke was meant as `answer`
+    double probability{};  ///< probability that the stroke was meant as `answer`
 
     bool right() const { return known && answer == truth; }
 };
@@ -59,11 +60,11 @@ struct ReliabilityBin {
 };
 
 struct OpenSet {
-    double
-        correct_accepts{};  ///< share of known strokes that are accepted as what they are, at the chosen thresholds
+    /// Share of known strokes that are accepted as the right gesture, at the chosen thresholds.
+    double correct_accepts{};
     double false_accepts{};  ///< share of unknown strokes that are accepted, at the chosen thresholds
-    double
-        best_correct_accepts{};  ///< correct accepts if the threshold gives 1 % false accepts of the tested strokes
+    /// Correct accepts at a threshold that gives 1 % false accepts among the tested strokes themselves.
+    double best_correct_accepts{};
 };
 
 struct Evaluation {
@@ -78,17 +79,18 @@ struct Evaluation {
     std::optional<OpenSet> open_set;
 };
 
-/// The gestures of a data set in the order of their names, each with all its strokes' numbers.
+/// The gestures of a data set in the order of their names, each with the numbers of its strokes.
 struct GestureIndex {
     std::vector<std::string> gestures, users;
     std::vector<std::uint32_t> gesture_of, user_of;  ///< gesture and user of each stroke
 };
 GestureIndex index_of(std::span<const Stroke> strokes);
 
-/// How often a method is sure, and then right.
+/// How often a method is sure of its answer, and how often it is right then.
 struct Certainty {
-    double told{};   ///< share of the strokes whose answer has at least the probability
-    double right{};  ///< share of these whose answer is right; 0: none
+    /// Share of the strokes whose answer has at least the wanted probability ("sure" answers).
+    double told{};
+    double right{};  ///< share of the sure answers that are right; 0 if there are none
 };
 Certainty certainty_of(const Evaluation& evaluation, double least_probability);
 
@@ -101,7 +103,8 @@ std::vector<Gesture> gestures_of(std::span<const Stroke> strokes, const GestureI
 std::vector<std::vector<std::size_t>> draw_templates(const GestureIndex& index, Protocol protocol,
                                                      std::uint32_t user, std::size_t count, Random& random);
 
-/// The error names what the data lack: users for leave_user_out, or strokes for so many templates.
+/// Tests a method on strokes. The error names what the data lack: users for leave_user_out, or strokes for so
+/// many templates.
 Expected<Evaluation> evaluate(std::span<const Stroke> strokes, const EvaluationSettings& settings);
 
 }  // namespace thaum::gesture

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array<std::string_view, 6> names{"dot", "tdnn", "directions", "elastic", "default", "early"};
 
-/// Answer for scores of which the largest is best and 1 is the most.
+/// The answer with the highest score. A score of 1 is the greatest possible.
 Answer answer_of(std::span<const double> scores) {
     Answer answer;
     double best = -2, second = -2;
@@ -74,7 +74,7 @@ public:
     }
 
 private:
-    /// Few strokes need many epochs.
+    /// With few strokes, more epochs are needed.
     static TrainingSettings training_for(std::span<const Gesture> gestures, std::uint64_t seed) {
         std::size_t strokes = 0;
         for (const auto& g : gestures) strokes += g.strokes.size();

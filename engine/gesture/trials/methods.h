@@ -11,8 +11,9 @@
 
 namespace thaum::gesture {
 
-/// dot: paper 000. tdnn: paper 002. directions: the network of paper 000. elastic: every template compared elastically.
-/// standard: the recogniser of the game. early: the likely gesture of an unfinished stroke (prefix.h).
+/// dot: paper 000. tdnn: paper 002. directions: the network of paper 000. elastic: elastic distance to every
+/// template. standard: the recogniser of the game. early: the likely gesture of an unfinished stroke
+/// (prefix.h).
 enum class Method : std::uint8_t { dot, tdnn, directions, elastic, standard, early };
 
 std::span<const std::string_view> method_names();
@@ -21,7 +22,7 @@ std::optional<Method> method_of(std::string_view name);
 struct Answer {
     std::uint32_t gesture = 0xffffffff;  ///< 0xffffffff for a stroke without a shape
     Evidence evidence{};
-    double probability{};  ///< as the method itself says, 0 to 1; methods without a calibration say 1
+    double probability{};  ///< probability by the method's own calibration, 0 to 1; 1 if the method has none
 };
 
 class Classifier {
@@ -33,7 +34,7 @@ public:
 struct MethodSettings {
     Channels channels{};
     std::uint64_t seed = 1;
-    bool calibrate = false;  ///< true for the calibration of the method itself with synthetic strokes
+    bool calibrate = false;  ///< true: calibrate the method itself with synthetic strokes
 };
 
 /// Makes a classifier from recorded strokes. The error names the gesture and the fault.

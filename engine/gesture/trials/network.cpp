@@ -9,7 +9,7 @@
 namespace thaum::gesture {
 namespace {
 
-/// Weighted sum of one row, bias last.
+/// Weighted sum with one row of weights, of which the last is the bias.
 double row_sum(const double* row, std::span<const double> values) {
     double sum = row[values.size()];
     for (std::size_t i = 0; i < values.size(); ++i) sum += row[i] * values[i];
@@ -42,7 +42,7 @@ double propagate(const Network& n, const TrainingSample& sample, Layers& l) {
     return squares;
 }
 
-/// Adds the slope of one layer: error times input of each weight.
+/// Adds the gradient of one layer: error of each output times each input.
 void add_layer(std::span<const double> errors, std::span<const double> inputs, std::vector<double>& slope) {
     for (std::size_t r = 0; r < errors.size(); ++r) {
         double* row = &slope[r * (inputs.size() + 1)];
@@ -51,7 +51,7 @@ void add_layer(std::span<const double> errors, std::span<const double> inputs, s
     }
 }
 
-/// One step with momentum: velocity = momentum velocity - rate slope.
+/// One step of gradient descent with momentum: velocity = momentum * velocity - rate * gradient.
 void descend(std::vector<double>& weights, std::vector<double>& velocity, std::span<const double> errors,
              std::span<const double> inputs, double rate, double momentum) {
     for (std::size_t r = 0; r < errors.size(); ++r) {
@@ -70,7 +70,7 @@ double det_tanh(double x) {
     if (std::isnan(x)) return x;
     const double size = std::abs(x);
     if (size > 22) return x > 0 ? 1.0 : -1.0;
-    if (size < 0.05) {  // the quotient below would lose digits
+    if (size < 0.05) {  // for small numbers, the quotient below would lose digits
         const double q = x * x;
         return x * (1 + q * (-1.0 / 3 +
                              q * (2.0 / 15 + q * (-17.0 / 315 + q * (62.0 / 2835 - q * 1382.0 / 155925)))));

@@ -3,9 +3,9 @@
 //
 //     hidden = tanh(W1 input + b1)        output = tanh(W2 hidden + b2)
 //
-// Targets are 1 for the right output and -1 for the others. Training goes down the slope of the sum of squared
-// errors, one sample at a time in an order drawn from the seed, with momentum. tanh is computed from core/maths, and
-// sums have a fixed order, so equal seeds give equal weights on every processor.
+// Targets are 1 for the right output and -1 for the others. Training is gradient descent with momentum on the
+// sum of squared errors, one sample at a time in an order drawn from the seed. tanh is computed from
+// core/maths, and sums have a fixed order, so equal seeds give equal weights on every processor.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -32,25 +32,25 @@ struct TrainingSample {
 struct TrainingSettings {
     std::uint64_t seed = 1;
     std::size_t epochs = 60;
-    double rate = 0.005;  ///< step down the slope, in the first epoch; falls to a tenth in the last
+    double rate = 0.005;  ///< learning rate in the first epoch; it falls to a tenth in the last
     double momentum = 0.8;
     double enough = 1e-3;  ///< mean squared error of an epoch at which training ends early
 };
 
 struct Training {
     Network network;
-    std::size_t epochs{};  ///< epochs run
+    std::size_t epochs{};  ///< number of epochs that were run
     double error{};        ///< mean squared error of the last epoch
 };
 
 /// A network with small random weights.
 Network random_network(std::size_t inputs, std::size_t hidden, std::size_t outputs, std::uint64_t seed);
 
-/// Computes the outputs. Allocates nothing: `hidden` and `output` have the sizes of the layers.
+/// Computes the outputs. Allocates nothing: `hidden` and `output` must have the sizes of the layers.
 void run_network(const Network& network, std::span<const double> input, std::span<double> hidden,
                  std::span<double> output);
 
-/// Slope of half the sum of squared errors of one sample by each weight, in the layout of `first` and `second`.
+/// Adds the gradient of half the sum of squared errors of one sample, in the layout of `first` and `second`.
 void add_slope(const Network& network, const TrainingSample& sample, std::vector<double>& first,
                std::vector<double>& second);
 

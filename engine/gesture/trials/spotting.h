@@ -6,7 +6,7 @@
 // that overlap an ignored stroke of the same gesture, which count neither way. Such strokes are attempts without a label,
 // as in the protocol of Taranta et al. (2020), whose sessions hold many of them.
 //
-// The largest score that is reported is chosen, for each user, on the sessions of the other users.
+// For each user, the threshold of the score is chosen on the sessions of the other users.
 #pragma once
 #include <optional>
 #include <span>
@@ -20,33 +20,34 @@ namespace thaum::gesture {
 
 struct SpottingSettings {
     std::size_t templates = 1;  ///< number of templates of each gesture
-    std::size_t repeats = 3;    ///< rounds with other random templates
+    std::size_t repeats = 3;    ///< number of rounds, each with other random templates
     Channels channels{false, false};
     std::uint64_t seed = 1;
     SpotterSettings spotter{};
-    std::vector<SessionLabel> ignored{};  ///< strokes that may be reported and need not be
+    std::vector<SessionLabel> ignored{};  ///< strokes that may be reported but need not be
 };
 
-/// Result at one choice of thresholds, all repeats together.
+/// Result for one choice of thresholds, over all repeats.
 struct SpottingScore {
     std::size_t right{}, wrong{}, missed{};
     double precision{}, recall{}, f1{};
     double false_per_hour{};
-    double low_per_hour{}, high_per_hour{};  ///< 95 % interval of false_per_hour
-    double threshold{};                      ///< mean of the chosen thresholds (largest score)
+    double low_per_hour{}, high_per_hour{};  ///< ends of the 95 % confidence interval of false_per_hour
+    double threshold{};                      ///< mean of the chosen thresholds (largest reported score)
     double delay{};                          ///< median time from the end of the label to the report (s)
 };
 
 struct Spotting {
     SpottingScore best;    ///< thresholds with the best F1 on other users
     SpottingScore at_six;  ///< thresholds with at most 6 false reports an hour on other users
-    SpottingScore at_two;  ///< ... at most 2
-    double hours{};        ///< length of all sessions, once
+    SpottingScore at_two;  ///< thresholds with at most 2 false reports an hour on other users
+    double hours{};        ///< total length of all sessions, each counted once (h)
     std::size_t sessions{}, labels{};
     double skipped{};  ///< share of the ends of windows that were skipped to limit the work of a tick
 };
 
-/// The error names what does not fit: no label, no other user, or no gesture of the labels among the strokes.
+/// Tests the spotter on sessions. The error names what is missing: a label, another user, or a gesture of the
+/// labels among the strokes.
 Expected<Spotting> evaluate_spotting(const SessionSet& sessions, std::span<const SessionLabel> labels,
                                      std::span<const Stroke> strokes, const SpottingSettings& settings);
 

@@ -7,7 +7,7 @@
 namespace thaum::gesture {
 namespace {
 
-constexpr double widest_step = 2;  // cells; a longer jump counts as this one
+constexpr double widest_step = 2;  // longest step (cells); a longer jump counts as this
 
 bool all_finite(Points stroke) {
     return std::all_of(stroke.begin(), stroke.end(), [](const auto& p) { return is_finite(p); });
@@ -18,7 +18,7 @@ struct Cell {
     bool operator==(const Cell&) const = default;
 };
 
-/// Cells of the grid that the stroke visits, one after the other.
+/// Cells of the grid that the stroke visits, in order.
 std::vector<Cell> visited_cells(Points stroke) {
     vec2 low(stroke[0].at), high = low;
     for (const auto& p : stroke) {

@@ -2,11 +2,11 @@
 // recogniser.h for the recogniser that the game uses.
 //
 // Time-delay network (paper 002, section 3.2). The workspace is a grid of 5x5 states in the x-y plane; z is
-// disregarded. The input is a sliding window of the 8 most recent transitions between states: 16 nodes. 24 hidden
-// nodes; one output for each gesture (the paper has 4: circles both ways and diagonal strokes). The paper does not
-// say how a transition becomes numbers; 8 transitions in 16 nodes leave two each: the steps in x and y. The grid here
-// is the square around the stroke, because strokes of data sets come without a workspace. The answer to a whole
-// stroke is the sum of the outputs over its windows.
+// disregarded. The input is a sliding window of the 8 most recent transitions between states: 16 nodes. 24
+// hidden nodes; one output for each gesture (the paper has 4: circles both ways and diagonal strokes). The
+// paper does not say how a transition is encoded. With 8 transitions in 16 nodes there are two numbers for
+// each: the steps in x and y. The grid here is the square around the stroke, because strokes of data sets
+// come without a workspace. The answer to a whole stroke is the sum of the outputs over its windows.
 //
 // Directional vectors (paper 000, section 8). "Haptic proxy positions were converted to directional vectors (e.g.
 // Right: 1,0,0; 1,0,0; ...)." The paper gives no size: here 16 unit vectors at equal steps of arc length, 24 hidden
@@ -45,7 +45,7 @@ std::vector<double> direction_input(Points stroke);
 /// Inputs of a network of this kind for one stroke.
 std::vector<std::vector<double>> inputs_of(NetworkKind kind, Points stroke);
 
-/// Sum of the outputs over the inputs of the stroke, divided by their number; all -1 for a stroke without inputs.
+/// Mean of the outputs over the inputs of the stroke; all -1 for a stroke without inputs.
 std::vector<double> outputs_of(const StrokeNetwork& network, Points stroke);
 
 /// A network with one output for each gesture, in their order.

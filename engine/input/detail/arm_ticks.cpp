@@ -14,11 +14,11 @@
 namespace thaum::input {
 namespace {
 
-/// Progress of the call that runs a tick. The step's context belongs to the arm's user, so a tick may use it only
-/// between `in_driver` and `in_driver`, while the user waits in close_ticks.
+/// Progress of the call that runs a tick. The step's context belongs to the user of the arm. A tick may use
+/// it only in the phase `in_step`, during which close_ticks waits.
 enum Phase : std::uint64_t { nobody = 0, in_driver = 1, in_step = 2, left_behind = 3 };
 
-/// An open arm's place among the ticks of this process.
+/// The entry of an open arm in the table of this process.
 struct Slot {
     /// The ticks' number and a Phase in one word, so that one comparison admits or refuses a call; 0: free.
     std::atomic<std::uint64_t> gate{0};
@@ -26,16 +26,16 @@ struct Slot {
     std::atomic<const char*> thread{nullptr};  ///< servo thread of the newest tick, by its thread_mark
 };
 
-constexpr int servo_priority = 50;  // above all ordinary threads
+constexpr int servo_priority = 50;  // priority above all ordinary threads
 
 std::array<Slot, most_open_arms> slots;
 std::atomic<bool> silence_wanted{false};
 std::atomic<int> stops{0};
-thread_local char thread_mark = 0;  ///< its address names the thread
+thread_local char thread_mark = 0;  ///< the address of this variable identifies the thread
 
 constexpr std::uint64_t word(std::uint64_t number, Phase phase) { return number << 2U | phase; }
 
-/// The number of the ticks also names their slot.
+/// The slot of a tick number.
 Slot& slot_of(std::uint64_t number) { return slots[number % slots.size()]; }
 
 bool change(std::uint64_t number, Phase from, Phase to) {
@@ -43,9 +43,9 @@ bool change(std::uint64_t number, Phase from, Phase to) {
     return slot_of(number).gate.compare_exchange_strong(expected, word(number, to));
 }
 
-// ---- the servo thread -------------------------------------------------------------------------------------
+// ---- functions of the servo thread ------------------------------------------------------------------------
 
-/// A stack for the faults of a vendor's thread, which start_thread has not given one. It ends with the thread.
+/// A signal stack for a vendor's thread, which start_thread has not given one. Freed when the thread ends.
 struct ThreadsFaultStack {
     std::unique_ptr<FaultStack> stack = std::make_unique_for_overwrite<FaultStack>();
     ThreadsFaultStack() { stack->begin_use(); }
@@ -61,7 +61,8 @@ void prepare_this_thread(ArmTicks& ticks) {
     ticks.preferred = prefer_this_thread(servo_priority);
 }
 
-/// Ends the ticks, with zero as the last force. The driver may hang in `note`, so the zero comes first.
+/// Ends the ticks with zero as the last force. The zero comes before `note`, because the driver may hang in
+/// `note`.
 bool end_ticks(ArmTicks& ticks, ArmFault fault) {
     if (ticks.driver->write_zero()) ticks.pushes = false;
     if (fault != 0) ticks.driver->note(fault);
@@ -89,8 +90,8 @@ vec3 resumed(ArmTicks& ticks, vec3 force) {
     return part;
 }
 
-/// Gives the arm the force. The note of a force comes before it, and that of zero after it, so that the watchdog never
-/// takes an arm that pushes for one that rests.
+/// Sends a force to the arm. `pushes` is set before a force and cleared after a zero, so that the watchdog
+/// never takes a pushing arm for a resting one.
 ArmFault give(ArmTicks& ticks, vec3 force) {
     const bool pushes = force != vec3(0);
     if (pushes) ticks.pushes = true;
@@ -105,7 +106,8 @@ bool do_tick(ArmTicks& ticks) {
     ticks.times.begins(now);
     ArmReading reading{.time_ns = now};
     if (const auto fault = ticks.driver->read(reading); fault != 0) return end_ticks(ticks, fault);
-    ticks.silent = false;  // before the look: a thread that asks for silence after it waits for the next tick
+    // Before the check below: a thread that asks for silence after it waits for the next tick.
+    ticks.silent = false;
     const bool silent = silence_wanted || stops != 0 || !ticks.accepted;
     const auto force = ticks.ending ? std::nullopt : silent ? vec3(0) : answer(ticks, reading);
     if (!force) return end_ticks(ticks, 0);
@@ -120,7 +122,7 @@ bool do_tick(ArmTicks& ticks) {
 bool prefer_this_thread(int priority) {
     int policy = 0;
     sched_param now{};
-    // The vendor's library may have arranged it for its own thread.
+    // The vendor's library may already have raised the priority of its own thread.
     if (::pthread_getschedparam(::pthread_self(), &policy, &now) == 0 && policy != SCHED_OTHER) return true;
     const sched_param wanted{.sched_priority = priority};
     return ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wanted) == 0;
@@ -163,12 +165,12 @@ bool close_ticks(ArmTicks& ticks) {
         if (gate.compare_exchange_strong(idle, 0)) return true;
         const bool tired = monotonic_ns() > until;
         if (tired && gate.compare_exchange_strong(waits, word(ticks.number, left_behind))) return false;
-        // The step is our own and short, so this thread waits until the step has ended.
+        // Our step is short, so this thread waits until it has ended.
         sleep_until_ns(monotonic_ns() + look_ns);
     }
 }
 
-// ---- silence ----------------------------------------------------------------------------------------------
+// ---- ending the forces ------------------------------------------------------------------------------------
 
 namespace ticks {
 namespace {
@@ -205,7 +207,7 @@ void end_broken() noexcept {
         if (!is_of_this_thread(slot)) continue;
         ArmTicks& open = *slot.ticks;
         if (!open.ended) open.driver->write_zero();
-        open.ended = true;  // nobody needs to wait for a tick of this thread
+        open.ended = true;  // no one must wait for a tick of this thread any more
     }
 }
 

@@ -28,11 +28,11 @@ static_assert(most_raw(BlockKind::ticks, block_ticks, format_version) <= raw_lim
 
 using Column = std::array<std::uint32_t, block_ticks>;
 
-/// Columns after those of the counts.
+/// Columns that follow those of the counts.
 constexpr std::size_t buttons_column = max_counts, model_age_column = buttons_column + 1,
                       skips_column = model_age_column + 1, wand_column = skips_column + 1,
                       state_column = wand_column + 1;
-// Parts of the column of states.
+// Bits in the column of states.
 constexpr std::uint32_t away_bit = 1;
 constexpr unsigned fader_shift = 8, percent_shift = 16;
 
@@ -41,7 +41,7 @@ std::uint32_t state_of(const DeviceSample& s) {
            std::uint32_t{s.change.percent} << percent_shift;
 }
 
-/// Returns false if the value is none that `state_of` gives.
+/// Returns false if the value is not one that `state_of` can give.
 bool set_state(DeviceSample& s, std::uint32_t state) {
     s.away = (state & away_bit) != 0;
     s.change = {static_cast<std::uint8_t>(state >> fader_shift),
@@ -72,7 +72,7 @@ bool set_field(DeviceSample& s, std::size_t column, std::uint32_t value) {
     }
 }
 
-/// Takes the wand out of the buttons of format 1, where bits 11 to 15 are wands 1 to 5 and bits 19 to 22 are
+/// Moves the wand out of the buttons of format 1, where bits 11 to 15 are wands 1 to 5 and bits 19 to 22 are
 /// wands 6 to 9. If several bits are set, the highest counts.
 void split_off_wand(DeviceSample& s) {
     constexpr std::uint32_t wand_bits = 0x1fU << 11U | 0xfU << 19U;
@@ -88,7 +88,7 @@ void split_off_wand(DeviceSample& s) {
 std::uint32_t zigzag(std::uint32_t v) { return (v << 1U) ^ (0U - (v >> 31U)); }
 std::uint32_t unzigzag(std::uint32_t z) { return (z >> 1U) ^ (0U - (z & 1U)); }
 
-// Columns out --------------------------------------------------------------------------------------
+// Encoding of columns --------------------------------------------------------------------------------
 
 void put_residuals(Bytes& bytes, std::span<const std::uint32_t> residuals) {
     ByteWriter out(bytes);
@@ -118,7 +118,7 @@ Column differences_of(const Column& values, std::size_t ticks) {
     return result;
 }
 
-// Columns in ---------------------------------------------------------------------------------------
+// Decoding of columns --------------------------------------------------------------------------------
 
 bool get_residuals(ByteReader& in, std::span<std::uint32_t> residuals) {
     for (std::size_t at = 0; at < residuals.size();) {
@@ -269,7 +269,8 @@ Unpacker::~Unpacker() { ZSTD_freeDCtx(zstd_); }
 
 bool Unpacker::unpack(const BlockHeader& header, std::span<const std::byte> payload) {
     if (hash_bytes(payload, log_.salt) != header.payload_checksum) return false;
-    // A single frame of the stated size. Otherwise a few bytes could ask for any amount of work.
+    // The payload must be a single frame of the stated size. Otherwise a few bytes could request any amount
+    // of work.
     if (ZSTD_getFrameContentSize(payload.data(), payload.size()) != header.raw_size) return false;
     if (ZSTD_findFrameCompressedSize(payload.data(), payload.size()) != payload.size()) return false;
     const auto size =

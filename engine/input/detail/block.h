@@ -24,7 +24,7 @@ inline constexpr std::size_t raw_limit = 256 * 1024;
 inline constexpr std::size_t packed_limit = 288 * 1024;
 inline constexpr std::size_t result_limit = 4096;
 
-/// Values of a device in a tick, each in a column of its own.
+/// Number of columns for a device: each value of a sample has its own.
 constexpr std::size_t columns(std::uint32_t format) { return max_counts + (format == 1 ? 3 : 5); }
 
 /// Up to 512 ticks as they were appended.
@@ -38,7 +38,7 @@ struct Block {
     std::array<Mark, block_marks> marks{};
 };
 
-/// Content of an end block.
+/// Contents of an end block.
 struct EndBlock {
     std::string result;
     std::optional<HashRecord> last{};  ///< hashes of the last state; logs of older programs have none
@@ -58,7 +58,8 @@ struct BlockHeader {
 /// Decodes a block header. Returns nothing if the bytes are damaged.
 std::optional<BlockHeader> decode_block_header(std::span<const std::byte> bytes, const Preamble& log);
 
-/// Packs blocks of format_version. Its buffers have the size of the largest block from the start.
+/// Packs blocks of format_version. Its buffers have the size of the largest block from the start, so it never
+/// allocates later.
 class Packer {
 public:
     Packer(std::size_t devices, std::uint64_t salt);

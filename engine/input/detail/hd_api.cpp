@@ -14,9 +14,9 @@
 namespace thaum::input::hd {
 namespace {
 
-constexpr std::size_t most_said = 80;  ///< length of a text from the library (bytes)
+constexpr std::size_t most_said = 80;  ///< longest text of the library that is used (bytes)
 
-/// Printable part of a string from the library. The string may be no text, very long or without an end.
+/// Printable part of a string from the library, which may be invalid, very long or unterminated.
 std::string said(const char* by_library) {
     if (by_library == nullptr) return {};
     return printable({by_library, ::strnlen(by_library, most_said + 4)}, most_said);
@@ -56,7 +56,7 @@ std::string string_of(const Api& api, Name name) {
     return text;
 }
 
-/// Answer from 0 to `most`; 0 if it is anything else.
+/// Value of a parameter, from 0 to `most`; 0 if the library returns anything else.
 double number_of(const Api& api, Name name, double most) {
     double value = 0;
     api.hdGetDoublev(name, &value);
@@ -82,7 +82,7 @@ vec3 workspace_of(const Api& api) {
 
 }  // namespace
 
-// ---- loading ----------------------------------------------------------------------------------------------
+// ---- loading the library ----------------------------------------------------------------------------------
 
 template <class R, class... Arguments>
 bool Function<R(Arguments...)>::find(void* library, const char* name) {
@@ -95,7 +95,8 @@ std::string library_name() { return environment_value("THAUM_LIBHD").value_or("l
 
 namespace {
 
-/// Functions of one library, for as long as the program runs: calls that the library made late may still use them.
+/// Functions of one library. Kept for the whole run of the program, because calls that the library makes late
+/// may still use them.
 struct Loaded {
     void* library{};
     Api api{};
@@ -112,7 +113,7 @@ LoadedLibraries& loaded_libraries() {
     return *libraries;
 }
 
-/// Functions found when the library was loaded first. Loading it again finds the same ones.
+/// Stores the functions found when the library was first loaded. Loading it again finds the same ones.
 const Api* keep(void* library, const Api& api) {
     auto& libraries = loaded_libraries();
     const std::lock_guard lock(libraries.mutex);
@@ -121,8 +122,8 @@ const Api* keep(void* library, const Api& api) {
     return &libraries.all.emplace_back(Loaded{library, api}).api;
 }
 
-/// Takes the message about the last failure of dlopen or dlsym from the C library. Empty: none failed. The library keeps
-/// the message of each thread until it is asked once more, so the second call frees it.
+/// Returns the message of dlerror about the last failure of dlopen or dlsym; empty: none failed. The C
+/// library keeps a thread's message until the next call of dlerror, so dlerror is called twice to free it.
 std::string take_linker_error() {
     const char* why = ::dlerror();
     std::string message = why != nullptr ? why : "";
@@ -132,7 +133,7 @@ std::string take_linker_error() {
 
 }  // namespace
 
-// RTLD_GLOBAL: libHD uses symbols of libraries that come with it.
+// RTLD_GLOBAL, because libHD uses symbols of libraries that come with it.
 Expected<const Api*> load(const std::string& name) {
     void* library = ::dlopen(name.c_str(), RTLD_LAZY | RTLD_GLOBAL);
     if (library == nullptr) {
@@ -144,12 +145,12 @@ Expected<const Api*> load(const std::string& name) {
     Api api;
     const char* missing = find_all(library, api);
     if (missing == nullptr) return keep(library, api);
-    take_linker_error();  // that of the missing function, which is named below
+    take_linker_error();  // drops the message about the missing function, which is named below
     return fail(
         text(printable(name, 400), " is too old: it lacks ", missing, "; install OpenHaptics 3.4 or newer"));
 }
 
-// ---- errors -----------------------------------------------------------------------------------------------
+// ---- errors of the library --------------------------------------------------------------------------------
 
 unsigned int take_error(const Api& api) {
     constexpr int more_than_a_stack = 64;
@@ -157,7 +158,7 @@ unsigned int take_error(const Api& api) {
     for (int i = 0; i < more_than_a_stack; ++i) {
         const auto code = api.hdGetError().code;
         if (code == 0) break;
-        first = code;  // the stack gives the newest first
+        first = code;  // the stack gives the newest error first
     }
     return first;
 }
@@ -199,7 +200,7 @@ std::string advice(const Api& api, unsigned int code) {
 // ---- facts and measurements -------------------------------------------------------------------------------
 
 ArmFacts facts_of(const Api& api) {
-    // No arm of this class is stronger or stiffer. A larger number is in another unit, or is no number.
+    // No arm of this class is stronger or stiffer. A larger value has another unit or is invalid.
     constexpr double most_force = 100, most_stiffness_n_per_mm = 100, most_damping_n_s_per_mm = 1;
     constexpr int most_freedom = 16, most_rate = 100'000;
     ArmFacts facts;

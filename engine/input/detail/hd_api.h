@@ -1,5 +1,5 @@
-// input/detail/hd_api.h: the vendor's libHD.so: its constants and functions by their documented values and
-// signatures, and its answers, which are checked before anything else sees them.
+// input/detail/hd_api.h: the vendor's libHD.so: constants and functions with their documented values and
+// signatures. Values that it returns are checked before other code uses them.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -21,11 +21,11 @@ constexpr unsigned long servo_hz = 1000;
 enum Name : unsigned int {
     current_buttons = 0x2000,
     current_position = 0x2050,   // mm
-    current_transform = 0x2052,  // 16 numbers, column by column
+    current_transform = 0x2052,  // the pose as a matrix of 16 numbers, column by column
     version = 0x2500,
     model_type = 0x2501,
     serial_number = 0x2504,
-    usable_workspace = 0x2551,  // mm: least x y z, most x y z
+    usable_workspace = 0x2551,  // lowest x, y, z, then highest x, y, z (mm)
     input_dof = 0x2553,
     output_dof = 0x2554,
     update_rate = 0x2600,
@@ -113,21 +113,22 @@ std::string library_name();
 /// Empties the library's stack of errors. Returns the oldest code, because the others follow from it; 0: no
 /// error.
 unsigned int take_error(const Api& api);
-/// Copies the library's words for a code, cut to `size` bytes with a zero at the end. Any thread.
+/// Copies the library's text for a code, cut to `size` bytes with a terminating zero. Any thread may call it.
 void copy_error_string(const Api& api, unsigned int code, char* to, std::size_t size);
-/// One line for an error: what is wrong, then what to do. `by_library`: the library's words for it.
+/// One line for an error: what is wrong, then what to do. `by_library` is the library's text for it.
 std::string advice(unsigned int code, std::string_view by_library);
-/// One line for an error, with words asked from the library.
+/// One line for an error; asks the library for its text.
 std::string advice(const Api& api, unsigned int code);
 
-/// Facts about the current device. Answers that are missing or beyond belief are zero or empty.
+/// Facts about the current device. Values that are missing or impossible are zero or empty.
 ArmFacts facts_of(const Api& api);
 
-/// Measures the current device, in a frame.
+/// Measures the current device; called within a frame of the library (hdBeginFrame).
 ArmReading read(const Api& api, std::int64_t now_ns);
-/// Sets the force of the current device (N, device frame), in a frame.
+/// Sets the force of the current device (N, device frame); called within a frame of the library.
 void write(const Api& api, vec3 force);
-/// Tells the current device to exert nothing, in a frame of its own. Returns whether the library took it.
+/// Sets zero force on the current device, in a library frame of its own. Returns whether the library accepted
+/// it.
 bool write_zero_frame(const Api& api, Handle handle);
 
 }  // namespace thaum::input::hd

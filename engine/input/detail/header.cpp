@@ -66,7 +66,7 @@ std::string_view device_fault(const DeviceSpec& device, std::size_t players) {
     return {};
 }
 
-/// Tests whether the keys of a list rise, so that no two are equal.
+/// Tests whether the keys of a list are strictly ascending, so that no two are equal.
 template <class List, class Key>
 bool rises(const List& list, Key key) {
     const auto not_below = [&](const auto& a, const auto& b) { return !(key(a) < key(b)); };

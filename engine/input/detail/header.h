@@ -7,7 +7,7 @@
 
 namespace thaum::input::detail {
 
-/// Format that is written. Formats 1 to this one are read.
+/// Format in which logs are written. Formats 1 to this one can be read.
 inline constexpr std::uint32_t format_version = 2;
 
 inline constexpr std::size_t preamble_size = 24;
@@ -35,7 +35,8 @@ Expected<Preamble> decode_preamble(std::span<const std::byte> bytes);
 /// Decodes the header. `file` starts with the preamble and holds the whole body.
 Expected<LogHeader> decode_header(std::span<const std::byte> file, const Preamble& preamble);
 
-// For the two functions above only: a body without a check of its values. A body has passed its checksum.
+// For the two functions above only. decode_body does not check values; the checksum of the body has been
+// checked already.
 Bytes encode_body(const LogHeader& header);
 Expected<LogHeader> decode_body_1(std::span<const std::byte> body);
 Expected<LogHeader> decode_body_2(std::span<const std::byte> body);

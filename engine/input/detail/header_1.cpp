@@ -1,5 +1,5 @@
-// Body of the header in format 1, which is read for good but no longer written. A device's settings are bits of
-// its flags there, and two further groups of settings follow if a flag says so.
+// Body of the header in format 1, which can always be read but is no longer written. A device's settings are
+// bits of its flags there, and two further groups of settings follow if a flag says so.
 #include "input/detail/header.h"
 #include "input/detail/header_parts.h"
 
@@ -19,7 +19,7 @@ constexpr std::uint32_t known = invert_y | no_forces | percent_bits << force_shi
                                 box_follows;
 }  // namespace flag
 
-/// The bodies of format 1 are at most 1 MiB, which bounds their lists.
+/// No limit on the length of a list: bodies of format 1 are at most 1 MiB, which limits their lists.
 constexpr std::size_t any_count = 0xffffffffU;
 
 std::uint8_t percent_at(std::uint32_t flags, std::uint32_t shift) {

@@ -1,11 +1,12 @@
-// Body of the header in format 2: records ("sections") by rising tag. The settings of a device are records too.
+// Body of the header in format 2: records ("sections") in ascending order of their tags. The settings of a
+// device are records too.
 #include "input/detail/header.h"
 #include "input/detail/header_parts.h"
 
 namespace thaum::input::detail {
 namespace {
 
-/// Tags of sections. A later section takes the next number.
+/// Tags of sections. A new section must take the next number.
 enum class Section : std::uint16_t {
     match = 1,
     build,
@@ -19,7 +20,7 @@ enum class Section : std::uint16_t {
     names,
 };
 
-/// Tags of a device's settings. A later setting takes the next number.
+/// Tags of a device's settings. A new setting must take the next number.
 enum class Setting : std::uint16_t {
     look_rad_per_count = 1,
     turn_rad_per_s,
@@ -39,7 +40,7 @@ enum class Setting : std::uint16_t {
 
 // Devices ------------------------------------------------------------------------------------------
 
-/// Appends a setting of one number unless it has its usual value.
+/// Appends a setting of one number unless it has its default value.
 template <class T>
 void put_setting(Bytes& out, Setting tag, T value, T usual) {
     if (value == usual) return;
@@ -55,7 +56,7 @@ void put_settings(Bytes& out, Setting tag, const std::array<T, n>& values) {
     });
 }
 
-/// The usual values of the first two settings may change with the program, so both are always written.
+/// The defaults of the first two settings may change with the program, so both are always written.
 Bytes settings_of(const DeviceSpec& d) {
     Bytes out;
     put_record(out, Setting::look_rad_per_count, needed,

@@ -1,4 +1,4 @@
-// input/detail/header_parts.h: lists and records of a log's header, and what all formats have alike.
+// input/detail/header_parts.h: lists and records of a log's header, and the parts that all formats share.
 //
 // A record is a value with a tag and its size. A reader can therefore skip a record that it does not know, and a
 // later version adds values without a new format. A record that changes the match is marked as needed, so that no
@@ -44,7 +44,7 @@ inline DataFile get_file(ByteReader& in) {
     return DataFile{std::move(name), hash};
 }
 
-/// Reads program, rules and seed of a match, which stand in the same order in every format.
+/// Reads program, rules and seed of a match, which come in the same order in every format.
 inline void get_match(ByteReader& in, LogHeader& h) {
     h.program = in.get_string();
     h.rules_version = in.get<std::uint32_t>();
@@ -65,7 +65,7 @@ void put_record(Bytes& out, Tag tag, std::uint16_t flags, Put put) {
     ByteWriter writer(out);
     writer.put(tag);
     writer.put(flags);
-    writer.put(std::uint32_t{});  // the size, known below
+    writer.put(std::uint32_t{});  // placeholder for the size, which is filled in below
     const auto begin = out.size();
     put(writer);
     const auto size = static_cast<std::uint32_t>(out.size() - begin);

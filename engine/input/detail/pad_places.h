@@ -1,6 +1,6 @@
-// input/detail/pad_places.h: the places of pads in the reader's list. A pad that is unplugged and comes back gets its
-// place again, in whatever order several pads come back. Pads of one model cannot be told apart: the first one that
-// comes back gets the first of their places.
+// input/detail/pad_places.h: the places of pads in PadReader's list. A pad that is unplugged and plugged in
+// again gets its old place, in whatever order several pads return. Pads of one model cannot be told apart:
+// the first one that comes back gets the first of their places.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -10,13 +10,15 @@
 namespace thaum::input {
 
 struct PluggedPad {
-    std::int32_t id{};    ///< SDL's number, which no other pad ever gets, nor this one when it comes back
+    /// SDL's instance number: no other pad ever gets it, and this pad gets another one when it is plugged in
+    /// again.
+    std::int32_t id{};
     std::string model{};  ///< identification of the model, equal for all pads of a model
 };
 
 struct PadPlace {
-    std::int32_t id = -1;  ///< pad in this place; -1: none
-    std::string model{};   ///< model of the last pad in this place; empty: there was none
+    std::int32_t id = -1;  ///< number of the pad in this place; -1: none
+    std::string model{};   ///< model of the last pad in this place; empty: there never was one
 };
 using PadPlaces = std::array<PadPlace, 4>;
 

@@ -7,12 +7,12 @@ namespace thaum::input::detail {
 namespace {
 
 constexpr double pad_steps = 255;
-constexpr long step_magnitude = 257;  ///< 255 steps make 65,535
+constexpr long step_magnitude = 257;  ///< magnitude of one step: 255 steps make 65,535
 
 std::uint16_t magnitude(const tactile::TactileFrame& frame, std::size_t actuator) {
     if (actuator >= frame.count) return 0;
     const auto amplitude = static_cast<double>(frame.amplitude.at(actuator));
-    // Written so that what is no number fails the test.
+    // With this form of the test NaN counts as 0.
     if (!(amplitude > 0)) return 0;
     return static_cast<std::uint16_t>(std::lround(std::min(amplitude, 1.0) * pad_steps) * step_magnitude);
 }
@@ -23,7 +23,7 @@ ff_effect rumble_effect(const tactile::TactileFrame& frame, std::int16_t id) {
     ff_effect effect{};
     effect.type = FF_RUMBLE;
     effect.id = id;
-    // A length of 0 would mean: for ever.
+    // A length of 0 would mean that the effect never ends.
     effect.replay.length =
         static_cast<std::uint16_t>(std::clamp<Tick>(frame.time_to_live, 1, longest_rumble_ms));
     effect.u.rumble.strong_magnitude = magnitude(frame, 0);

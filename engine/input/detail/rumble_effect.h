@@ -1,4 +1,4 @@
-// input/detail/rumble_effect.h: frames in the form that Linux's force feedback has them.
+// input/detail/rumble_effect.h: converts tactile frames to effects of Linux's force feedback.
 #pragma once
 #include <linux/input.h>
 
@@ -6,12 +6,12 @@
 
 namespace thaum::input::detail {
 
-/// Longest time for which an effect runs (ms).
+/// Longest duration of an effect (ms).
 inline constexpr Tick longest_rumble_ms = 500;
 
-/// Effect that plays a frame for its time to live: amplitude 0 in the strong motor, 1 in the weak one. Amplitudes are
-/// rounded to the 255 steps that pads have, so that equal effects need no new upload. What is no number counts as 0.
-/// `id` is the effect to change; -1: a new one.
+/// Effect that plays a frame for its time to live: amplitude 0 in the strong motor, 1 in the weak one.
+/// Amplitudes are rounded to the 255 steps that pads have, so that equal effects need no new upload. NaN
+/// counts as 0. `id` is the effect to change; -1: a new one.
 ff_effect rumble_effect(const tactile::TactileFrame& frame, std::int16_t id);
 
 }  // namespace thaum::input::detail

@@ -4,16 +4,17 @@
 
 namespace thaum::input::ticks {
 
-/// From now on every tick gives its arm no force, or force again.
+/// With `wanted`, every tick from now on gives its arm no force; without, ticks give force again.
 void silence(bool wanted) noexcept;
 /// No force from `begin_stop` to `end_stop`, whatever `silence` says. Several threads may be between the two.
 void begin_stop() noexcept;
 void end_stop() noexcept;
-/// Whether every open arm was told to exert nothing.
+/// Whether zero force was sent to every open arm.
 bool are_silent() noexcept;
-/// Whether this thread is the servo thread of an arm. While it handles a signal, that arm gets no tick.
+/// Whether this thread is the servo thread of an arm. While this thread handles a signal, that arm gets no
+/// tick.
 bool is_arms_thread() noexcept;
-/// Tells each arm of this servo thread to exert nothing. For a thread that will never tick again.
+/// Sends zero force to each arm of this servo thread. Called by a thread that will never tick again.
 void end_broken() noexcept;
 
 }  // namespace thaum::input::ticks

@@ -5,7 +5,8 @@
 namespace thaum::input {
 
 void watch_for_stalls(ArmTicks& ticks, AtHang at_hang, const std::function<void()>& give_up) {
-    constexpr int above_the_servo = 51;  // a driver that hangs in a loop may take a whole core
+    // Priority above the servo thread's, because a driver that hangs in a loop may take a whole core.
+    constexpr int above_the_servo = 51;
     prefer_this_thread(above_the_servo);
     std::uint64_t done = 0;
     int looks = 0;
@@ -16,7 +17,7 @@ void watch_for_stalls(ArmTicks& ticks, AtHang at_hang, const std::function<void(
         done = now;
         if (looks < stall_looks || !ticks.pushes) continue;
         if (at_hang == AtHang::write_zero) {
-            ticks.stalled = true;  // before the zero: a tick that comes now begins the ramp
+            ticks.stalled = true;  // set before the zero is sent, so that a late tick begins with the ramp
             ticks.driver->write_zero();
         } else {
             give_up();

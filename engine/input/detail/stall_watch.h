@@ -1,6 +1,7 @@
-// input/detail/stall_watch.h: the watchdog of an arm's ticks. A device keeps exerting its last command, so a servo
-// thread that hangs in the vendor's library, or that the library no longer calls, would leave the last force on the
-// hand. The watchdog looks from a thread of its own, and ends the force of ticks that have stopped.
+// input/detail/stall_watch.h: the watchdog of an arm's ticks. A device keeps exerting its last command, so a
+// servo thread that hangs in the vendor's library, or that the library no longer calls, would leave the last
+// force on the hand. The watchdog checks the ticks from a thread of its own, and ends the force when they
+// have stopped.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -10,13 +11,15 @@
 
 namespace thaum::input {
 
-/// Time between two looks (ns), and the number of looks without a tick after which the ticks have stopped. Looks are
-/// counted, and no clock is asked: while other programs take every core, the watchdog comes as late as the ticks.
+/// Time between two checks (ns), and the number of checks without a tick after which the ticks count as
+/// stopped. Checks are counted instead of reading a clock: while other programs take every core, the watchdog
+/// is delayed like the ticks.
 inline constexpr std::int64_t stall_look_ns = 5'000'000;
 inline constexpr int stall_looks = 7;
 
-/// Looks at the ticks until they have ended or `ticks.unwatched` is set. While ticks with a force have stopped, it ends
-/// the force in the driver's way: it calls write_zero at each look, or `give_up` after every stall_looks.
+/// Checks the ticks until they have ended or `ticks.unwatched` is set. When ticks stop while the arm exerts a
+/// force, it ends the force in the driver's way: it calls write_zero at each check, or `give_up` after every
+/// stall_looks checks.
 void watch_for_stalls(ArmTicks& ticks, AtHang at_hang, const std::function<void()>& give_up);
 
 }  // namespace thaum::input

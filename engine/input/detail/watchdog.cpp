@@ -59,8 +59,9 @@ Watched run_watched(std::int64_t limit_ns, const std::atomic<bool>* enough, std:
     thread->detach();
     const auto begun = monotonic_ns();
     std::unique_lock lock(job->mutex);
-    // Looks are counted, and the clock is not asked: while other programs take every core, this thread comes as late
-    // as the one that works, and a call that only waits for the processor is not taken for one that hangs.
+    // Checks are counted instead of reading a clock: while other programs take every core, this thread is
+    // delayed like the one that works. So a call that only waits for the processor is not taken for one that
+    // hangs.
     for (auto looks = limit_ns / nanoseconds(look).count(); looks > 0; --looks) {
         if (job->ended || (enough != nullptr && *enough)) break;
         job->changed.wait_for(lock, look, [&] { return job->ended; });

@@ -21,16 +21,16 @@ public:
     NotedCall& operator=(const NotedCall&) = delete;
 };
 
-/// Outcome of watched work. The line says what to do: which call did not return, or that no thread could be
-/// started.
+/// Outcome of watched work. `line` tells the user what to do: it names the call that did not return, or says
+/// that no thread could be started.
 struct Watched {
     enum class End : std::uint8_t { in_time, hangs, no_thread } end{};
     std::string line{};
 };
 
-/// Runs `work` on a thread of its own and waits for it, but no longer than until `enough` (null: never) is true. It
-/// waits limit_ns in slices of 20 ms, which are longer while other programs take the processor. Work that ends after it
-/// was given up is followed by `if_late`, on the same thread.
+/// Runs `work` on a thread of its own and waits for it, but no longer than until `enough` (null: never) is
+/// true. It waits limit_ns in slices of 20 ms, which take longer while other programs use the processor. If
+/// the work ends after it was given up, `if_late` runs next on the same thread.
 Watched run_watched(std::int64_t limit_ns, const std::atomic<bool>* enough, std::function<void()> work,
                     std::function<void()> if_late);
 

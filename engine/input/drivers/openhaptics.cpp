@@ -1,14 +1,15 @@
 // Driver for arms of the Phantom class (Touch, Omni, Premium), through the vendor's libHD.so. The library is
 // loaded when an arm is opened, and is never linked. Its declarations are our own, made from the documented
-// constants and signatures of its C functions. tests/drivers/fake_hd enforces the rules that we believe it has.
+// constants and signatures of its C functions. tests/drivers/fake_hd enforces the rules that the library
+// probably has.
 //
 // The library has one servo thread, which calls us for every arm. It is never unloaded, because it cannot be
 // loaded twice.
 //
 // Several arms: $THAUM_HD_ARMS lists their names in the vendor's setup, with commas between them. The library
 // has one current device for all threads, so only its own thread may choose among several. Its devices are
-// therefore opened and closed while the scheduler stands still, as documented: the other arms are first told to
-// exert nothing.
+// therefore opened and closed while the scheduler stands still, as documented: the other arms are first set
+// to zero force.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -30,12 +31,12 @@ namespace {
 
 // ---- calibration ------------------------------------------------------------------------------------------
 
-/// A task in the library's thread. It is never destroyed, because the library may run it late.
+/// A task for the library's thread. It is never destroyed, because the library may run it late.
 struct Calibration {
     const Api* api{};
     Handle handle{};
-    bool update = false;             ///< true: the arm shall calibrate itself; false: its state is asked for
-    std::atomic<bool> asked{false};  ///< the task runs once
+    bool update = false;             ///< true: start the calibration; false: only query its state
+    std::atomic<bool> asked{false};  ///< true: the task runs once
     std::atomic<bool> done{false};
     std::atomic<unsigned int> status{0}, code{0};
 };
@@ -76,7 +77,7 @@ unsigned int run_calibration(const Api& api, Handle handle, bool update) {
     return c.done ? c.code.load() : refused;
 }
 
-/// Calibrates an arm that can do so itself. Other arms need a hand.
+/// Calibrates an arm that can do so by itself. Other arms need the user's hand.
 Expected<void> calibrate(const Api& api, Handle handle) {
     auto code = run_calibration(api, handle, false);
     if (code == 0 && calibration().status == calibration_needs_update) {
@@ -93,7 +94,7 @@ Expected<void> calibrate(const Api& api, Handle handle) {
 
 constexpr const char* default_arm = "Default Device";
 
-/// Takes the arm of this name. On some systems only one of the default arm's names works.
+/// Opens the arm with this name. On some systems only one of the names of the default arm works.
 Expected<Handle> init_device(const Api& api, const std::string& arm) {
     unsigned int gravest = 0;
     take_error(api);  // an earlier error is not this arm's fault
@@ -119,12 +120,14 @@ unsigned int on_servo_tick(void* number) {
 
 class OpenHaptics;
 
-/// The arms that the library holds. Never destroyed, because a call that hangs may use it late.
+/// The arms that are open in the library. Never destroyed, because a call that hangs may use it late.
 struct Session {
-    std::mutex mutex{};                ///< one thread opens or closes an arm at a time
-    std::vector<OpenHaptics*> arms{};  ///< open arms
-    bool running = false;              ///< the library's scheduler runs
-    /// Last refusal of each arm while others were open: trying again stops their ticks for a moment.
+    /// Held while a thread opens or closes an arm, so that only one does at a time.
+    std::mutex mutex{};
+    std::vector<OpenHaptics*> arms{};  ///< the open arms
+    bool running = false;              ///< true: the library's scheduler runs
+    /// Last time each arm could not be opened while others were open. Trying again stops the others' ticks
+    /// for a moment.
     struct Refusal {
         std::int64_t at_ns{};
         std::string line{};
@@ -174,13 +177,13 @@ public:
 private:
     Expected<void> start_library();
     void leave();
-    /// Lets go of the arm, which then is without force by itself. Once, by whichever thread comes first.
+    /// Disables the arm in the library, which ends its force. Done once, by whichever thread comes first.
     void disable() {
         if (handle_ != invalid_handle && !disabled_.exchange(true)) api_->hdDisableDevice(handle_);
     }
     void stop_scheduler() const;
     void go_on() const;
-    /// Whether the arm was told to exert nothing, or never had a force.
+    /// Whether zero force was sent to the arm, or it never had a force.
     bool is_without_force() const { return !ticks_asked_ || ended_ || rests_ || disabled_; }
 
     void begin_frame() noexcept {
@@ -198,22 +201,24 @@ private:
     const Api* api_{};
     Handle handle_ = invalid_handle;
     ArmFacts facts_{};
-    std::atomic<bool> ticks_asked_{false};  ///< the library may have called our ticks
+    std::atomic<bool> ticks_asked_{false};  ///< true: the library may have run our ticks
     std::atomic<unsigned long> task_{0};    ///< the scheduler's number of our ticks, once accepted
-    std::atomic<bool> accepted_{false};     ///< the scheduler has taken our ticks
-    std::atomic<bool> in_frame_{false};     ///< the servo thread has begun a frame
-    std::atomic<bool> in_tick_{false};      ///< the servo thread is in a read or write, or between them
-    std::atomic<bool> disabled_{false};     ///< the library was told to let go of the arm
-    std::atomic<bool> paused_{false};       ///< ticks give no force, because the scheduler will stop
-    std::atomic<bool> rests_{false};        ///< the arm got no force because of `paused_`, and no tick since
-    std::atomic<bool> ended_{false};        ///< the ticks have ended by themselves
-    std::atomic<bool> left_without_force_{false};  ///< the library took the last zero of the ticks
-    bool left_ = false;                            ///< `leave` was called; under the session's mutex
-    std::array<char, 96> words_{};                 ///< the library's words for the fault that ended the ticks
+    std::atomic<bool> accepted_{false};     ///< true: the scheduler has taken our ticks
+    std::atomic<bool> in_frame_{false};     ///< true: the servo thread has begun a frame
+    /// true: the servo thread is in a read or write, or between the two.
+    std::atomic<bool> in_tick_{false};
+    std::atomic<bool> disabled_{false};  ///< true: the library was asked to disable the arm
+    std::atomic<bool> paused_{false};    ///< true: ticks give no force, because the scheduler will stop
+    std::atomic<bool> rests_{false};     ///< true: the last tick gave zero force because of `paused_`
+    std::atomic<bool> ended_{false};     ///< true: the ticks have ended without being stopped by us
+    std::atomic<bool> left_without_force_{false};  ///< true: the library accepted the last zero force
+    /// true: `leave` was called; guarded by the session's mutex.
+    bool left_ = false;
+    std::array<char, 96> words_{};  ///< the library's text for the fault that ended the ticks
 };
 
-/// The frame may have failed, so another one is tried. After a fault of the library's thread another arm may be
-/// current.
+/// The current frame of the library may have failed, so another one is begun. After a fault in the library's
+/// thread, another arm may be the current one.
 bool OpenHaptics::write_zero() noexcept {
     if (in_frame_)
         api_->hdMakeCurrentDevice(handle_);
@@ -226,7 +231,7 @@ bool OpenHaptics::write_zero() noexcept {
     return left_without_force_;
 }
 
-/// Stops the ticks of all arms, with zero as the last force of the others.
+/// Stops the ticks of all arms; the last force of the other arms is zero.
 void OpenHaptics::stop_scheduler() const {
     constexpr std::int64_t patience_ns = 200'000'000, look_ns = 200'000;
     auto& s = session();
@@ -299,19 +304,20 @@ void OpenHaptics::close() {
     leave();
 }
 
-/// If the library only stopped calling, the arm gets a last zero as at `close`. If its one servo thread hangs in a tick
-/// of any arm, or another thread is opening or closing one, stopping the scheduler may hang as well.
+/// If the library only stopped calling, the arm gets a last zero as in `close`. But stopping the scheduler
+/// may hang as well, if the library's only servo thread hangs in a tick of any arm or another thread is
+/// opening or closing an arm.
 void OpenHaptics::give_up() {
     auto& s = session();
     const std::unique_lock lock(s.mutex, std::try_to_lock);
-    if (rests_) return;  // another arm is being opened
+    if (rests_) return;  // another arm is being opened, and this one already has zero force
     const bool hangs = !lock || std::any_of(s.arms.begin(), s.arms.end(),
                                             [](const auto* arm) { return arm->in_tick_.load(); });
     if (hangs) return disable();
     leave();
 }
 
-/// Frees the arm. The other arms go on.
+/// Closes the arm in the library. The other arms go on.
 void OpenHaptics::leave() {
     auto& s = session();
     if (api_ == nullptr || left_) return;

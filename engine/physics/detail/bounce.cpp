@@ -10,8 +10,8 @@ namespace {
 
 /// Closing speed of two surfaces in contact; negative if they separate (m/s).
 struct ClosingSpeeds {
-    btScalar now;  ///< before the forces of this step; the solver applies restitution to it
-    btScalar end;  ///< after the forces of this step; decides whether the surfaces meet
+    btScalar now;  ///< speed before the forces of this step; the solver applies restitution to it
+    btScalar end;  ///< speed after the forces of this step; decides whether the surfaces meet
 };
 
 btVector3 velocity_at(const btRigidBody* body, const btVector3& point) {
@@ -32,10 +32,10 @@ ClosingSpeeds closing_at(const btManifoldPoint& point, const btRigidBody* a, con
     return {now, now - point.m_normalWorldOnB.dot(gained)};
 }
 
-/// Speed at which two bodies separate at the end of the step in which they bounce (m/s). They bounce
-/// with their speed at the time of contact. At the start of the step they are `gap` apart, or -gap
-/// inside each other. On the way apart their acceleration acts as in a free flight. Penetration adds no
-/// speed, because it is removed from the positions alone.
+/// Speed at which two bodies separate at the end of the step in which they bounce (m/s). They bounce with
+/// their speed at the time of contact. At the start of the step they are `gap` apart, or -gap inside each
+/// other. While they move apart, their acceleration acts as in free flight. Penetration adds no speed,
+/// because it is removed from the positions alone.
 btScalar rebound(const ClosingSpeeds& closing, btScalar gap, btScalar e, btScalar dt, btScalar taken_out) {
     const btScalar gained = closing.end - closing.now, acceleration = gained / dt;
     const btScalar at_contact = closing.now * closing.now + 2 * acceleration * gap;  // squared
@@ -77,8 +77,8 @@ void BouncingWorld::adjust_contact(btPersistentManifold& manifold, btScalar dt, 
     store_unused_path(*manifold.getBody1(), normal * (most * give_b / (give_a + give_b)));
 }
 
-/// Stores a path to move back. Two adjacent floors may request the same path once each, so it is stored
-/// only once.
+/// Stores the part of a body's path by which it must be moved back. Two adjacent floors may both request it,
+/// so it is stored only once.
 void BouncingWorld::store_unused_path(const btCollisionObject& object, const btVector3& path) {
     const btScalar length = path.length();
     if (length <= 0) return;

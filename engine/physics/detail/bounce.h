@@ -23,7 +23,7 @@ class BouncingWorld : public btDiscreteDynamicsWorld {
 public:
     using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;
 
-    /// True if velocities are those at the ends of the steps, and not half a step earlier as in Bullet.
+    /// True: velocities are those at the ends of the steps, not half a step earlier as in Bullet.
     bool exact_flight{true};
 
 protected:

@@ -29,9 +29,9 @@ public:
     Leaf add(Key, const Box&);
     void move(Leaf, const Box&);
     void remove(Leaf);
-    /// Writes to `into` the sorted keys of all bodies whose box meets this one, and of some that
-    /// narrowly miss it. Returns nothing if they do not fit. Does not allocate. Several threads may
-    /// call it at once.
+    /// Writes to `into` the sorted keys of all bodies whose box meets this one, and of some that narrowly
+    /// miss it. Returns std::nullopt if they do not fit. Does not allocate. Several threads may call it at
+    /// once.
     std::optional<std::span<const Key>> near(const Box&, NearKeys& into) const;
 
 private:

@@ -26,8 +26,8 @@ namespace {
 
 constexpr double static_box_margin = 0.001;  // m
 
-/// Bullet's own correction for contacts on meshes: at edges inside a flat surface it replaces the
-/// normal by the triangle's.
+/// Bullet's own correction for contacts on meshes: at edges within a flat surface it replaces the contact's
+/// normal by that of the triangle.
 bool smooth_inner_edge(btManifoldPoint& point, const btCollisionObjectWrapper* a, int part_a, int index_a,
                        const btCollisionObjectWrapper* b, int part_b, int index_b) {
     btAdjustInternalEdgeContacts(point, b, a, part_b, index_b);
@@ -82,7 +82,7 @@ NoStaticPairs& no_static_pairs() {
 
 btDefaultCollisionConstructionInfo pools_for(const Settings& settings) {
     btDefaultCollisionConstructionInfo info;
-    // These are initial sizes. Beyond them Bullet requests single blocks from our pool.
+    // Initial sizes. Beyond them, Bullet allocates single blocks from our pool.
     const int pairs = static_cast<int>(std::min(settings.max_bodies, 256U)) * 4;
     info.m_defaultMaxPersistentManifoldPoolSize = pairs;
     info.m_defaultMaxCollisionAlgorithmPoolSize = pairs;

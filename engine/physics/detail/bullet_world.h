@@ -39,23 +39,24 @@ private:
 
 /// A body that is not yet in a world.
 struct BulletBody {
-    std::unique_ptr<btCollisionShape> own_shape;  ///< null for a mesh
+    std::unique_ptr<btCollisionShape> own_shape;  ///< shape that belongs to this body alone; null for a mesh
     std::unique_ptr<btRigidBody> body;
 };
 
 BulletBody make_body(Key, const BodyDesc&, const BodyState&, const std::vector<Mesh>&, const Settings&);
 
-/// Writes everything in a state except its sleep.
+/// Writes everything in a state except the members about sleep.
 void write_motion(btRigidBody&, const BodyState&);
-/// Writes the sleep. This must be the last change of a body, because most other changes wake it.
+/// Writes the members about sleep. This must be the last change of a body, because most other changes wake
+/// it.
 void write_sleep(btRigidBody&, const BodyState&);
 BodyState read_state(const btRigidBody&);
 
 inline Key key_of(const btCollisionObject& object) { return static_cast<Key>(object.getUserIndex()); }
 
-/// Bullet's default collision algorithms, except for cylinders. By default Bullet finds one contact
-/// point in a step, which is enough for round shapes. A cylinder that lands flat would turn about that
-/// point and lose a fifth of its bounce.
+/// Bullet's default collision algorithms, except for cylinders. By default Bullet finds one new contact point
+/// in each step, which is enough for round shapes. A cylinder that lands flat would turn about that point and
+/// lose a fifth of its bounce.
 class Algorithms : public btDefaultCollisionConfiguration {
 public:
     explicit Algorithms(const btDefaultCollisionConstructionInfo&);
@@ -65,10 +66,11 @@ private:
     btConvexConvexAlgorithm::CreateFunc several_points_;
 };
 
-/// Bullet's world and its parts. Bodies must outlive it.
+/// Bullet's world and its parts. Bodies must outlive this object.
 class BulletWorld {
 public:
-    BT_DECLARE_ALIGNED_ALLOCATOR();  // from the pool, so that a rebuild does not allocate from the heap
+    // Allocates this class from the pool, so that a rebuild does not allocate from the heap.
+    BT_DECLARE_ALIGNED_ALLOCATOR();
 
     explicit BulletWorld(const Settings&);
     ~BulletWorld();

@@ -7,7 +7,7 @@
 namespace thaum::physics::detail {
 namespace {
 
-/// Result for a flat-sided shape. Closer than `touching`, the direction to the nearest point is only
+/// Result for a flat-sided shape. At a distance below `touching`, the direction to the nearest point is only
 /// noise.
 NearestPoint beyond(vec3 outward) {
     const double distance = glm::length(outward);

@@ -16,10 +16,10 @@ namespace thaum::physics::detail {
 /// Nearest point of a convex shape, relative to a given point.
 struct NearestPoint {
     double distance;  ///< distance to the surface; <= 0 inside (m)
-    vec3 normal;      ///< unit vector from the shape to the point; zero if undefined
+    vec3 normal;      ///< direction from the shape to the point (unit); zero if undefined
 };
 
-/// A smaller distance counts as a hit (m).
+/// Distance below which a path counts as touching (m).
 inline constexpr double touching = 1e-9;
 
 /// Nearest point in the shape's own frame.
@@ -29,7 +29,7 @@ NearestPoint nearest_to_triangle(const vec3 (&corner)[3], vec3 point);
 /// Path of a moving point or sphere.
 struct Path {
     vec3 from;
-    vec3 direction;  ///< unit vector
+    vec3 direction;  ///< direction of the path (unit)
     double length;   ///< length (m)
     double radius;   ///< radius of the sphere; 0: a ray (m)
 };
@@ -37,17 +37,19 @@ struct Path {
 /// Hit of a cast.
 struct CastHit {
     double travelled;  ///< distance travelled before the hit (m)
-    vec3 normal;       ///< unit, outward from the shape
+    vec3 normal;       ///< normal at the hit, outward from the shape (unit)
 };
 
 /// Casts a path against one convex shape. `nearest` maps a point to its NearestPoint.
 template <class NearestTo>
 std::optional<CastHit> cast(const Path& path, const NearestTo& nearest) {
-    constexpr int most_advances = 100;  // grazing a curved side halves the gap each time, so 30 are enough
+    // When a path grazes a curved side, the gap halves each time, so 30 are enough.
+    constexpr int most_advances = 100;
     CastHit touch{0, -path.direction};
     for (int i = 0; i < most_advances; ++i) {
         const NearestPoint here = nearest(path.from + touch.travelled * path.direction);
-        // If the direction is undefined here, the last one remains. Inside the shape there is none.
+        // If the direction is undefined here, the previous one is kept. At a start inside the shape there is
+        // none.
         if (here.normal != vec3{} && (i > 0 || here.distance > 0)) touch.normal = here.normal;
         const double gap = here.distance - path.radius;
         if (gap <= touching) return touch;

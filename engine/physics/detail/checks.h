@@ -1,4 +1,4 @@
-// physics/detail/checks.h: checks of descriptions and states. An impossible one is an assertion that
+// physics/detail/checks.h: checks of descriptions and states. An impossible value fails an assertion that
 // names the body.
 #pragma once
 #include <string>

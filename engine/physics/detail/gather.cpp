@@ -16,7 +16,7 @@ void add(NearestSurfaces& gathering, const Nearby& surface) {
         return;
     }
     found.reach = std::min(found.reach, farthest->distance);
-    // The order of the others is preserved.
+    // Replaces the farthest surface. The order of the others is preserved.
     std::move(std::next(farthest), into.end(), farthest);
     into.back() = surface;
 }

@@ -16,10 +16,10 @@ namespace detail {
 /// A body: its constant properties, its state, and the tables and objects made from them.
 struct Body {
     Key key{};
-    bool was_asleep{};  ///< asleep before the step
+    bool was_asleep{};  ///< true: asleep before the step
     BodyDesc desc;
     BodyState state;
-    double reach{};          ///< distance of its farthest point from its position (m)
+    double reach{};          ///< distance of the body's farthest point from its position (m)
     double kept_velocity{};  ///< share of the velocity left by damping after a step of damping_dt
     double kept_spin{};
     /// Velocity that gravity gives in such a step, divided by gravity. It is also the path divided by the
@@ -40,7 +40,7 @@ struct Pair {
     auto operator<=>(const Pair&) const = default;
 };
 
-/// Whether a path may touch the body, judged by its bounding sphere.
+/// Whether a path may touch the body, tested with the body's bounding sphere.
 inline bool may_touch(const Body& body, const Path& path) {
     const vec3 offset = body.state.position - path.from;
     const double along = std::clamp(glm::dot(offset, path.direction), 0.0, path.length);
@@ -55,7 +55,7 @@ inline bool may_touch(const Body& body, const Path& path) {
 struct Physics::Impl {
     Settings settings;
     std::vector<detail::Mesh> meshes;
-    std::vector<detail::Body> bodies;  ///< sorted by key
+    std::vector<detail::Body> bodies;  ///< bodies, sorted by key
     detail::BoundTree tree;            ///< bounding boxes of the bodies at their current positions
     std::unique_ptr<detail::BulletWorld> world;
     std::vector<Contact> contacts;
@@ -63,11 +63,11 @@ struct Physics::Impl {
     std::vector<detail::Pair> touching_next;
     Counters counters;
     double damping_dt{};
-    bool skipped{};    ///< the last step returned at once
+    bool skipped{};    ///< true: the last step returned at once
     bool unchanged{};  ///< true: the last step changed nothing, and nothing was touched since
 
     Impl(const Settings& s, const std::vector<TriangleMesh>& m);
-    ~Impl() { world.reset(); }  // the world must go before the bodies in it
+    ~Impl() { world.reset(); }  // the world must be destroyed before the bodies in it
 
     detail::Body* find(Key);
     detail::Body& at(Key);
@@ -85,7 +85,7 @@ struct Physics::Impl {
     std::optional<detail::CastHit> cast_at(const detail::Body&, const detail::Path&) const;
     /// Adds the body's surfaces within the radius of the point.
     void gather_from(const detail::Body&, vec3 point, detail::NearestSurfaces&) const;
-    /// Calls `each` for each body whose box comes within the radius, and possibly for others, in the
+    /// Calls `each` for each body whose bounding box is within the radius, and possibly for others, in the
     /// order of keys.
     template <class Each>
     void each_near(vec3 point, double radius, const Each& each) const;

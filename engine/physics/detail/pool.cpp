@@ -1,7 +1,7 @@
-// A block of n bytes comes from the free list of the smallest size class that holds it. There are four
-// classes to an octave, so at most a fifth is wasted. If the list is empty, a block is cut from the
-// current slab. A block too large for a slab gets a slab of its own, and returns to its list like any
-// other. The header before a block stores its class, because Bullet frees by address alone. One lock is
+// A block of n bytes comes from the free list of the smallest size class that holds it. There are four size
+// classes for each doubling of the size, so at most a fifth is wasted. If the list is empty, a block is cut
+// from the current slab. A block too large for a slab gets a slab of its own, and returns to its list like
+// any other. The header before a block stores its class, because Bullet frees by address alone. One lock is
 // enough: a step makes some dozens of calls, and an uncontended lock costs less than a cache miss.
 #include "physics/detail/pool.h"
 
@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t alignment = 16;
 constexpr std::size_t slab_bytes = std::size_t{1} << 20U;
-constexpr std::size_t smallest = 64;  // including the header
+constexpr std::size_t smallest = 64;  // size of the smallest block, including the header (bytes)
 constexpr std::size_t classes = 4 * 40;
 
 struct FreeBlock {

@@ -6,7 +6,8 @@
 namespace thaum::physics::detail {
 namespace {
 
-constexpr double skin_share = 0.05;  // share of the smallest half extent
+// Depth of the spheres below the surface, as a share of the smallest half extent.
+constexpr double skin_share = 0.05;
 
 void add(InnerSpheres& spheres, vec3 centre) {
     if (spheres.count < spheres.centres.size()) spheres.centres[spheres.count++] = centre;
@@ -54,7 +55,7 @@ void fill_cylinder(InnerSpheres& spheres, double radius, double half_length, dou
 }  // namespace
 
 InnerSpheres inner_spheres(const BodyDesc& desc) {
-    // Share of the smallest half extent: radius of the spheres in corners.
+    // Radius of the spheres in corners, as a share of the smallest half extent.
     constexpr double corner_share = 0.25;
     InnerSpheres spheres;
     const vec3 size = desc.size;

@@ -13,10 +13,10 @@ namespace thaum::physics::detail {
 
 /// Spheres inside one body, and limits for casting them.
 struct InnerSpheres {
-    std::array<vec3, 24> centres{};  ///< (m, body frame)
+    std::array<vec3, 24> centres{};  ///< centres of the spheres (m, body frame)
     std::size_t count{};
     double radius{};  ///< radius of all spheres (m)
-    /// Shorter paths in a step need no cast, because Bullet finds their contacts in time (m).
+    /// Length of a path up to which a step needs no cast, because Bullet finds the contacts in time (m).
     double least_path{};
     double centre_gap{};  ///< smallest distance of the body's centre from a wall (m)
 

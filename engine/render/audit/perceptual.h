@@ -2,9 +2,9 @@
 //
 // Both pictures are blurred slightly in linear light, since the eye does not resolve single pixels at a
 // normal distance. They are then compared pixel by pixel in CIELAB (CIE 15:2004, 8.2; white D65). There the
-// distance dE*ab = |Lab1 - Lab2| is about even to the eye: 1 is hardly visible, black and white are 100
-// apart. A blur followed by CIELAB is the scheme of S-CIELAB (Zhang and Wandell 1997), here with one filter
-// for all three channels.
+// distance dE*ab = |Lab1 - Lab2| corresponds about evenly to what the eye sees: 1 is hardly visible, black
+// and white are 100 apart. A blur followed by CIELAB is the scheme of S-CIELAB (Zhang and Wandell 1997), here
+// with one filter for all three channels.
 #pragma once
 #include "render/image.h"
 

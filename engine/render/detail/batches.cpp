@@ -12,19 +12,19 @@ namespace {
 
 constexpr float far_off = std::numeric_limits<float>::max();
 
-/// Distance of the sphere's nearest point along the view direction (m).
+/// Distance along the view direction of the nearest point of a bounding sphere (m).
 float ahead(const fmat4& view_projection, const Bounds& there) {
     return (view_projection * fvec4(there.centre, 1)).w - there.radius;
 }
 
-/// Displacements below this are invisible (px).
+/// Displacements below this size are invisible (px).
 constexpr float unseen = 1;
 
 /// Chooses the coarsest copy whose error is invisible at the instance's nearest point.
 MeshId level_for(MeshId mesh, const MeshTables& meshes, const Bounds& there, const Sight& sight) {
     if (mesh >= meshes.levels.size() || meshes.levels[mesh].empty()) return mesh;
     const float scale = there.radius / meshes.bounds[mesh].radius;
-    // Size of a pixel at that distance (m).
+    // Size of one pixel at the nearest point (m).
     const float pixel = sight.pixel_angle * ahead(sight.to_clip, there);
     MeshId best = mesh;
     for (const auto& coarser : meshes.levels[mesh]) {
@@ -68,7 +68,8 @@ std::size_t collect(std::span<const Instance> instances, const MeshTables& meshe
         const auto& instance = instances[i];
         THAUM_ASSERT(instance.mesh < meshes.bounds.size(), "an instance of a mesh that was never uploaded");
         const auto& own = meshes.bounds[instance.mesh];
-        if (own.radius <= 0 || !finite(instance.model)) continue;  // an empty mesh, or an invalid place
+        // An empty mesh, or a matrix that is not finite.
+        if (own.radius <= 0 || !finite(instance.model)) continue;
         const auto there = placed(own, instance.model);
         if (within(planes, there) && !is_hidden(sight.hidden, there.centre, fvec3(there.radius)))
             seen.emplace_back(level_for(instance.mesh, meshes, there, sight), i);

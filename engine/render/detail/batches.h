@@ -21,14 +21,15 @@ struct Coarser {
     MeshId mesh{};
     float error{};  // greatest displacement of a vertex, before the instance's scale (m)
 };
-/// Copies of one mesh, in order of increasing coarseness. May be empty.
+/// Coarser copies of one mesh, from the finest to the coarsest. May be empty.
 using Levels = std::vector<Coarser>;
 
 struct Batch {
     MeshId mesh{};
     std::size_t first{}, count{};  // range in Batches::instances
     float distance{};              // distance of the nearest instance along the view direction (m)
-    ChosenPatches patches{};       // patches of a patchwork, in Batches::patch_indices
+    // For a patchwork (render/mesh.h): its visible patches, in Batches::patch_indices.
+    ChosenPatches patches{};
 };
 
 /// Batches of a frame. All its views share one buffer of instances and one of patches, so each buffer is sent

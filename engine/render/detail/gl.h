@@ -1,4 +1,5 @@
-// OpenGL object names that delete themselves. The context they were made in must be current at that moment.
+// Classes that own OpenGL objects and delete them. The context in which an object was made must be current
+// when it is deleted.
 #pragma once
 #include <epoxy/gl.h>
 

@@ -12,7 +12,7 @@ namespace thaum::render::detail {
 struct GpuMesh {
     VertexArray array;
     Buffer vertices, indices;
-    GLsizei index_count{};  ///< number of indices; for a patchwork those of all patches in full detail
+    GLsizei index_count{};  ///< number of indices; for a patchwork, those of all patches in full detail
 };
 
 GpuMesh make_mesh();

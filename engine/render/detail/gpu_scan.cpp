@@ -93,7 +93,7 @@ std::size_t send_samples(const Scan& scan, GpuScan& gpu, std::vector<std::uint8_
     return sent;
 }
 
-/// Absorption of a layer with this opacity (1/m). A full opacity would be infinite.
+/// Absorption of a layer with this opacity (1/m). Opacity 1 would be infinite, so it is limited.
 float absorption(float opacity, float unit) {
     constexpr float most = 0.99999F;
     return opacity > 0 ? -std::log(1 - std::min(opacity, most)) / unit : 0.0F;
@@ -122,7 +122,7 @@ void send_colours(const Scan& scan, GpuScan& gpu) {
     send_table(gpu.materials, values);
 }
 
-/// Finds the bricks that show something anew, and sends them if some brick differs.
+/// Recomputes which bricks show something, and sends the result if it has changed.
 void send_bricks(const Scan& scan, GpuScan& gpu) {
     std::vector<std::uint8_t> before;
     before.swap(gpu.shown);

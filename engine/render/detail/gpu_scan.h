@@ -11,22 +11,23 @@ namespace thaum::render::detail {
 struct GpuScan {
     Texture density, paint, bricks, table, materials;
     std::array<int, 3> count{};
-    std::size_t bytes{};   ///< per density texel
-    bool filled = false;   ///< the textures hold samples
-    bool painted = false;  ///< with colours or materials
-    bool shows = false;    ///< some brick shows something
+    std::size_t bytes{};   ///< bytes for each density texel
+    bool filled = false;   ///< true: the textures hold samples
+    bool painted = false;  ///< true: there are colours or materials
+    bool shows = false;    ///< true: some brick shows something
     std::uint64_t version{};
-    std::uint64_t look{};     ///< hash of what decides which bricks show something
+    std::uint64_t look{};     ///< hash of everything that decides which bricks show something
     std::uint64_t colours{};  ///< hash of the table's and the materials' contents
     std::vector<std::uint32_t> brick_versions;
-    std::vector<DensityRange> ranges;            ///< one per brick
-    std::vector<std::uint8_t> shown, distances;  ///< one per brick
+    std::vector<DensityRange> ranges;  ///< range of densities of each brick
+    /// For each brick, whether it shows something, and the distance to the nearest one that does.
+    std::vector<std::uint8_t> shown, distances;
 };
 
 GpuScan make_gpu_scan();
 
 /// Sends what has changed since the last drawing and returns the number of bricks sent. `scratch` is kept
-/// between calls. The scan must be drawable.
+/// between calls. drawable(scan) must be true.
 std::size_t send(const Scan& scan, GpuScan& gpu, std::vector<std::uint8_t>& scratch);
 
 /// Hash of the contents of table and materials.

@@ -30,8 +30,8 @@ void add_faces(const Block& block, const std::array<int, 3>& seen, Hidden& out) 
     }
 }
 
-/// Adds the plane through the edge where the face across axes[0] meets the face across axes[1]. Adds it only
-/// if the edge is part of the outline: one face is visible, the other is not.
+/// Adds the plane through the edge where the face across axes[0] meets the face across axes[1]. Does so only
+/// if the edge is part of the outline, that is if one face is visible and the other is not.
 void add_edge(const Block& block, vec3 eye, const std::array<int, 3>& seen, glm::ivec2 axes, glm::ivec2 sides,
               Hidden& out) {
     const auto is_seen = [&](int i) { return seen[static_cast<std::size_t>(axes[i])] == sides[i]; };

@@ -9,9 +9,9 @@
 namespace thaum::render::detail {
 
 /// The region hidden by one block: its shadow if the eye were a lamp. The region is convex, so an object with
-/// all its corners inside is hidden. Planes face inwards. In a moved frame they need not be unit.
+/// all its corners inside is hidden. Planes face inwards. After a transformation they need not be normalised.
 struct Hidden {
-    std::array<fvec4, 9> planes{};  ///< at most three faces and six edges
+    std::array<fvec4, 9> planes{};  ///< planes that bound the region: at most three faces and six edges
     std::size_t count{};
 };
 
@@ -19,7 +19,7 @@ struct Hidden {
 /// finite.
 void add_hidden(std::span<const Block> blocks, vec3 eye, std::vector<Hidden>& out);
 
-/// Transforms a region to the frame from which `to_world` leads.
+/// Transforms a region from the world to the frame that `to_world` maps to the world.
 Hidden moved(const Hidden& hidden, const fmat4& to_world);
 
 /// Returns true if one of the regions contains the whole box.

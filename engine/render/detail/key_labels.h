@@ -1,10 +1,10 @@
-// render/detail/key_labels.h: what the user's keyboard layout has on the keys.
+// render/detail/key_labels.h: the characters that the user's keyboard layout assigns to keys.
 #pragma once
 
 namespace thaum::render {
 
-/// Reads the labels of key_label from the window system. The layout may change while the window is open. Called on the
-/// main thread while a window is open.
+/// Reads the labels for key_label from the window system. The layout may change while the window is open.
+/// Called on the main thread while a window is open.
 void read_key_labels();
 
 }  // namespace thaum::render

@@ -8,8 +8,8 @@
 namespace thaum::render::detail {
 namespace {
 
-// A ground line of this width, seen from a wizard's eye height, starts to fade where it is less than a pixel
-// high.
+// Width of ground lines, and a wizard's eye height. Seen from there, a line starts to fade at the distance at
+// which it is less than a pixel high.
 constexpr float line_width = 0.06F, eye_height = 1.7F;  // m
 
 /// Half size of the box around the mesh.
@@ -40,7 +40,7 @@ void fit_cone(const MeshData& mesh, PlacedPatch& patch) {
         const float area = glm::length(n);
         if (area <= 0) continue;
         const float along = glm::dot(axis, n) / area;
-        // A cone so wide is of no use: hardly any place sees only backs.
+        // In such a wide cone there is hardly a place from which all triangles face away.
         if (along < 0.2F) return;
         widest = std::min(widest, along);
         const fvec3 corner = mesh.vertices[mesh.indices[i]].position;
@@ -79,7 +79,7 @@ IndexRange append_chosen(const PatchTable& table, const Sight& sight, const Patc
     for (const auto& [farthest, i] : order.near_first) {
         const auto& patch = table.patches[i];
         if (patch.sunless != sunless) continue;
-        // A patch behind others shows where the farthest of them may be plain.
+        // A patch behind other patches becomes visible where the farthest of the others may be drawn plain.
         const float across = 2 * patch.bounds.radius;
         const float distance = farthest - (is_behind(patch) ? across / 2 : across);
         const bool fine = distance * sight.pixel_angle > patch.detail && distance > gone;
@@ -94,7 +94,7 @@ IndexRange append_chosen(const PatchTable& table, const Sight& sight, const Patc
 
 Fading fading_of(float pixel_angle) {
     const float from = std::sqrt(line_width * eye_height / std::max(pixel_angle, 1e-5F));
-    // The line is then a third of a pixel high and broken into dashes.
+    // At this distance the line is a third of a pixel high and broken into dashes.
     return {from, 1.8F * from};
 }
 

@@ -13,7 +13,7 @@ namespace thaum::render::detail {
 struct Sight {
     fmat4 to_clip{1};
     fvec3 eye{0};
-    float pixel_angle{};  ///< angle of one pixel in the middle of the view, or of finest_px pixels (rad)
+    float pixel_angle{};  ///< angle of one pixel in the middle of the view (rad), or of finest_px pixels
     std::span<const Hidden> hidden{};
 };
 
@@ -31,7 +31,8 @@ struct ChosenPatches {
 struct PlacedPatch {
     Bounds bounds;
     fvec3 half{0};  ///< half size of the box around the patch, centred like `bounds` (m)
-    /// Cone of normals. All triangles of the patch face away from a point p if the angle between p - apex and
+    /// Cone that contains all normals. All triangles of the patch face away from a point p if the angle
+    /// between p - apex and
     /// -axis has a cosine of at least `backs`. `backs` is > 1 if the triangles face in all directions.
     fvec3 apex{0}, axis{0};
     float backs = 2;
@@ -53,8 +54,8 @@ struct JoinedPatches {
 };
 JoinedPatches joined(const Patchwork& patchwork);
 
-/// Distances between which fine lines fade to the colour of Vertex::far_away: where the fading starts and
-/// where it is complete (m).
+/// Distances between which fine lines fade to the colour Vertex::far_away (m): where the fading starts and
+/// where it is complete.
 struct Fading {
     float from{}, gone{};
 };

@@ -27,8 +27,8 @@ std::string log_of(GLuint name, Length length_of, Read read) {
     return first_line(log);
 }
 
-/// Inserts the definitions after the first line, which must be #version. The line numbers of the following
-/// lines stay the same.
+/// Inserts the definitions after the first line, which must be #version. Line numbers in error messages stay
+/// the same.
 std::string with_variant(const std::string& source, const std::vector<std::string_view>& variant) {
     const auto first_end = std::min(source.find('\n'), source.size() - 1) + 1;
     std::string out = source.substr(0, first_end);

@@ -11,10 +11,11 @@
 namespace thaum::render::detail {
 namespace {
 
-constexpr int rows_at_once = 32;  // rows per block of read_back, so that packing finds them in the cache
+// Number of rows that are read at once; packing then finds them in the cache.
+constexpr int rows_at_once = 32;
 
 /// Converts blue, green, red and an unused byte to red, green, blue. Converts four pixels at a time as long
-/// as the surplus bytes written are overwritten afterwards.
+/// as the extra bytes that this writes are overwritten afterwards.
 void pack_rgb(std::span<const std::uint32_t> pixels, std::uint8_t* to) {
     using Four [[gnu::vector_size(16)]] = std::uint8_t;
     std::size_t i = 0;
@@ -38,8 +39,8 @@ Image read_back(int picture_width, int picture_height) {
     image.rgb.reserve(row * static_cast<std::size_t>(image.height));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    // The rasteriser's own format, so that it only copies. Reading three bytes per pixel took it four times
-    // as long.
+    // Reads in the rasteriser's own format, which it only has to copy. Reading three bytes for each pixel
+    // took four times as long.
     std::vector<std::uint32_t> band(width * rows_at_once);
     std::vector<std::uint8_t> packed(row);
     // OpenGL counts rows from the bottom.

@@ -9,7 +9,7 @@ namespace thaum::render::detail {
 namespace {
 
 constexpr float full = 65535;
-constexpr int most_samples = 2048;  // along an axis; OpenGL may allow fewer
+constexpr int most_samples = 2048;  // largest number of samples along an axis; OpenGL may allow fewer
 
 std::size_t number(const std::array<int, 3>& count) {
     return static_cast<std::size_t>(count[0]) * static_cast<std::size_t>(count[1]) *
@@ -23,7 +23,7 @@ std::size_t index_of(const Scan& scan, int x, int y, int z) {
            static_cast<std::size_t>(x);
 }
 
-/// Converts samples to densities, 65535 being 1.
+/// Converts samples to 16-bit densities; 65,535 stands for 1.
 struct ToDensity {
     float low, factor;
     explicit ToDensity(const Scan& scan) : low(scan.low), factor(full / (scan.high - scan.low)) {}
@@ -32,7 +32,7 @@ struct ToDensity {
     std::uint16_t operator()(std::uint16_t sample) const { return sample; }
     std::uint16_t operator()(float sample) const {
         const float at = (sample - low) * factor + 0.5F;
-        // Written so that NaN gives 0.
+        // With this form of the test NaN gives 0.
         return at > 0 ? static_cast<std::uint16_t>(std::min(at, full)) : std::uint16_t{0};
     }
 };
@@ -175,12 +175,13 @@ void find_shown(const Scan& scan, const std::vector<DensityRange>& ranges, std::
     if (scan.look == ScanLook::surface) {
         const float level = full * scan.level;
         for (std::size_t i = 0; i < ranges.size(); ++i) {
-            // A brick that is dense throughout shows where a face of the scan cuts it.
+            // A brick that is dense everywhere counts as visible too, because a face of the scan may cut it.
             shown[i] = static_cast<float>(ranges[i].high) >= level ? 1 : 0;
         }
         return;
     }
-    std::array<int, 257> before{};  // number of entries before each one that hide something
+    // For each table entry, the number of entries before it that hide something.
+    std::array<int, 257> before{};
     for (std::size_t i = 0; i < 256; ++i) before[i + 1] = before[i] + ((*scan.table)[i].opacity > 0 ? 1 : 0);
     for (std::size_t i = 0; i < ranges.size(); ++i) {
         const std::size_t low = ranges[i].low / 257U, high = (ranges[i].high + 256U) / 257U;
@@ -192,15 +193,15 @@ void find_distances(const std::vector<std::uint8_t>& shown, const std::array<int
                     std::vector<std::uint8_t>& distance) {
     distance.resize(shown.size());
     for (std::size_t i = 0; i < shown.size(); ++i) distance[i] = shown[i] != 0 ? 0 : 255;
-    // One axis after the other: the distance is the least over a line of the larger of the distance along the
-    // line and the distance found there.
+    // One axis after the other: along a line, the distance of a brick is the least, over all bricks of the
+    // line, of the larger of two values: the distance along the line and the distance found there before.
     std::vector<std::uint8_t> line;
     std::size_t stride = 1;
     for (const int length : count) {
         const auto n = static_cast<std::size_t>(length);
         line.resize(n);
         for (std::size_t i = 0; i < shown.size(); ++i) {
-            if (i / stride % n != 0) continue;  // not the first brick of a line
+            if (i / stride % n != 0) continue;  // this brick is not the first one of a line
             for (std::size_t k = 0; k < n; ++k) line[k] = distance[i + k * stride];
             for (std::size_t k = 0; k < n; ++k) distance[i + k * stride] = nearest_on_line(line, k);
         }

@@ -1,4 +1,4 @@
-// Densities of a scan as texels, and the bricks that a ray may leap over. No OpenGL.
+// Densities of a scan as texels, and the bricks that a ray may skip. No OpenGL.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -7,20 +7,20 @@
 
 namespace thaum::render::detail {
 
-/// A box of samples or bricks: its first one and their number along each axis.
+/// A box of samples or bricks: its first element, and the number of elements along each axis.
 struct ScanBox {
     std::array<int, 3> first{}, count{};
 };
 
-/// Lowest and highest density of a brick, 65535 being a density of 1. A brick includes the first samples of
-/// the next brick along each axis, since the density between the two belongs to it.
+/// Lowest and highest density of a brick; 65,535 stands for 1. A brick includes the first samples of the next
+/// brick along each axis, since the density between the two belongs to it.
 struct DensityRange {
     std::uint16_t low{}, high{};
     bool operator==(const DensityRange&) const = default;
 };
 
-/// Returns true if the scan can be drawn: at least two samples along each axis, one value per sample, a
-/// finite invertible model, what its look needs.
+/// Returns true if the scan can be drawn: it has at least two samples along each axis, one value for each
+/// sample, a finite invertible model, and everything that its way of drawing needs.
 bool drawable(const Scan& scan);
 
 /// Bytes per density texel: 1 or 2.
@@ -32,8 +32,8 @@ void pack_paint(const Scan& scan, const ScanBox& box, std::vector<std::uint8_t>&
 
 DensityRange density_range(const Scan& scan, const std::array<int, 3>& brick);
 
-/// Runs of bricks along x whose version differs from `sent`, which is then updated. Empty versions, or ones
-/// of another number: one run with all bricks.
+/// Runs of bricks along x whose version differs from `sent`, which is then updated. If the versions are
+/// empty, or their number has changed, the result is one run with all bricks.
 std::vector<ScanBox> changed_bricks(const Scan& scan, std::vector<std::uint32_t>& sent);
 
 /// Calls `visit(brick, index)` for each brick that contains one of the given bricks' samples: the bricks
@@ -54,11 +54,11 @@ void visit_sharing(const ScanBox& bricks, const std::array<int, 3>& count, Visit
     }
 }
 
-/// Finds the bricks in which the scan's look shows something. One byte per brick: 1 or 0.
+/// Finds the bricks in which the scan shows something. One byte for each brick: 1 or 0.
 void find_shown(const Scan& scan, const std::vector<DensityRange>& ranges, std::vector<std::uint8_t>& shown);
 
-/// Distance of each brick to the nearest shown one, counted in bricks along the axis on which it is largest.
-/// At most 255.
+/// Distance of each brick to the nearest visible one: the largest of the distances along the three axes, in
+/// bricks. At most 255.
 void find_distances(const std::vector<std::uint8_t>& shown, const std::array<int, 3>& count,
                     std::vector<std::uint8_t>& distance);
 

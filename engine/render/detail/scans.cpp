@@ -42,7 +42,8 @@ Rect joined(const Rect& a, const Rect& b) {
     return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
 }
 
-/// Pixels of a target with fewer pixels, `more` on each side.
+/// Rectangle of a view in a target with 1 / `share` of the view's resolution, with `more` additional pixels
+/// on each side.
 Rect shared(const Rect& r, int share, int more, int width, int height) {
     const int x = std::max(r.x / share - more, 0), y = std::max(r.y / share - more, 0);
     return {x, y, std::min((r.x + r.width) / share + 1 + more, width) - x,
@@ -68,7 +69,7 @@ int share_of(Quality quality) {
     return 1;
 }
 
-/// Hash of all that decides what the scans look like, but for the scene around them.
+/// Hash of everything that decides how the scans look, except the scene around them.
 std::uint64_t hash_scans(const ScanView& view, std::span<const SeenScan> seen) {
     std::uint64_t hash = hash_value(view.view->camera);
     hash = hash_combine(hash, hash_value(std::array{view.at.width, view.at.height}));
@@ -242,13 +243,13 @@ ScanCounts Scans::draw(const ScanView& view, std::span<const SeenScan> seen,
     return drawing.counts;
 }
 
-/// Draws all scans of one look. `again`: the target still shows them.
+/// Draws all scans of one kind, surfaces or translucent ones. `again`: the target still holds their picture.
 void Scans::draw_look(Drawing& drawing, std::span<const SeenScan> seen, ScanLook look, bool again) {
     const bool solid = look == ScanLook::surface;
     if (std::none_of(seen.begin(), seen.end(), [&](const SeenScan& its) { return its.scan->look == look; }))
         return;
     auto& target = solid ? drawing.targets.solid : drawing.targets.light;
-    // Without its depth the scene cannot be compared with pixels of a quick picture either.
+    // Without the scene's depth, the scene could not be compared with the pixels of a quick picture either.
     if (!again || drawing.share > 1) copy_depth(drawing);
     if (!again) {
         clear(drawing, target, solid);
@@ -296,7 +297,7 @@ void Scans::clear(const Drawing& drawing, DrawnTarget& target, bool with_depth) 
     }
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.get());
     glViewport(0, 0, width, height);
-    // Two more pixels, since the view interpolates between those of the target.
+    // Two additional pixels, since the view interpolates between the pixels of the target.
     const auto part = shared(drawing.part, drawing.share, 2, width, height);
     glEnable(GL_SCISSOR_TEST);
     glScissor(part.x, part.y, part.width, part.height);
@@ -306,7 +307,7 @@ void Scans::clear(const Drawing& drawing, DrawnTarget& target, bool with_depth) 
     glDisable(GL_SCISSOR_TEST);
 }
 
-/// Runs the program at each pixel of a part. What is solid takes and sets depth, the rest is blended.
+/// Runs the program at each pixel of a rectangle. A solid scan tests and writes depth; others are blended.
 void Scans::fill(Drawing& drawing, const Rect& part, bool solid, GLenum depth_test) {
     glEnable(GL_SCISSOR_TEST);
     glScissor(part.x, part.y, part.width, part.height);
@@ -372,13 +373,13 @@ void Scans::set_scan(const MarchProgram& p, const Drawing& drawing, const SeenSc
     glUniform1f(p.level, scan.level);
     put(p.colour, scan.colour);
     glUniform1i(p.painted, all_[scan.id].painted ? 1 : 0);
-    // In a quick picture the edge of a thing before the surface would leave a seam of missing pixels.
+    // In a quick picture, the edge of an object in front of the surface would leave a seam of missing pixels.
     glUniform1i(p.behind_things, drawing.share == 1 ? 1 : 0);
     glUniform1f(p.sun, scan.sun);
     glUniform1i(p.linear, drawing.view.quality == Quality::high ? 1 : 0);
 }
 
-/// Puts a target over the view.
+/// Draws the picture of a target over the view.
 void Scans::show(Drawing& drawing, const DrawnTarget& target, bool solid) const {
     const auto& p = solid ? show_solid_ : show_light_;
     const auto& at = drawing.view.at;

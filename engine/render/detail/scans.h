@@ -1,6 +1,6 @@
 // Scans in OpenGL. Each view's scans are drawn into targets of their own, with fewer pixels while something
-// moves, and put over the view: first the surfaces, with depth, then the translucent ones up to the depth of
-// all that. A sharp picture is kept while nothing changes.
+// moves, and drawn over the view: first the surfaces, with depth, then the translucent scans up to the depth
+// of the surfaces and the scene. A sharp picture is kept while nothing changes.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -15,15 +15,15 @@ namespace thaum::render::detail {
 /// A scan that a view sees.
 struct SeenScan {
     const Scan* scan{};
-    Bounds bounds{};      ///< sphere around its samples (world)
-    fmat4 to_samples{1};  ///< world to sample distances from the first sample
-    Rect part{};          ///< pixels that it may cover, from the bottom left of the view
+    Bounds bounds{};      ///< sphere around the scan's samples (world)
+    fmat4 to_samples{1};  ///< maps the world to the scan's samples, in sample distances from the first sample
+    Rect part{};          ///< rectangle that the scan may cover, from the bottom left of the view (px)
 };
 
-/// Finds the scans that a view of this size (px) sees: the translucent ones from back to front.
+/// Finds the scans that a view of this size (px) sees. Translucent ones are sorted from back to front.
 std::vector<SeenScan> seen_scans(std::span<const Scan> scans, const Sight& sight, int width, int height);
 
-/// Hashes of what is drawn beside the scans: things that touch a scan, and all solid things.
+/// Hashes of what is drawn besides the scans: objects that touch a scan, and all solid objects.
 struct MeshStates {
     std::span<const Bounds> bounds;
     std::span<const std::uint64_t> revisions;  ///< number of changes of each mesh
@@ -34,12 +34,12 @@ struct SceneHashes {
 SceneHashes hash_scene(const Batches& batches, std::size_t first, std::size_t count, const MeshStates& meshes,
                        std::span<const SeenScan> scans);
 
-/// A view that is drawn already, but for its scans.
+/// A view that is complete except for its scans.
 struct ScanView {
     const ViewScene* view{};
     const Sight* sight{};
-    Rect at{};             ///< place in its target, from the bottom left (px)
-    GLuint framebuffer{};  ///< that target
+    Rect at{};             ///< rectangle of the view in its target, from the bottom left (px)
+    GLuint framebuffer{};  ///< the target of the view
     std::size_t number{};  ///< number of the view in its frame
     Quality quality{};
     SceneHashes scene{};
@@ -77,17 +77,17 @@ private:
     struct ViewTargets {
         DrawnTarget solid, light;
         Texture opaque;
-        int width{}, height{};  // of `opaque`
+        int width{}, height{};  // size of `opaque` (px)
         std::uint64_t near{}, all{};
         bool sharp = false;
     };
-    /// A view while its scans are drawn.
+    /// State while the scans of one view are drawn.
     struct Drawing {
         const ScanView& view;
         ViewTargets& targets;
         const VertexArray& no_attributes;
-        int share{};  // pixels of the view per drawn pixel, along a side
-        Rect part{};  // pixels that all scans together may cover
+        int share{};  // width of a drawn pixel, in pixels of the view
+        Rect part{};  // rectangle that all scans together may cover (px)
         ScanCounts counts{};
     };
 
@@ -104,7 +104,7 @@ private:
     void draw_look(Drawing& drawing, std::span<const SeenScan> seen, ScanLook look, bool again);
 
     std::vector<GpuScan> all_;
-    GLint most_samples_{};  // along an axis, by the driver
+    GLint most_samples_{};  // largest number of samples along an axis that the driver allows
     MarchProgram surface_;
     std::array<std::array<MarchProgram, 2>, 2> light_;  // [glowing, lit][plain, painted]
     ShowProgram show_solid_, show_light_;

@@ -21,8 +21,8 @@ Variant variant_of(Quality quality) {
     return {};
 }
 
-/// Files of a variant. A .glsl file belongs to the stage of the file before it, so light and tone curve go to
-/// the stage that uses them.
+/// Files of a shader variant. A .glsl file belongs to the stage of the file before it, so lighting and tone
+/// curve are compiled into the stage that uses them.
 std::vector<Folder> mesh_files(const Folder& shaders, Quality quality) {
     const auto vert = shaders / "mesh.vert", light = shaders / "light.glsl", tone = shaders / "tone.glsl",
                shadow = shaders / "shadow.glsl";
@@ -85,7 +85,7 @@ Variant alone(Variant variant) {
     return variant;
 }
 
-/// Takes a loaded program, or keeps the first error.
+/// Takes the loaded programs and keeps the first error.
 struct Loading {
     std::optional<Error> error;
     template <class T>
@@ -148,7 +148,7 @@ Expected<Programs> load_programs(const Folder& shaders) {
         loading.take(load_mesh_program(shaders, quality, variant), out.mesh[q]);
         loading.take(load_mesh_program(shaders, quality, alone(variant)), out.alone[q]);
     }
-    // The variant of low, but with all lights.
+    // Like the variant for Quality::low, but with all lights.
     loading.take(load_mesh_program(shaders, Quality::low, alone({})), out.sunless);
     loading.take(load_sky_program(shaders, {}), out.sky);
     loading.take(load_sky_program(shaders, {"LINEAR"}), out.sky_of_light);

@@ -17,7 +17,8 @@ struct MeshProgram {
     GLint view_projection{}, eye{}, sun_direction{}, sun_colour{}, ambient_above{}, ambient_below{};
     GLint light_position{}, light_colour{}, fog_colour{}, fog_rate{}, detail_range{};
     GLint shadow_matrix{}, shadow_lift{}, shadow_texel{};
-    GLint model{}, tint_glow{}, instance_sun{};  ///< only in programs that draw a single instance
+    /// Uniforms of the instance, only in programs that draw a single instance.
+    GLint model{}, tint_glow{}, instance_sun{};
 };
 
 struct SkyProgram {
@@ -40,15 +41,21 @@ struct SmallProgram {
 };
 
 struct Programs {
-    std::array<MeshProgram, qualities> mesh;   ///< indexed by Quality
-    std::array<MeshProgram, qualities> alone;  ///< indexed by Quality, for a single instance
-    MeshProgram sunless;              ///< at medium, for a single instance that the sun never reaches
-    SkyProgram sky, sky_of_light;     ///< tone mapped; in linear light for the last pass
-    MistProgram mist, mist_of_light;  ///< tone mapped; in linear light for the last pass
-    SmallProgram shadow, shade;       ///< parameter: view_projection
-    SmallProgram bright, blur;        ///< parameter: texel; way
-    SmallProgram compose;             ///< parameter: bloom_strength
-    SmallProgram overlay, shape;      ///< parameter: pixel; for text, and for all other items
+    std::array<MeshProgram, qualities> mesh;  ///< programs for meshes, indexed by Quality
+    /// Programs for a single instance of a mesh, indexed by Quality.
+    std::array<MeshProgram, qualities> alone;
+    /// Program at Quality::medium, for a single instance that the sun never reaches.
+    MeshProgram sunless;
+    /// Programs for the sky: tone mapped, and in linear light for the last pass.
+    SkyProgram sky, sky_of_light;
+    /// Programs for mists: tone mapped, and in linear light for the last pass.
+    MistProgram mist, mist_of_light;
+    SmallProgram shadow, shade;  ///< programs with the parameter view_projection
+    /// Programs; `bright` has the parameter texel, `blur` the parameter way.
+    SmallProgram bright, blur;
+    SmallProgram compose;  ///< program with the parameter bloom_strength
+    /// Programs with the parameter pixel: `overlay` draws text, `shape` all other items.
+    SmallProgram overlay, shape;
 };
 
 /// Sets a uniform of the program in use.

@@ -60,7 +60,7 @@ std::uint64_t key_of(std::span<const Instance> fixed, fvec3 towards_sun,
 
 bool same_place(const Instance& a, const Instance& b) { return a.mesh == b.mesh && a.model == b.model; }
 
-/// Sets what OpenGL does with the triangles of casters. finish_drawing() undoes what others do not expect.
+/// Sets the OpenGL state for drawing shadow casters. finish_drawing() restores what other code expects.
 void prepare_drawing() {
     glViewport(0, 0, side, side);
     glEnable(GL_DEPTH_TEST);
@@ -71,7 +71,7 @@ void prepare_drawing() {
     glDisable(GL_CULL_FACE);
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1.5F, 4);
-    // Objects between the sun and the map's near plane still cast.
+    // Objects between the sun and the map's near plane cast shadows too.
     glEnable(GL_DEPTH_CLAMP);
 }
 
@@ -126,7 +126,7 @@ ShadowMap::Counts ShadowMap::draw(std::span<const Instance> instances, std::span
 
 ShadowMap::Print ShadowMap::print_of(const Bounds& there) const {
     const fvec3 at = fvec3(to_clip_ * fvec4(there.centre, 1));
-    // Rows of the matrix give the distance in the map per metre.
+    // The rows of the matrix give the distance in the map for each metre.
     const auto reach = [&](int row) {
         const fvec3 per_m(to_clip_[0][row], to_clip_[1][row], to_clip_[2][row]);
         return there.radius * glm::length(per_m);

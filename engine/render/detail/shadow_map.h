@@ -1,8 +1,8 @@
 // The sun's shadow map: the depth of the arena seen from the sun.
 //
 // Fixed casters are drawn once into a map of their own. When a moving caster has moved, its old place is
-// copied back from that map. Then this caster and all others in the same place are drawn again. A picture
-// without movement costs nothing.
+// copied back from that map. Then this caster and all others in the same place are drawn again. If nothing
+// moves, the map costs nothing.
 #pragma once
 #include <vector>
 
@@ -48,13 +48,13 @@ private:
     float texel_m_{};
     std::uint64_t fixed_key_{};
     bool made_ = false;
-    std::vector<Instance> moving_;  // moving casters as drawn last
-    std::vector<Print> prints_;     // place of each of `moving_`
+    std::vector<Instance> moving_;  // moving casters at the last drawing
+    std::vector<Print> prints_;     // rectangle in the map of each of `moving_`
 
     // Scratch memory for the current picture.
-    std::vector<Print> left_;        // places to copy back
+    std::vector<Print> left_;        // rectangles to copy back
     std::vector<Instance> drawn_;    // casters to draw
-    std::vector<Print> new_prints_;  // places of all moving casters
+    std::vector<Print> new_prints_;  // rectangles of all moving casters
 };
 
 }  // namespace thaum::render::detail

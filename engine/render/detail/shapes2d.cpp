@@ -62,7 +62,7 @@ std::vector<fvec2> outward(std::span<const fvec2> corners) {
     std::vector<fvec2> out;
     for (std::size_t i = 0; i < count; ++i) {
         const fvec2 sum = normal((i + count - 1) % count) + normal(i);
-        // Limits sharp corners, which would move far out, to two pixels.
+        // Sharp corners, which would be moved far out, are limited to two pixels.
         out.push_back(sum / std::max(0.5F * glm::dot(sum, sum), 0.5F));
     }
     return out;
@@ -93,7 +93,7 @@ void convex(const Pen& pen, std::span<const fvec2> corners, fvec4 colour) {
     }
 }
 
-/// Number of sides of an arc over `sweep`, so that it deviates from round by at most a fifth of a pixel.
+/// Number of sides of an arc over `sweep` with which it deviates from a circle by at most a fifth of a pixel.
 int arc_steps(float radius, float sweep) {
     if (!std::isfinite(radius) || !std::isfinite(sweep)) return 1;
     const float one = 2 * std::acos(1 - 0.2F / std::max(radius, 1.0F));
@@ -138,7 +138,7 @@ void draw(const Pen& pen, const LineItem& l) {
     convex(pen, std::array{l.from - side, l.to - side, l.to + side, l.from + side}, colour);
 }
 
-/// One spoke of an arc: radii and colours from the inner fringe to the outer one.
+/// One radial section of an arc: radii and colours from the inner fringe to the outer one.
 struct Spoke {
     std::array<float, 4> radius;
     std::array<std::uint32_t, 4> colour;
@@ -148,7 +148,7 @@ Spoke spoke_of(const ArcItem& arc) {
     const auto full = packed(arc.colour), none = faded(full);
     const float inner = std::max(arc.inner, 0.0F);
     const float half = std::min(0.5F, 0.5F * (arc.outer - inner));
-    // A slice of pie has no inner edge to smooth.
+    // A slice of pie has no inner edge to be smoothed.
     return {{std::max(inner - 0.5F, 0.0F), inner > 0 ? inner + half : 0, arc.outer - half, arc.outer + 0.5F},
             {inner > 0 ? none : full, full, full, none}};
 }

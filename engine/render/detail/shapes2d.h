@@ -16,11 +16,11 @@ struct OverlayVertex {
     std::uint32_t colour;  // sRGB and alpha, one byte each, red in the lowest
 };
 
-/// Grey pictures of characters on one sheet, of fixed width and growing height.
+/// Grey pictures of characters in one texture of fixed width and growing height.
 class Atlas {
 public:
     static constexpr int width = 1024;  // width; also the widest glyph (px)
-    // Greatest height; beyond it the atlas is cleared at the next frame (px).
+    // Largest height (px); when it is reached, the atlas is cleared before the next frame.
     static constexpr int limit = 4096;
 
     Atlas() { clear(); }

@@ -8,17 +8,17 @@
 #include "core/assert.h"
 #include "core/hash.h"
 
-// Not meshoptimizer 0.18: its simplifier keeps the topology. It therefore reaches the triangles of our copy in 16 of 79
-// copies only, where the mean perceptual distance to the full mesh is 3.1, and 1.6 with ours. Its sloppy variant
-// reaches them in 73 copies, with a mean distance of 4.4; ours have 2.6.
+// We do not use meshoptimizer 0.18, because its simplifier keeps the topology. It therefore reaches as few
+// triangles as our copy in only 16 of 79 copies. In those the mean perceptual distance to the full mesh is
+// 3.1; ours is 1.6. Its sloppy variant reaches as few in 73 copies, with a mean distance of 4.4; ours is 2.6.
 namespace thaum::render {
 namespace {
 
 using CellAt = std::array<std::uint32_t, 3>;
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Numbers keys in the order in which they first come. A table with open addressing, at most half full: sorted
-/// vertices and a set of triangles made copies half as fast.
+/// Assigns numbers to keys in the order in which they first occur. Uses a hash table with open addressing, at
+/// most half full. With sorted vertices and a set of triangles instead, making copies took twice as long.
 class Numbers {
 public:
     explicit Numbers(std::size_t most) : slots_(std::bit_ceil(2 * most + 1), none) { keys_.reserve(most); }
@@ -49,7 +49,8 @@ CellAt cell_of(fvec3 from_middle, float cell) {
     return at;
 }
 
-/// For each vertex, the vertex that gives its place: the first of those farthest out in its cell.
+/// For each vertex, the vertex whose position it takes: of the vertices that are farthest out in its cell,
+/// the first one.
 std::vector<std::uint32_t> stand_ins(const MeshData& mesh, fvec3 middle, float cell) {
     struct Outermost {
         float distance;
@@ -78,7 +79,7 @@ Triangle from_least(Triangle t) {
     return t;
 }
 
-/// Collects the vertices in the order in which the triangles use them, each at the place of its stand-in.
+/// Collects the vertices in the order in which the triangles use them, each at the position of its stand-in.
 MeshData gathered(const MeshData& mesh, std::span<const std::uint32_t> indices,
                   std::span<const std::uint32_t> stand_in) {
     constexpr std::uint32_t not_yet = 0xffffffffU;
@@ -95,7 +96,7 @@ MeshData gathered(const MeshData& mesh, std::span<const std::uint32_t> indices,
     return out;
 }
 
-/// A mesh with merged vertices: the stand-in of each vertex, and the corners of the triangles that are left.
+/// A mesh with merged vertices: the stand-in of each vertex, and the corners of the remaining triangles.
 struct Clusters {
     std::vector<std::uint32_t> stand_in, corners;
 };
@@ -131,7 +132,8 @@ Simplified clustered(const MeshData& mesh, float cell) {
 }
 
 std::vector<Simplified> coarser_copies(const MeshData& mesh) {
-    constexpr std::size_t simple = 3 * 12;  // number of indices of a box
+    // Number of indices of a box: a mesh with no more is not simplified.
+    constexpr std::size_t simple = 3 * 12;
     constexpr float finest = 1.0F / 64, step = 1.3F;
     std::vector<Simplified> out;
     const auto [middle, radius] = bounds(mesh);

@@ -14,7 +14,7 @@ struct Simplified {
 };
 
 /// Merges the vertices within each cell of a grid around the middle of the mesh. Cells are cubes of width
-/// `cell`, > 0 (m). The outermost vertex gives the place for all, so that outlines stay. Each vertex keeps
+/// `cell`, > 0 (m). All take the position of the outermost vertex, so that outlines stay. Each vertex keeps
 /// its normal and colours.
 Simplified clustered(const MeshData& mesh, float cell);
 

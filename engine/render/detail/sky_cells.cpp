@@ -12,7 +12,7 @@ bool holds(const Block& block, vec3 p) {
     return glm::all(glm::lessThanEqual(block.low, p)) && glm::all(glm::lessThanEqual(p, block.high));
 }
 
-/// One bit for each block that the ray meets.
+/// One bit for each block that the ray hits.
 std::uint64_t hidden_by(std::span<const Block> blocks, vec3 eye, vec3 way) {
     std::uint64_t bits = 0;
     for (std::size_t i = 0; i < std::min(blocks.size(), most_blocks); ++i) {
@@ -35,8 +35,8 @@ void look_through_corners(const Camera& camera, float aspect, std::span<const Bl
     }
 }
 
-/// Returns true if the sky may be visible in the cell. From one place a block covers a convex part of the
-/// picture. A block that covers the four corners of a cell therefore covers the cell.
+/// Returns true if the sky may be visible in the cell. Seen from one place, a block covers a convex part of
+/// the picture. A block that covers the four corners of a cell therefore covers the whole cell.
 bool is_open(const std::vector<std::uint64_t>& hidden, int column, int row) {
     const auto at = [&](int x, int y) {
         return hidden[static_cast<std::size_t>(y) * (sky_columns + 1) + static_cast<std::size_t>(x)];

@@ -6,7 +6,7 @@
 
 namespace thaum::render::detail {
 
-// The same values as in sky.vert.
+// Columns, rows and corners of the grid of cells, with the same values as in sky.vert.
 inline constexpr int sky_columns = 16, sky_rows = 10, corners_of_sky_cell = 6;
 
 /// Runs of cells, in the form of glMultiDrawArrays.

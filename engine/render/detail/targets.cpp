@@ -8,7 +8,7 @@
 namespace thaum::render::detail {
 namespace {
 
-constexpr int bloom_share = 4;  // the bloom has 1 / bloom_share of the picture's width and height
+constexpr int bloom_share = 4;  // width and height of the bloom are 1 / bloom_share of the picture's
 constexpr float bloom_strength = 0.55F;
 
 void bind(GLint unit, const Texture& texture) {

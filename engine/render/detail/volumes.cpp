@@ -17,7 +17,7 @@ constexpr GLuint skin_position = 0, skin_normal = 1, skin_foam = 2;
 bool all_finite(fvec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 bool positive(fvec3 v) { return all_finite(v) && v.x > 0 && v.y > 0 && v.z > 0; }
 
-/// Bounding box of the round (m).
+/// Bounding box of Volume's ellipsoid (m).
 Block box_of(const Volume& volume) {
     return {vec3(volume.centre - volume.radii), vec3(volume.centre + volume.radii)};
 }
@@ -27,7 +27,7 @@ bool is_inside(const Volume& volume, fvec3 eye) {
     return eye.y < volume.centre.y && glm::dot(from, from) < 1;
 }
 
-/// Pixels of the view that the skin may cover. The pixel more on each side serves interpolation.
+/// Pixels of the view that the skin may cover, with one more pixel on each side for interpolation.
 Rect part_of(const Volume& volume, const Sight& sight, const Rect& view) {
     fvec3 low(std::numeric_limits<float>::max()), high(-low);
     for (const auto& v : volume.skin) low = glm::min(low, v.position), high = glm::max(high, v.position);

@@ -12,19 +12,21 @@ namespace thaum::render::detail {
 
 /// A volume as one view sees it.
 struct SeenVolume {
-    const Volume* volume{};  ///< null if there is no volume or it is not visible
-    bool inside{};           ///< the eye is inside the volume
+    const Volume* volume{};  ///< the volume; null if there is none or it is not visible
+    bool inside{};           ///< true: the eye is inside the volume
     /// Place of the view in the marched target, from the bottom left (px).
     Rect view{};
-    Rect part{};                   ///< part of `view` that is marched
-    std::size_t first{}, count{};  ///< batches of the objects that stand in the volume
+    Rect part{};  ///< part of `view` that is marched
+    /// Batches of the objects that stand in the volume: the first one, and their number.
+    std::size_t first{}, count{};
 };
 
-/// Returns true if the volume can be drawn: one texel per cell, all numbers finite, a round of positive size.
+/// Returns true if the volume can be drawn: one texel for each cell, all numbers finite, and an ellipsoid of
+/// positive size.
 bool drawable(const Volume& volume);
 /// Finds the part of the volume that the view sees. `view` has the meaning of SeenVolume::view.
 SeenVolume seen(const Volume& volume, const Camera& camera, const Sight& sight, const Rect& view);
-/// Appends the instances that may stand in the volume. Pieces of a patchwork never do.
+/// Appends the instances that may be partly inside the volume. Patches of a patchwork never are.
 void add_dipped(const Volume& volume, std::span<const Instance> instances,
                 std::span<const Bounds> mesh_bounds, std::span<const PatchTable> patches,
                 std::vector<Instance>& out);
@@ -38,15 +40,15 @@ public:
     VolumeId make();
     /// Allocates the marched target for a frame of this size (marched pixels).
     void begin(int width, int height, Quality quality);
-    /// Sends new texels and skin. Then prepares drawing the depth of the objects in one view's volume with
-    /// `depth_program`, and sets the view's matrix in it.
+    /// Sends new texels and skin. Then prepares to draw, with `depth_program`, the depth of the objects in
+    /// one view's volume, and sets the view's matrix in that program.
     void begin_depth(const SeenVolume& its, const Sight& sight, const SmallProgram& depth_program);
     /// Marches the part behind the skin in one view, up to the depth that was drawn.
     void march(const ViewScene& view, const SeenVolume& its, const Sight& sight, Quality quality,
                const VertexArray& no_attributes);
     /// Draws the skin over the drawn view. `at` is the view's place in its target, from the bottom left (px).
     void show(const SeenVolume& its, const Sight& sight, const Rect& at, const VertexArray& no_attributes);
-    /// Number of times texels and skins were sent, for tests.
+    /// Number of times that texels and skins were sent, for tests.
     std::size_t sent() const { return sent_; }
 
 private:

@@ -12,12 +12,12 @@ namespace {
 
 constexpr int deepest = 32;
 constexpr std::size_t longest_name = 200;
-/// Cells that may be drawn in all. A real file draws some ten thousand.
+/// Largest number of cells that are drawn, over all frames. A real file draws some ten thousand.
 constexpr std::size_t most_drawn = 4'000'000;
 constexpr double clip_ms = static_cast<double>(clip_frame_ticks);
 constexpr double longest_ms = clip_ms * static_cast<double>(most_clip_frames);
 
-/// Depth of the brackets of a JSON text, outside of strings.
+/// Nesting depth of the brackets of a JSON text, outside of strings.
 int depth_of(std::string_view json) {
     int depth = 0, greatest = 0;
     bool in_text = false;
@@ -48,16 +48,16 @@ std::string text_of(const Json& json, std::string_view key) {
     return found != nullptr ? found->string() : std::string();
 }
 
-/// Values of a file, and what was wrong with them.
+/// Reads values from a file, and counts those that were wrong.
 class Reader {
 public:
     std::size_t clipped{}, skipped{};
 
-    /// A number in an object; the fallback if it is missing.
+    /// A number in an object; the fallback value if it is missing.
     double number(const Json& json, std::string_view key, double low, double high, double fallback) {
         return number(json.find(key), low, high, fallback);
     }
-    /// A number that may be written as a text, clipped to a range. `found` may be null.
+    /// A number, which may also be written as a string, clipped to a range. `found` may be null.
     double number(const Json* found, double low, double high, double fallback) {
         double value = fallback;
         if (found != nullptr && found->is_number()) {
@@ -69,7 +69,7 @@ public:
         }
         if (value >= low && value <= high) return value;
         ++clipped;
-        return value > high ? high : low;  // NaN gives the low end
+        return value > high ? high : low;  // NaN becomes the low end
     }
     bool flag(const Json& json, std::string_view key) {
         const auto* found = json.find(key);
@@ -81,8 +81,8 @@ public:
 class Canvas {
 public:
     std::vector<ClipFrame> frames;
-    bool full{};      ///< there is more to draw than a real file has
-    bool too_long{};  ///< something lies beyond the longest clip
+    bool full{};      ///< true: the file draws more cells than any real file
+    bool too_long{};  ///< true: something lies beyond the longest clip
 
     /// Raises a cell to a strength (0 to 1) in one frame.
     void raise(std::size_t frame, std::size_t cell, double strength) {
@@ -96,7 +96,7 @@ public:
         auto& kept = frames[frame].strength[cell];
         kept = std::max(kept, static_cast<std::uint8_t>(std::lround(100 * std::clamp(strength, 0.0, 1.0))));
     }
-    /// Frames whose beginnings lie in a span of time (ms); at least the one in which it begins.
+    /// Frames that begin within a span of time (ms); at least the frame in which the span begins.
     std::pair<std::size_t, std::size_t> span(double from, double to) const {
         const auto first = static_cast<std::size_t>(from / clip_ms);
         const auto last = static_cast<std::size_t>(std::ceil(to / clip_ms));
@@ -107,7 +107,7 @@ private:
     std::size_t drawn_{};
 };
 
-/// Strength of a step by its playback type, for a part 0 to 1 of its time.
+/// Strength of a step by its playback type, at a share `part` (0 to 1) of its time.
 double fade(const std::string& type, double part) {
     if (type == "FADE_IN") return part;
     if (type == "FADE_OUT") return 1 - part;
@@ -155,7 +155,7 @@ struct PathPoint {
     double x{}, y{}, strength{}, time{};
 };
 
-/// Place on a path at a part 0 to 1 of its time.
+/// Point on a path at a share (0 to 1) of its time.
 PathPoint on_path(const std::vector<PathPoint>& path, const std::vector<double>& reached, double part) {
     const auto next = std::upper_bound(reached.begin(), reached.end(), part) - reached.begin();
     if (next == 0) return path.front();
@@ -167,7 +167,7 @@ PathPoint on_path(const std::vector<PathPoint>& path, const std::vector<double>&
     return {mix(from.x, to.x), mix(from.y, to.y), mix(from.strength, to.strength), 0};
 }
 
-/// Parts of the time at which the points of a path are reached.
+/// Shares of the time at which the points of a path are reached.
 std::vector<double> times_of(const std::vector<PathPoint>& path, bool by_time) {
     std::vector<double> reached(path.size());
     for (std::size_t i = 1; i < path.size(); ++i) {
@@ -180,7 +180,8 @@ std::vector<double> times_of(const std::vector<PathPoint>& path, bool by_time) {
     return reached;
 }
 
-/// A point between four cells: shares of the energy are bilinear, so the felt place is the point.
+/// Draws a point between four cells: shares of the energy are bilinear, so the point itself is the felt
+/// place.
 void draw_point(Canvas& canvas, const Side& side, std::size_t frame, const PathPoint& point) {
     const double column = 3 * point.x, row = 4 * point.y;
     const auto c = std::min(static_cast<std::size_t>(column), std::size_t{2});

@@ -1,6 +1,6 @@
 // tactile/detail/tact.h: .tact files, the effects of bHaptics' designer, as clips.
 //
-// The format as read from public sample files (JSON):
+// The format, as derived from public sample files (JSON):
 //
 //     project.tracks[].effects[]   startTime, offsetTime (its length), modes.VestFront and modes.VestBack:
 //         DOT_MODE    dotMode.feedback[]: startTime, endTime, playbackType NONE, FADE_IN, FADE_OUT or FADE_IN_OUT,
@@ -9,9 +9,10 @@
 //                     x and y from 0 (left, top) to 1, intensity, time (ms)
 //     feedback                     "MS": [{position, mode, values[20] of 0 to 100}], for players that cannot draw paths
 //
-// Numbers may be texts ("0.500"). The tracks are read where they have anything for the vest; the frames in `feedback`
-// otherwise, because files with paths have zeros there. Parts for arms, head and hands are skipped and counted.
-// A point on a path is felt between cells by the same law as phantom actuators (phantom.h).
+// Numbers may be strings ("0.500"). The tracks are read if they have anything for the vest. Otherwise the
+// frames in `feedback` are read, which hold zeros in files with paths. Parts for arms, head and hands are
+// skipped and counted. A point on a path is felt between cells by the same law as phantom actuators
+// (phantom.h).
 #pragma once
 #include <string_view>
 
@@ -24,8 +25,8 @@ inline constexpr std::size_t most_tact_bytes = std::size_t{4} << 20U;
 
 struct TactImport {
     Clip clip{};
-    std::size_t clipped{};  ///< values outside of their range
-    std::size_t skipped{};  ///< parts for other devices, and entries of unknown form
+    std::size_t clipped{};  ///< number of values out of their range
+    std::size_t skipped{};  ///< number of parts for other devices, and of entries of unknown form
 };
 
 /// Reads a .tact file. The error is one line: too large, nested too deep, not JSON, longer than a minute, too much to

@@ -31,7 +31,7 @@ probably not meant, such as an ingredient of which an arena has no niche.
 Exit code 0: no fault; 1: there are faults; 2: wrong usage.
 )";
 
-/// Compiles the shaders where OpenGL is there. Whether it is, `thaum doctor` tells.
+/// Compiles the shaders if this machine has OpenGL. `thaum doctor` reports a missing OpenGL.
 void add_shaders(const std::filesystem::path& assets, ContentReport& report) {
     const auto data = game::load_match_data(assets, {});
     if (!data) return;

@@ -94,7 +94,7 @@ Finding mathematics() {
             text("ours, for Bullet too; probe ", hex(physics::maths_probe()), " (logs carry it)"), ""};
 }
 
-/// Report on the data files. A match can be played in spite of a fault in another file than those that it reads.
+/// Report on the data files. A fault in a file that the match does not read does not prevent it.
 Finding data_files(const std::filesystem::path& assets, const Expected<Data>& data) {
     const auto report = check_content(assets);
     const auto files = text(assets.string(), ", ", report.files, " files");
@@ -143,7 +143,8 @@ Finding finding_of(const MeasuredArm& measured) {
             metrics_of(times)};
 }
 
-/// Reports on the drivers of real arms, and on each arm: all tick at once, as two do in a match.
+/// Reports on the drivers of real arms and on each arm. All arms run at the same time, as the arms of two
+/// players do in a match.
 void add_arms(std::vector<Finding>& findings) {
     constexpr std::int64_t measured_ns = 2'000'000'000;
     for (const auto& kind : input::arm_drivers())
@@ -173,8 +174,8 @@ Finding opengl(const std::filesystem::path& assets, const Expected<Data>& data) 
     return {"OpenGL", State::missing, still.error().message, "apt-get install libgl1-mesa-dri"};
 }
 
-/// Report on the input delay: plays a short match in a window with a mouse that moves by itself, and a longer one
-/// if the machine is so busy that no movement reached a picture.
+/// Report on the input delay: plays a short match in a window with a mouse that moves by itself, and a longer
+/// one if the machine is so busy that no movement reached a picture.
 Finding input_to_picture(const std::filesystem::path& assets, const Expected<Data>& data) {
     const std::string what = "input delay";
     if (!data || !render::display_there())
@@ -220,7 +221,7 @@ Finding sound(const std::filesystem::path& assets) {
     if (!bank->faulty.empty())
         return {"sound", State::note, bank->faulty[0].fault.message,
                 "that sound is silent until this is mended"};
-    // A mixer prepares OpenAL, as in the game.
+    // The mixer is created because it initialises OpenAL, as in the game.
     const auto mixer = audio::Mixer::create(*bank, {});
     if (!mixer) return {"sound", State::note, mixer.error().message, "the game is silent"};
     const auto device = audio::openal_device();
@@ -230,7 +231,7 @@ Finding sound(const std::filesystem::path& assets) {
     return {"sound", State::good, text(bank->sounds.size(), " sounds, and a device that plays them"), ""};
 }
 
-/// What a player's jacket says when it is opened. It is silent, and nothing is recorded.
+/// Result of opening a player's jacket. The jacket stays silent, and nothing is recorded.
 Finding jacket_of_player(const Settings& settings, std::uint32_t player,
                          const std::filesystem::path& assets) {
     const auto& own = settings.players.at(player);
@@ -260,7 +261,7 @@ void add_jackets(std::vector<Finding>& findings, const std::filesystem::path& as
     }
 }
 
-/// Pads, joysticks that SDL does not know, and those that may not be read.
+/// Reports pads, joysticks that SDL does not know, and devices that this user may not read.
 void add_pads(std::vector<Finding>& findings) {
     const auto named = [](const std::string& name, const std::string& path) {
         return text(printable(name, most_of_name_shown), " (", path, ")");
@@ -371,7 +372,7 @@ std::string_view word(State state) {
     return state == State::good ? "good" : state == State::note ? "note" : "MISSING";
 }
 
-/// Keys in the order of the alphabet, as in the whole report.
+/// The JSON keys are in alphabetical order, as in the whole report.
 Json json_of(const Finding& f) {
     Json json{{"advice", f.advice}, {"detail", f.detail}};
     std::map<std::string_view, double> sorted;

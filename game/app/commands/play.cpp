@@ -57,15 +57,16 @@ struct PlayOptions {
     std::filesystem::path record, out = "out";
     bool headless = false, demo = false, vs = false;
     bool match_named = false,
-         arena_named = false;  ///< by an option; else the start screen's last choice holds
-    std::optional<int> solo;   ///< level of the bot; std::nullopt: not --solo
+         /// True if an option names the arena; else the start screen's last choice is used.
+        arena_named = false;
+    std::optional<int> solo;  ///< level of the bot (--solo); std::nullopt without --solo
     std::vector<Seat> hands;
     std::array<int, game::players> bots{1, 1};
 
     bool mode() const { return demo || vs || solo.has_value(); }
 };
 
-/// Levels of two bots: "2,3".
+/// Parses the levels of two bots, such as "2,3".
 Expected<std::array<int, game::players>> read_bots(std::string_view words) {
     const auto comma = words.find(',');
     if (comma == std::string_view::npos) return fail("--bots needs two levels, such as 2,3");
@@ -91,7 +92,7 @@ Expected<void> read_mode(const Arguments& arguments, PlayOptions& options) {
     return {};
 }
 
-/// Reads the players' devices. The mode must be read before.
+/// Reads the players' devices. Call read_mode first.
 Expected<void> read_hands(const Arguments& arguments, PlayOptions& options) {
     const auto words = arguments.value("--hands");
     if (!words) return {};
@@ -135,9 +136,10 @@ Expected<PlayOptions> read_play_options(const std::vector<std::string>& words) {
     return options;
 }
 
-/// Without a display a whole round is played. Without any wish it is one between good bots that has a winner.
+/// Plays a whole round without a display. If no option asks for anything else, the round is one between good
+/// bots that ends with a winner.
 int play_off_screen(const PlayOptions& options) {
-    constexpr double longest_round = 600;  // longest time that is played for one round (s)
+    constexpr double longest_round = 600;  // longest simulated time of one round (s)
     constexpr std::uint64_t seed_with_winner = 5;
     const bool any = !options.headless && !options.mode();
     return play_offscreen_duel({.assets = game::find_assets(),
@@ -161,8 +163,8 @@ std::array<Seat, 2> seats_of(const PlayOptions& options) {
     return {first, hand(1, SeatKind::pad_or_half)};
 }
 
-/// Data for the start screen: its last choice, unless an option names a match or an arena. A choice that cannot be
-/// loaded any more counts as the default.
+/// Data for the start screen: its last choice, unless an option names a match or an arena. If that choice can
+/// no longer be loaded, the default is used.
 Expected<game::MatchData> load_last_choice(const std::filesystem::path& assets, const PlayOptions& options,
                                            const LastChoice& last) {
     auto choice = options.data;

@@ -10,9 +10,11 @@ namespace thaum::app {
 namespace {
 
 constexpr double metres_per_count = 1e-4;
-constexpr double mouse_workspace = 10;  // way after which a mouse is stopped, larger than any desk (m)
+// Distance at which the mouse's hand is stopped, larger than any desk (m)
+constexpr double mouse_workspace = 10;
 constexpr std::int64_t tick_ns = 1'000'000;
-/// Most ticks at once. After a longer stop, such as a suspended computer, time goes on from there.
+/// Largest number of ticks in one call. After a longer gap, such as a suspended computer, simulated time
+/// continues from the present and skips the rest.
 constexpr std::int64_t most_ticks = 250;
 
 haptics::DeviceSpec without_edges(haptics::DeviceSpec spec) {
@@ -40,7 +42,7 @@ void DrawingMouse::advance(std::int64_t now_ns, gesture::StrokeRecorder& recorde
     const auto ticks = (now_ns - now_ns_) / tick_ns;
     if (ticks <= 0) return;
     now_ns_ += ticks * tick_ns;
-    // What the mouse did since the last call is spread over the time since then.
+    // The motion of the mouse since the last call is spread evenly over the ticks since then.
     const vec3 step = moved_ / static_cast<double>(ticks);
     moved_ = vec3(0);
     for (std::int64_t i = 0; i < ticks; ++i) {
@@ -74,7 +76,7 @@ vec3 DrawingArm::step(const input::ArmReading& reading) {
     newest_ns_ = reading.time_ns;
     const vec3 at = input::position_of(reading), velocity = haptics::tip_velocity(state_);
     const bool down = reading.buttons != 0;
-    // The field appears and goes with the stroke, which is a switch.
+    // The viscous field switches on and off with the stroke. Such a switch gets a new number.
     model_.steady_force.number += down == (glm::length(model_.steady_force.force) > 0) ? 0 : 1;
     model_.steady_force.force = down ? -damping_ * velocity : vec3(0);
     samples_.push({{static_cast<double>(reading.time_ns - begin_ns_) * 1e-9, at,

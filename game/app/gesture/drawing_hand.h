@@ -1,5 +1,6 @@
-// game/app/gesture/drawing_hand.h: a hand that draws strokes outside of a match, by mouse or with a force feedback arm. As in
-// a match it draws against a viscous field, and the force of a point is what that field asks for, before any cap.
+// game/app/gesture/drawing_hand.h: a hand that draws strokes outside of a match, by mouse or with a force
+// feedback arm. As in a match, the hand draws against a viscous field, and the force stored with each point
+// is that field's force before any cap.
 #pragma once
 #include <memory>
 
@@ -16,20 +17,21 @@ class DrawingHand {
 public:
     virtual ~DrawingHand() = default;
 
-    /// Counts of the mouse; positive y is downwards. Other devices ignore it.
+    /// Moves the hand by counts of the mouse; positive y is downwards. Other devices ignore the call.
     virtual void move(double, double) {}
-    /// A button of the mouse that draws. Other devices ignore it.
+    /// Presses or releases the mouse button that draws. Other devices ignore the call.
     virtual void press(bool) {}
-    /// Gives the recorder every millisecond up to the time `now_ns` (ns, monotonic clock).
+    /// Gives the recorder one sample for each millisecond up to the time `now_ns` (ns, monotonic clock).
     virtual void advance(std::int64_t now_ns, gesture::StrokeRecorder& recorder) = 0;
-    /// One line if the hand cannot go on: what is wrong, then what to do. Empty otherwise.
+    /// Message if the hand cannot go on: what is wrong, then what to do. Empty: no fault.
     virtual std::string fault() const { return {}; }
 };
 
-/// A mouse that moves a simulated hand, 0.1 mm a count. Each stroke begins in the middle of a large workspace.
+/// A mouse that moves a simulated hand, 0.1 mm a count. Each stroke begins in the middle of a large
+/// workspace.
 class DrawingMouse : public DrawingHand {
 public:
-    /// `model` is the device whose mechanism the hand holds; its edges are left out.
+    /// `model`: the device whose mechanics the simulated hand holds, here without its workspace limits.
     DrawingMouse(haptics::DeviceSpec model, std::int64_t now_ns);
 
     void move(double dx, double dy) override;
@@ -39,22 +41,25 @@ public:
 private:
     haptics::SimulatedDevice device_;
     haptics::SimulatedState state_ = haptics::resting_at(vec3(0));
-    vec3 target_{}, moved_{};  ///< target of the hand, and motion that it has not got yet (m)
+    /// Target of the hand, and mouse motion that the hand has not followed yet (m)
+    vec3 target_{}, moved_{};
     std::int64_t now_ns_;
     double seconds_ = 0;
     bool down_ = false;
 };
 
-/// An open arm, with any of its buttons as Trace. Must not move in memory: the arm's thread uses it.
+/// An open arm. Each of its buttons acts as Trace. Must not move in memory, because the arm's thread uses it.
 class DrawingArm : public DrawingHand {
 public:
-    /// Opens the arm `name`, as `--hands` and `--feel` name arms. Its force is at most `share` of the arm's peak.
+    /// Opens the arm `name`, as `--hands` and `--feel` name arms. Its force is at most `share` of the arm's
+    /// peak.
     static Expected<std::unique_ptr<DrawingArm>> open(const std::string& name, double share);
 
     void advance(std::int64_t now_ns, gesture::StrokeRecorder& recorder) override;
     std::string fault() const override { return arm_->status().text; }
 
-    /// One tick on the arm's thread. No lock, no allocation. Returns the force (N, device frame).
+    /// One tick on the arm's thread. Takes no lock and allocates nothing. Returns the force (N, device
+    /// frame).
     vec3 step(const input::ArmReading& reading);
 
 private:
@@ -66,13 +71,14 @@ private:
     DrawingArm(std::unique_ptr<input::OpenArm> arm, double share);
 
     haptics::Servo servo_;
-    double damping_{};  ///< viscosity that the arm can render (N s/m)
+    double damping_{};  ///< viscosity of the drawing field, limited to what the arm can render (N s/m)
     SpscQueue<Sample, 4096> samples_;
-    // Used by the arm's thread.
+    // used only by the arm's thread
     haptics::HapticModel model_{};
     haptics::ServoState state_{};
     std::int64_t begin_ns_ = 0, newest_ns_ = 0;
-    std::unique_ptr<input::OpenArm> arm_;  ///< last, so that its thread ends before the other members
+    /// Declared last, so that its thread ends before the other members are destroyed.
+    std::unique_ptr<input::OpenArm> arm_;
 };
 
 }  // namespace thaum::app

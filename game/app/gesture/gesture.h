@@ -1,5 +1,5 @@
-// game/app/gesture/gesture.h: the actions of `thaum gesture ACTION ...`. Each takes the words after the action and returns
-// the exit code.
+// game/app/gesture/gesture.h: the actions of `thaum gesture ACTION ...`. Each takes the words after the
+// action and returns the exit code.
 #pragma once
 #include <string>
 #include <string_view>
@@ -19,9 +19,10 @@ int run_gesture_record(const std::vector<std::string>& words);
 int run_gesture_generate(const std::vector<std::string>& words);
 int run_gesture_check(const std::vector<std::string>& words);
 
-/// Channels by the word of --channels; an empty word gives all that the file has. The error says what is wrong.
+/// Channels named by the value of --channels; for an empty value, all channels that the file has. The error
+/// says what is wrong.
 Expected<gesture::Channels> choose_channels(const std::string& word, bool has_depth, bool has_force);
-/// Word of --channels: xy, xyz, xyf or xyzf.
+/// Value of --channels: xy, xyz, xyf or xyzf.
 std::string name_of(gesture::Channels channels);
 
 }  // namespace thaum::app

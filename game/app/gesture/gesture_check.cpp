@@ -1,4 +1,4 @@
-// thaum gesture check: which gestures of template files would be taken for one another.
+// thaum gesture check: which gestures of template files the recogniser would confuse.
 #include <algorithm>
 #include <cstdio>
 

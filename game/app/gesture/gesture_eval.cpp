@@ -115,7 +115,7 @@ std::string name_of(gesture::Channels channels) {
 
 namespace {
 
-/// Times of a recognition with the templates of the first round (us), sorted.
+/// Times of a recognition with the templates of the first round of cross-validation (us), sorted.
 Expected<std::vector<double>> measure_times(const gesture::StrokeSet& set,
                                             const EvaluationSettings& settings) {
     const auto index = gesture::index_of(set.strokes);
@@ -125,7 +125,8 @@ Expected<std::vector<double>> measure_times(const gesture::StrokeSet& set,
     const auto classifier =
         gesture::make_classifier(settings.method, gestures, {settings.channels, settings.seed, false});
     if (!classifier) return classifier.error();
-    // Different strokes follow one another, as in use; they fit the cache, as a stroke that has just been drawn does.
+    // Each call gets another stroke, as in use. All of them fit the processor's cache, as a stroke that was
+    // just drawn does.
     constexpr std::size_t timed_strokes = 64, calls = 8;
     constexpr int passes = 40;
     const std::size_t stride = set.strokes.size() / timed_strokes + 1;
@@ -141,9 +142,9 @@ Expected<std::vector<double>> measure_times(const gesture::StrokeSet& set,
             const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - begin;
             us.push_back(time.count() / calls);
         }
-        if (us.empty()) return std::vector<double>{0};  // too few strokes to time
+        if (us.empty()) return std::vector<double>{0};  // there were too few strokes to measure
     }
-    if (sum == 1) us.push_back(us.back());  // uses the answers
+    if (sum == 1) us.push_back(us.back());  // uses the answers, so that the compiler cannot remove the calls
     std::sort(us.begin(), us.end());
     return us;
 }
@@ -166,7 +167,8 @@ Expected<GestureReport> measure_method(EvalPlan& plan, const gesture::StrokeSet&
     if (is_early || plan.settings.method == gesture::Method::standard) {
         auto own = plan.settings;
         own.own_calibration = true;
-        own.repeats = std::min<std::size_t>(own.repeats, 3);  // synthetic strokes take most of the time
+        // Generating synthetic strokes takes most of the time.
+        own.repeats = std::min<std::size_t>(own.repeats, 3);
         const auto second = gesture::evaluate(set.strokes, own);
         report.has_own_calibration = second.has_value();
         if (second) report.own_calibration_error = second->calibration_error;

@@ -1,4 +1,4 @@
-// thaum gesture generate: the shipped templates, and strokes of users who do not exist to test them with.
+// thaum gesture generate: makes the shipped templates, and strokes of synthetic users to test them with.
 #include <cstdio>
 #include <filesystem>
 

@@ -1,5 +1,5 @@
-// thaum gesture record: writes strokes that a hand draws now, of a recorded match, or of a file of strokes, as a gesture
-// file.
+// thaum gesture record: writes a gesture file from strokes drawn now, from a recorded match, or from a file
+// of strokes.
 #include <algorithm>
 #include <cstdio>
 
@@ -115,7 +115,7 @@ Expected<gesture::Gesture> read_gesture_words(const Arguments& arguments) {
     return gesture;
 }
 
-/// Text of the file, after the checks that `thaum gesture check` and a match make when they read it.
+/// Text of the gesture file, after the same checks that `thaum gesture check` and a match make on reading.
 Expected<std::string> text_of(const gesture::Gesture& gesture, const std::string& path) {
     for (const auto& stroke : gesture.strokes) {
         if (stroke.size() > gesture::most_template_points)

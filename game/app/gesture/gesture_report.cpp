@@ -14,19 +14,20 @@ using gesture::Evaluation;
 
 std::string share_text(double share, int digits = 2) { return fixed(100 * share, digits) + " %"; }
 
-/// A cell of a table, to the right of `width` columns.
+/// One table cell, padded on the left to `width` columns.
 std::string cell(const std::string& words, std::size_t width) {
     return std::string(width > words.size() ? width - words.size() : 0, ' ') + words;
 }
 
 std::string short_name(const std::string& name) { return printable(name, 60).substr(0, 8); }
 
-/// A number of things: "1 stroke", "3 strokes".
+/// A count with its noun: "1 stroke", "3 strokes".
 std::string number_of(std::size_t count, std::string_view thing) {
     return text(count, " ", thing, count == 1 ? "" : "s");
 }
 
-/// Words for the number of trials that the accuracy counts. Strokes of gestures without templates are no part of it.
+/// Text with the number of trials that the accuracy counts. Strokes of gestures without templates are not
+/// counted.
 std::string trials_text(const GestureReport& r) {
     const auto& trials = r.evaluation.trials;
     const auto known = static_cast<std::size_t>(
@@ -35,7 +36,7 @@ std::string trials_text(const GestureReport& r) {
     return text(number_of(known, "trial"), " of known gestures; ", trials.size() - known, " of unknown ones");
 }
 
-/// How often the early answer is told, and then right.
+/// Text: how often an early answer is shown, and how often a shown answer is right.
 std::string certainty_text(const gesture::Certainty& certainty) {
     if (!(certainty.told > 0)) return "in none of the trials";
     return text(share_text(certainty.told), " of the trials, of which ", share_text(certainty.right),
@@ -66,7 +67,7 @@ std::string reliability_text(const Evaluation& e) {
     return out;
 }
 
-/// Keys in the order of the alphabet.
+/// The JSON keys are in alphabetical order.
 Json reliability_json(const Evaluation& e) {
     auto bins = Json::array();
     for (std::size_t b = 0; b < e.reliability.size(); ++b) {
@@ -80,7 +81,7 @@ Json reliability_json(const Evaluation& e) {
     return bins;
 }
 
-/// Words as the content of an element, at most 120 bytes.
+/// Words escaped as the content of an XML element, at most 120 bytes.
 std::string xml_text(std::string_view words) {
     std::string out;
     for (const char c : printable(words, 120)) {

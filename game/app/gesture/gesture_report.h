@@ -11,12 +11,14 @@ struct GestureReport {
     std::string file, method, protocol, channels;
     std::size_t templates{}, repeats{}, strokes{}, users{};
     gesture::Evaluation evaluation;
-    double own_calibration_error{};  ///< error of the probabilities from the templates alone
+    /// Calibration error of the probabilities computed from the templates alone.
+    double own_calibration_error{};
     bool has_own_calibration = false;
-    double at = 1;  ///< share of each tested stroke that was shown
+    double at = 1;  ///< share of each tested stroke that the recogniser was given, from its start
     std::optional<gesture::Certainty>
-        certainty{};               ///< how often an early answer is told to the player, and then right
-    double median_us{}, p99_us{};  ///< time of a recognition, shape included (us)
+        certainty{};  ///< how often an early answer is shown to the player, and how often it is then right
+    /// Median and 99th percentile of the time of a recognition, with normalisation of the stroke (us)
+    double median_us{}, p99_us{};
 };
 
 std::string report_text(const GestureReport& report);

@@ -123,7 +123,7 @@ void print_spotting(const SpotPlan& plan, const gesture::Spotting& r) {
                 fixed(100 * r.skipped, 1).c_str());
 }
 
-/// Tells of labels that count for nothing, because no session has their user or no stroke their gesture.
+/// Reports labels that have no effect, because no session is of their user or no stroke is of their gesture.
 void tell_unused_labels(const std::vector<gesture::SessionLabel>& labels, const gesture::SessionSet& sessions,
                         const std::vector<gesture::Stroke>& strokes) {
     std::set<std::string_view> users, gestures;

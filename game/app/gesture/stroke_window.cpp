@@ -18,12 +18,13 @@
 namespace thaum::app {
 namespace {
 
-constexpr double patience_s = 0.002;  // longest wait for an event, so that motion gets its time
-constexpr double shown_m = 0.2;       // height of the window at the hand
+// Longest wait for a window event, so that motion is sampled often enough (s)
+constexpr double patience_s = 0.002;
+constexpr double shown_m = 0.2;  // height of the window, as a length at the hand (m)
 
-/// Way of a stroke without the tremor of a hand at rest (m).
+/// Arc length of a stroke without the tremor of a resting hand (m).
 double way_of(gesture::Points stroke) {
-    constexpr double step = 5e-4;  // way that is no tremor (m)
+    constexpr double step = 5e-4;  // distance too large for tremor (m)
     double way = 0;
     for (std::size_t i = 1, from = 0; i < stroke.size(); ++i) {
         const double gone = glm::distance(stroke[from].at, stroke[i].at);
@@ -53,7 +54,7 @@ render::WindowEvents events_of(StrokeDesk& desk, DrawingHand& hand) {
     return events;
 }
 
-/// Earlier strokes, the one that is being drawn, and words.
+/// Draws the earlier strokes, the stroke being drawn, and the words.
 void fill(render::Frame& frame, const StrokeDesk& desk, render::Size size) {
     frame.width = size.width;
     frame.height = size.height;
@@ -115,7 +116,8 @@ Expected<std::unique_ptr<DrawingHand>> hand_of(const std::string& device, const 
 }  // namespace
 
 std::string fault_of(gesture::Points stroke, const LeastStroke& least) {
-    constexpr double least_move = 0.0015;  // way above which a hand does more than press the button (m)
+    // Arc length above which the hand did more than press the button (m)
+    constexpr double least_move = 0.0015;
     const double way = way_of(stroke), lasts = stroke.empty() ? 0 : stroke.back().t - stroke.front().t;
     if (way < least_move) return "a press without a stroke does not count: hold the button while you draw";
     if (way < least.way)

@@ -1,4 +1,5 @@
-// game/app/gesture/stroke_window.h: records strokes of a gesture in a window that shows them while they are drawn.
+// game/app/gesture/stroke_window.h: records strokes of a gesture in a window that shows them while they are
+// drawn.
 #pragma once
 #include <string>
 #include <vector>
@@ -13,23 +14,24 @@ struct StrokeWish {
     std::string device;     ///< "mouse", or an arm as `--feel` names it
 };
 
-/// Least strokes that a match reads.
+/// Shortest stroke that a match would read.
 struct LeastStroke {
     double way = 0.015;    ///< arc length (m)
-    double seconds = 0.1;  ///< time from its first to its last point
+    double seconds = 0.1;  ///< time from the first to the last point (s)
 };
 
-/// Why a stroke cannot be a template, and what to do; empty: it can.
+/// Why a stroke cannot be a template, and what to do. Empty if it can.
 std::string fault_of(gesture::Points stroke, const LeastStroke& least);
 
-/// Strokes so far, and what the window says of them.
+/// The strokes drawn so far, and the window's words about them.
 class StrokeDesk {
 public:
     explicit StrokeDesk(StrokeWish wish, LeastStroke least = {}) : wish_(std::move(wish)), least_(least) {}
 
     gesture::StrokeRecorder& recorder() { return recorder_; }
     const gesture::StrokeRecorder& recorder() const { return recorder_; }
-    /// Takes the strokes that have ended. One that cannot be a template is dropped, and `note` says why.
+    /// Takes over the strokes that have ended. A stroke that cannot be a template is dropped, and `note` says
+    /// why.
     void take_ended();
     void key(std::string_view name);
     bool complete() const { return recorder_.strokes().size() >= wish_.count; }
@@ -44,13 +46,14 @@ private:
     StrokeWish wish_;
     LeastStroke least_;
     std::string note_;
-    std::size_t taken_ = 0;                ///< strokes that count
-    gesture::StrokeRecorder recorder_{0};  ///< short strokes are refused with words
+    std::size_t taken_ = 0;  ///< number of accepted strokes
+    /// Its minimum length is 0, because short strokes are refused with a message instead of being ignored.
+    gesture::StrokeRecorder recorder_{0};
     bool left_ = false;
 };
 
-/// Opens a window until the strokes are drawn. The error says why there are none: no display, no such device, or that
-/// the window was closed before.
+/// Opens a window until the strokes are drawn. The error says why there are none: no display, no such device,
+/// or a window closed too early.
 Expected<std::vector<std::vector<gesture::StrokePoint>>> draw_strokes(const StrokeWish& wish);
 
 }  // namespace thaum::app

@@ -50,7 +50,7 @@ int print(const std::vector<ecs::Difference>& differences) {
     return differences.empty() ? done : does_not_hold;
 }
 
-/// Prints the differences of two states. `names` says in a fault which states they are.
+/// Prints the differences of two states. `names`: what to call the states in an error.
 int compare(std::span<const std::byte> a, std::span<const std::byte> b, const std::string& names = {}) {
     const auto differences = ecs::diff(a, b);
     return differences ? print(*differences) : refuse({differences.error().message + names});
@@ -103,7 +103,8 @@ Expected<Bytes> state_elsewhere(const std::string& program, const std::string& l
     if (spawned != 0) return fail(text(program, ": cannot be started"));
     int status = 0;
     waitpid(child, &status, 0);
-    // A replay that differs from its log exits with does_not_hold. Its state is just what we look for.
+    // A replay that diverges from its log exits with does_not_hold. Its state is wanted all the same, since
+    // this command looks for the divergence.
     if (!WIFEXITED(status) || WEXITSTATUS(status) > does_not_hold)
         return fail(text(program, ": could not replay ", log));
     return read_file(file, max_dump);
@@ -122,7 +123,8 @@ Expected<bool> differ(const Sides& sides, Tick tick) {
     return *a != *b;
 }
 
-/// Finds the first tick with different states by bisection: states that differ once stay different.
+/// Finds the first tick with different states by bisection, which works because states that differ once stay
+/// different.
 int bisect(const Sides& sides, Tick length) {
     auto at_end = differ(sides, length);
     if (!at_end) return refuse(at_end.error());

@@ -1,5 +1,5 @@
 // thaum league: matches between bots of all levels. The results show whether a higher level plays better and
-// whether matches have the wanted length. A match is a function of its data and seed, so any process may play
+// whether matches have the wanted length. A match depends only on its data and seed, so any process may play
 // it.
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -174,7 +174,7 @@ Expected<Worker> start(const Plan& plan, const Data& data, const std::vector<Fix
     if (process < 0) return fail("league: cannot start a process; try fewer --jobs");
     if (process == 0) {
         ::close(ends[0]);
-        // A worker must not go on when the league was killed, perhaps before this line.
+        // Ends the worker with its parent. The parent may even have been killed before this line.
         ::prctl(PR_SET_PDEATHSIG, SIGKILL);
         if (::getppid() != parent) ::_exit(does_not_hold);
         work(plan, data, fixtures, job, ends[1]);

@@ -1,4 +1,4 @@
-// thaum replay: plays a log again, to check it, to watch it, or to write tables and pictures.
+// thaum replay: replays a log to check it, to watch it, or to write tables and pictures.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -51,12 +51,12 @@ with the log's hashes. At a difference it prints the tick, leaves no files, and 
 with code 1. An existing FILE is replaced, but never LOG, data or a recording.
 )";
 
-/// Wanted results of one pass over the log.
+/// The outputs wanted of one pass over the log.
 struct Pass {
     bool verify = false;
     std::optional<std::filesystem::path> events{}, state{}, forces{}, tactile{}, wav{};
-    std::optional<game::FeltGroups> felt_sound{};  ///< sounds in `tactile`; std::nullopt: none
-    std::optional<std::uint32_t> ears{};           ///< player who hears `wav`; std::nullopt: both
+    std::optional<game::FeltGroups> felt_sound{};  ///< groups of sounds felt in `tactile`; std::nullopt: none
+    std::optional<std::uint32_t> ears{};  ///< player from whose place `wav` is heard; std::nullopt: both
     Tick state_every = 1;
     std::optional<ShotPlan> shots{};
 
@@ -89,7 +89,7 @@ struct Table {
 
 struct Outputs {
     Table events{}, state{}, forces{}, tactile{};
-    Tick felt = 0;  ///< number of ticks of play whose forces have been written
+    Tick felt = 0;  ///< ticks of play whose forces have been written
     game::EventTable what_happened{};
     std::optional<Shots> shots{};
     std::optional<ReplaySound> sound{};
@@ -126,7 +126,7 @@ Expected<Outputs> open_outputs(const Pass& pass, const game::Playback& playback)
     return out;
 }
 
-/// Writes the rows and pictures that are due in the playback's state now.
+/// Writes the rows and pictures that are due at the playback's current tick.
 Expected<void> put_outputs(const Pass& pass, const game::Playback& playback, Outputs& out) {
     if (out.events.file) out.what_happened.follow(playback, out.events.rows);
     out.events.put();
@@ -259,7 +259,7 @@ Expected<ShotPlan> read_shots(const Arguments& arguments, Tick log_ticks) {
     return plan;
 }
 
-/// Rejects options that need another option which is missing.
+/// Rejects an option that is given without another option on which it depends.
 Expected<void> check_company(const Arguments& arguments, const Pass& pass) {
     for (const auto* word : {"--shot-every", "--shot-at", "--shot-on", "--size"}) {
         if (arguments.has(word) && !pass.shots) return fail(text(word, " needs --shots"));
@@ -309,7 +309,7 @@ Expected<Pass> read_pass(const Arguments& arguments, Tick log_ticks) {
     return pass;
 }
 
-/// Tick for --at, checked against the length of the log.
+/// Tick given by --at, checked against the length of the log.
 Expected<Tick> start_of(const Arguments& arguments, const game::Playback& playback) {
     const auto at = arguments.number("--at", 0, 1e6, 0);
     if (!at) return at.error();
@@ -325,8 +325,8 @@ int watch_from(const Arguments& arguments, game::Playback playback) {
     return watch(std::move(playback), {*start, *speed, arguments.value("--out").value_or("out")});
 }
 
-/// Plays the forces of a log on an arm, in real time only. A slower push would move a hand farther, and a
-/// faster one would feel like another push.
+/// Plays the forces of a log on an arm, in real time only. At another speed a push would feel different: a
+/// slower one would move the hand farther.
 int feel_from(const Arguments& arguments, game::Playback playback) {
     if (arguments.has("--speed"))
         return refuse(
@@ -342,7 +342,7 @@ int feel_from(const Arguments& arguments, game::Playback playback) {
                 {.device = *arguments.value("--feel"), .player = static_cast<std::uint32_t>(*player - 1)});
 }
 
-/// Prints the header of a log. It also shows logs that this program does not replay.
+/// Prints the header of a log. This also works for logs that this version cannot replay.
 int print_header(const std::vector<std::string>& words, const std::string& path) {
     if (words.size() != 2) return refuse({"--header goes with no other option"});
     const auto log = input::LogReader::open(path);

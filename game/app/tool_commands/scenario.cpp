@@ -1,4 +1,4 @@
-// thaum scenario: runs gameplay scenarios, and shows that each gives the same match again.
+// thaum scenario: runs gameplay scenarios, and checks that a scenario always gives the same match.
 #include <algorithm>
 #include <cstdio>
 
@@ -75,7 +75,7 @@ void print_result(const game::ScenarioResult& result) {
     for (std::string_view rest = result.output; !rest.empty();) {
         const auto end = std::min(rest.find('\n'), rest.size());
         std::string line(rest.substr(0, end));
-        std::ranges::replace(line, '\t', ' ');  // between the values of one print
+        std::ranges::replace(line, '\t', ' ');  // Lua's print separates its values by tabs
         std::printf("       %s\n", printable(line, longest).c_str());
         rest.remove_prefix(std::min(end + 1, rest.size()));
     }

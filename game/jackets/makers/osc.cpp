@@ -23,10 +23,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Messages of silence, and the time between two.
+/// Number of messages that stop all motors, and the time between two of them.
 constexpr int messages_of_silence = 8;
 constexpr std::chrono::milliseconds between_silences{50};
-constexpr std::size_t most_of_host_shown = 60;  ///< bytes of a host's name in messages
+constexpr std::size_t most_of_host_shown = 60;  ///< longest part of a host's name in messages (bytes)
 constexpr std::size_t most_addresses = 8;       ///< most addresses of one host to which messages go
 
 struct FreeAddresses {
@@ -48,7 +48,7 @@ Expected<Addresses> look_up(const NetAddress& address) {
     return Addresses(found);
 }
 
-/// One address of the jacket's host, with a socket of ours.
+/// One address of the jacket's host, with the socket for it.
 struct Peer {
     int socket = -1;
     sockaddr_storage address{};
@@ -76,25 +76,26 @@ private:
     const NetAddress address_;
     const std::size_t motors_;
     const std::string silent_;  ///< the message with all motors off
-    /// All addresses of the host. UDP does not tell which of them the jacket listens at (localhost is ::1 and 127.0.0.1), and
-    /// it may begin to listen later, so each message goes to all.
+    /// All addresses of the host, such as ::1 and 127.0.0.1 for localhost. UDP does not tell at which of them
+    /// the jacket listens, and it may begin to listen later, so each message goes to all addresses.
     std::vector<Peer> peers_{};
-    std::string last_{};     ///< the last message that went out
-    double again_at_s_ = 0;  ///< when the last message goes out again
-    int silences_left_ = 0;  ///< messages of silence still to send
+    std::string last_{};     ///< the last message that was sent
+    double again_at_s_ = 0;  ///< time at which the last message is sent again (s)
+    int silences_left_ = 0;  ///< number of stop messages still to be sent
     Clock::time_point next_silence_{};
 };
 
-/// Sends a message. Returns false if it did not go out: no network, or the system's queue is full. A later one will.
+/// Sends a message. Returns false if that failed, because there is no network or the system's queue is full.
+/// A later message may succeed.
 bool send_to(const Peer& peer, const std::string& message) {
     return ::sendto(peer.socket, message.data(), message.size(), MSG_DONTWAIT | MSG_NOSIGNAL,
                     reinterpret_cast<const sockaddr*>(&peer.address),
                     peer.size) == static_cast<ssize_t>(message.size());
 }
 
-/// Tells the jacket where we are. Without a port of our own it is left out: the frames need no answer.
+/// Tells the jacket our address. If we have no port this is left out, because frames need no answer.
 void send_ping(const Peer& peer) {
-    sockaddr_storage own{};  // any address and port
+    sockaddr_storage own{};  // an address that means any address and port of this machine
     own.ss_family = peer.address.ss_family;
     socklen_t size = peer.size;
     auto* const address = reinterpret_cast<sockaddr*>(&own);
@@ -110,7 +111,8 @@ Expected<void> OscJacket::open() {
     if (!found) return found.error();
     for (const auto* one = found->get(); one != nullptr && peers_.size() < most_addresses;
          one = one->ai_next) {
-        // Without a connection of the socket, the system does not report a dead jacket as an error of a later send.
+        // The socket is not connected, because otherwise the system would report a dead jacket as an error of
+        // a later send.
         Peer peer{.socket = ::socket(one->ai_family, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0),
                   .size = one->ai_addrlen};
         if (peer.socket < 0) continue;
@@ -119,7 +121,7 @@ Expected<void> OscJacket::open() {
     }
     if (peers_.empty()) return fail(text("no socket: ", std::strerror(errno)));
     for (const Peer& peer : peers_) send_ping(peer);
-    // Motors that an earlier program left on stop.
+    // Stops motors that an earlier program left on.
     silence();
     return {};
 }
@@ -143,7 +145,7 @@ void OscJacket::silence() {
     send_silence();
 }
 
-/// Sends the messages of silence that are due. The player asks several times in between.
+/// Sends the stop messages that are due. TactilePlayer calls this function often enough.
 bool OscJacket::is_connected() {
     if (silences_left_ > 0 && Clock::now() >= next_silence_) send_silence();
     return true;
@@ -156,7 +158,7 @@ void OscJacket::send_silence() {
     next_silence_ = Clock::now() + between_silences;
 }
 
-/// Returns false if the message went to no address.
+/// Returns false if the message could not be sent to any address.
 bool OscJacket::send(const std::string& message) {
     bool sent = false;
     for (const Peer& peer : peers_) sent = send_to(peer, message) || sent;
@@ -165,7 +167,7 @@ bool OscJacket::send(const std::string& message) {
 
 void OscJacket::end() {
     if (peers_.empty()) return;
-    // There is no later chance, and one of the three may be lost.
+    // This is the last chance, and two of the three messages may be lost.
     for (int i = 0; i < 3; ++i) send(silent_);
     for (const Peer& peer : peers_) ::close(peer.socket);
     peers_.clear();

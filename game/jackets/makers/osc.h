@@ -1,11 +1,13 @@
 // game/jackets/makers/osc.h: a jacket that takes OSC messages by UDP, such as the Wi-Fi vests of the VRCH server.
 //
-// Each message is absolute: the strengths of all motors. One goes out when they have changed, and after half of the
-// frame's time to live. UDP loses messages, so the message of silence goes out several times. At first, as by
-// the VRCH server, it gets "/ping" with our port, to which it may send heartbeats. Nothing is read, and nobody knows
-// whether a jacket listens: a dead one costs only its small messages.
+// Each message is absolute: the strengths of all motors. A message is sent when they have changed, and again
+// after half of the frame's time to live. UDP loses messages, so the message that stops all motors is sent
+// several times. When it is opened, the jacket gets "/ping" with our port, as from the VRCH server, and may
+// send heartbeats to that port. The program reads none, so it cannot know whether a jacket listens; sending
+// to a dead one costs only small messages.
 //
-// The jacket itself must stop its motors when messages stay out. The program cannot do it over a dead link.
+// The jacket itself must stop its motors when no more messages arrive, because the program cannot do it over
+// a dead link.
 #pragma once
 #include <cstddef>
 #include <memory>

@@ -62,7 +62,7 @@ constexpr std::array<std::string_view, 9> setting_words{"--solver",    "--cells"
                                                         "--bowl",      "--box",     "--edges",
                                                         "--viscosity", "--gravity", "--substance"};
 
-/// Index of the option's word in `names`; `fallback` if the option was not given.
+/// Index of the option's value in `names`; `fallback` if the option was not given.
 Expected<std::size_t> one_of(const Arguments& arguments, std::string_view option,
                              std::array<std::string_view, 2> names, std::size_t fallback) {
     const auto word = arguments.value(option);

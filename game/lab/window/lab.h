@@ -25,7 +25,7 @@ struct LabPlan {
 /// Pictures drawn without a window, saved as FOLDER/lab_STEP.png; none if the plan names no folder.
 class LabShots {
 public:
-    /// The error is one line: the folder cannot be made, or there is no OpenGL.
+    /// Prepares the pictures. The error is one line: the folder cannot be made, or there is no OpenGL.
     static Expected<LabShots> open(const LabPlan& plan);
     LabShots(LabShots&&) noexcept;
     LabShots& operator=(LabShots&&) noexcept;
@@ -37,7 +37,7 @@ public:
 private:
     struct State;
     LabShots();
-    std::unique_ptr<State> state_;  ///< null: no pictures are wanted
+    std::unique_ptr<State> state_;  ///< null if no pictures are wanted
     std::filesystem::path folder_;
     std::int64_t every_ = 1;
 };

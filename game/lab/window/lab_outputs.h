@@ -1,4 +1,4 @@
-// game/lab/window/lab_outputs.h: what both labs write: a state at the end, a trace, and pictures.
+// game/lab/window/lab_outputs.h: outputs that both labs write: a state at the end, a trace, and pictures.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -17,14 +17,15 @@ struct LabOutputs {
     render::Size size{1280, 720};
 };
 
-/// `every` is used if the command line has no --every. The error names the option that does not fit.
+/// Reads the output options. `every` is the interval if --every is not given. The error names the unsuitable
+/// option.
 Expected<LabOutputs> read_lab_outputs(const Arguments& arguments, std::int64_t every);
 
-/// Rows of a CSV file; writes nothing if no file is named.
+/// Rows of a CSV file. Writes nothing if no file is named.
 class LabTrace {
 public:
     static Expected<LabTrace> open(const std::optional<std::filesystem::path>& file, std::string_view header);
-    /// Adds what append(rows) appends to a string. Without a file it is not called.
+    /// Writes the rows that append(rows) adds to a string. Without a file, `append` is not called.
     template <class Append>
     void add(Append append) {
         if (!file_) return;

@@ -12,7 +12,7 @@ namespace {
 constexpr double pitch_least = -0.1, pitch_most = 1.5, away_least = 1.5, away_most = 12;
 constexpr double eye_middle = -0.25;  // height of the camera's target above the level surface (m)
 constexpr double handle = 1.3;        // length of the ladle's handle (m)
-constexpr double hand_newtons = 3.3;  // peak force of the device in the match's hands (N)
+constexpr double hand_newtons = 3.3;  // peak force of the device that hands in a match hold (N)
 
 /// Picture of the ladle; its handle leans away from the middle of the bowl.
 game::LadlePicture ladle_picture(const game::LabState& lab, double newtons) {
@@ -66,7 +66,7 @@ const render::Frame& LabPicture::frame(const game::LabState& lab, const game::La
     }
     game::show_brew(picture_, {.arrows = page.hands.arrows, .streamlines = page.hands.streamlines}, look_);
     const auto& room = lab.settings.room;
-    const double middle = -room.size.height * (room.filled - 0.5);  // height of the vessel's middle (m)
+    const double middle = -room.size.height * (room.filled - 0.5);  // height of the bowl's middle (m)
     instances_.clear();
     instances_.push_back({.mesh = vessel_, .model = at_height(middle)});
     instances_.push_back({.mesh = floor_, .model = at_height(middle - room.size.height / 2 - 0.05)});

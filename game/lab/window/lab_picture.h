@@ -1,5 +1,5 @@
-// game/lab/window/lab_picture.h: one picture of the lab: the cauldron with its brew and ladle, the figures and the
-// list of keys. The window and the saved pictures share this code.
+// game/lab/window/lab_picture.h: one picture of the lab: the cauldron with its brew and ladle, the figures
+// and the list of keys. The window and the saved pictures share this code.
 #pragma once
 #include "game/lab/controls.h"
 #include "game/scene/brew_look.h"
@@ -15,7 +15,7 @@ struct LabEye {
     double away = 4.2;    ///< distance from the middle of the surface (m)
 };
 
-/// Returns the eye after a turn and a change of distance, clamped to views from which the brew is seen.
+/// Returns the camera after a rotation and a change of distance, limited to views that show the brew.
 LabEye turned(const LabEye& eye, double yaw, double pitch, double away_times);
 render::Camera camera_of(const LabEye& eye);
 
@@ -31,8 +31,8 @@ struct LabPage {
 
 class LabPicture {
 public:
-    /// The renderer's context must be current for the whole life of the picture. The bowl is the one of `lab`
-    /// at this call.
+    /// The renderer's OpenGL context must be current during the whole lifetime of the picture. The bowl is
+    /// that of `lab` at this call.
     LabPicture(render::Renderer& renderer, const game::LabState& lab);
 
     /// Builds the frame. The reference stays valid until the next call.
@@ -44,7 +44,7 @@ private:
     render::MeshId vessel_{}, floor_{};
     game::BrewLook look_;
     game::BrewPicture picture_;
-    std::int64_t shown_ = -1;  ///< step that `picture_` shows
+    std::int64_t shown_ = -1;  ///< number of the step that `picture_` shows
     std::vector<render::Instance> instances_;
     std::vector<render::PointLight> lights_;
     render::Frame frame_;

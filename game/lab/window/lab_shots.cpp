@@ -9,7 +9,7 @@ namespace thaum::app {
 
 struct LabShots::State {
     render::Offscreen context;
-    render::Renderer renderer;  // destroyed before its context
+    render::Renderer renderer;  // must be destroyed before its OpenGL context
     LabPicture picture;
     LabPage page{};
 };

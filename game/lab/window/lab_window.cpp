@@ -1,6 +1,6 @@
 // The lab in a window. One thread handles input, computes the steps of 16 ms that are due by the clock, and
 // draws a picture. If a step takes longer than 16 ms to compute, the brew flows more slowly and the screen
-// shows the speed. Nothing in the lab must be on time.
+// shows the speed. The lab has no real-time deadlines.
 #include <algorithm>
 #include <cmath>
 
@@ -25,19 +25,21 @@ namespace {
 
 using game::LabState;
 
-// The most steps for one picture take a tenth of a second, the longest time between pictures that the settings allow. Time
-// beyond them is dropped.
+// Maximum number of steps per picture. They cover a tenth of a second, the longest interval between pictures
+// that the settings allow. Time beyond that is dropped.
 constexpr int steps_of_a_frame = 7;
 constexpr double note_s = 4, rate_s = 0.5;
 // volume poured in a step while the key is held, and for each press (m^3)
 constexpr double pour_m3 = 2e-3;
 constexpr double above = 0.15;  // height of a lifted ladle above the level surface (m)
-constexpr double dip_m = 0.04;  // speed of the ladle up and down (m per step)
-// how a ladle follows the mouse: share of the way per step, and most of it (m)
+constexpr double dip_m = 0.04;  // vertical speed of the ladle (m per step)
+// how a ladle follows the mouse: share of the distance per step, and maximum displacement (m)
 constexpr double follow = 0.5, way_most = 0.12;
-constexpr double depth_step = 0.08;    // change of the ladle's depth by one step of the wheel (m)
-constexpr double within_walls = 0.93;  // reach of the ladle from the middle (share of the basin's width)
-constexpr double flat_view = 0.2;      // pitch below which the mouse lifts and sinks the ladle (rad)
+constexpr double depth_step = 0.08;  // change of the ladle's depth by one step of the wheel (m)
+// Largest distance of the ladle from the middle, as a share of the basin's width.
+constexpr double within_walls = 0.93;
+// Elevation of the camera below which the mouse moves the ladle up and down (rad)
+constexpr double flat_view = 0.2;
 
 struct LabSession {
     LabPlan plan;
@@ -49,10 +51,11 @@ struct LabSession {
     std::optional<fvec2> cursor{};  ///< position of the mouse (px); std::nullopt: outside of the window
     bool stirring = false, turning = false, pouring = false;
     int pours_due = 0;  ///< presses of the pour key since the last step
-    /// bowl_changed: the picture must be made again
+    /// bowl_changed: true if the picture must be built again
     bool wants_reset = false, leaves = false, bowl_changed = false;
-    double height{};              ///< height of a stirring ladle above the level (m), <= 0
-    std::optional<vec3> ladle{};  ///< place of the ladle, also while it is lifted out (m, basin frame)
+    double height{};  ///< height of a stirring ladle above the level surface (m), <= 0
+    /// Position of the ladle, also while it is out of the brew (m, basin frame)
+    std::optional<vec3> ladle{};
     std::int64_t note_until_ns = 0;
 };
 
@@ -63,7 +66,7 @@ void note(LabSession& session, std::string_view words) {
 
 // ---- the ladle --------------------------------------------------------------------------------------------
 
-/// Nearest place inside the walls.
+/// Nearest position inside the walls.
 vec3 in_basin(const LabState& lab, vec3 place) {
     place.y = std::clamp(place.y, -0.95 * lab.basin.depth, above);
     const double width = within_walls * game::width_at(lab.basin, std::min(place.y, 0.0));
@@ -72,8 +75,9 @@ vec3 in_basin(const LabState& lab, vec3 place) {
     return place;
 }
 
-/// Place that the mouse points at, in the horizontal plane of the wanted height. In a flat view: in the
-/// vertical plane through the middle. std::nullopt if the mouse points at none.
+/// Position at which the mouse points, in the horizontal plane at the ladle's height, or in a nearly
+/// horizontal view in the vertical plane through the middle. std::nullopt if the mouse points at neither
+/// plane.
 std::optional<vec3> pointed_at(const LabSession& session, render::Size size) {
     if (!session.cursor || size.height <= 0) return std::nullopt;
     const auto camera = camera_of(session.page.eye);
@@ -91,7 +95,7 @@ std::optional<vec3> pointed_at(const LabSession& session, render::Size size) {
     return in_basin(session.plan.lab, eye + way * ray);
 }
 
-/// Moves the ladle by one step: down at the mouse's place, after the mouse, and up again when the stirring
+/// Moves the ladle by one step: down to the mouse position, along with the mouse, and up again when stirring
 /// ends.
 void move_ladle(LabSession& session, render::Size size) {
     const auto target = session.stirring ? pointed_at(session, size) : std::nullopt;
@@ -186,7 +190,7 @@ bool same_settings(const game::LabSettings& a, const game::LabSettings& b) {
            std::ranges::equal(a.substances, b.substances, same);
 }
 
-/// Input of the next step: the hand's if a hand does something, else the script's.
+/// Input of the next step: from the user if there is any, else from the script.
 game::LabInput input_now(LabSession& session, render::Size size) {
     auto& lab = session.plan.lab;
     game::LabInput input = game::scripted_input(session.plan.script, lab);
@@ -212,7 +216,7 @@ void step_session(LabSession& session, render::Size size, Jobs& jobs) {
     });
 }
 
-/// Clock of the lab: number of steps that are due, and steps computed per second.
+/// Clock of the lab: number of steps due now, and steps computed per second.
 struct LabClock {
     std::int64_t last_ns = monotonic_ns();
     double owed_s{}, counted_s{};

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t mouse_buttons = 5;
 
-/// Keys that text fields of panels need, after the mouse's buttons.
+/// Keys that text fields in panels need, numbered after the mouse buttons.
 constexpr std::array<std::pair<std::string_view, ImGuiKey>, 18> edit_keys{{
     {"Tab", ImGuiKey_Tab},
     {"Left", ImGuiKey_LeftArrow},
@@ -35,14 +35,14 @@ constexpr std::array<std::pair<std::string_view, ImGuiKey>, 18> edit_keys{{
 }};
 static_assert(mouse_buttons + edit_keys.size() == Panels::switches);
 
-/// Whether a mouse button or a key is down, as Dear ImGui sees it.
+/// Whether a mouse button or key is down, in the state of Dear ImGui.
 bool& is_down(std::size_t number) {
     auto& io = ImGui::GetIO();
     return number < mouse_buttons ? io.MouseDown[number]
                                   : io.KeysDown[edit_keys[number - mouse_buttons].second];
 }
 
-/// A drop-down list or a question is open.
+/// Whether a drop-down list or a question is open.
 bool popup_open() {
     return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
@@ -52,7 +52,7 @@ bool popup_open() {
 Panels::Panels(float text_px) {
     ImGui::CreateContext();
     auto& io = ImGui::GetIO();
-    io.IniFilename = nullptr;  // places of panels are not kept
+    io.IniFilename = nullptr;  // positions of panels are not saved to a file
     io.FontGlobalScale = text_px / 13;
     for (const auto& [name, key] : edit_keys) io.KeyMap[key] = key;
     ImGui::StyleColorsDark();

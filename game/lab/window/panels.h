@@ -16,7 +16,8 @@ namespace thaum::app {
 
 class Panels {
 public:
-    /// A context of OpenGL must be current, now and until the end of the life of this object. Only one may exist.
+    /// An OpenGL context must be current now and during the whole lifetime of this object. Only one such
+    /// object may exist.
     explicit Panels(float text_px);
     Panels(const Panels&) = delete;
     Panels& operator=(const Panels&) = delete;
@@ -25,21 +26,23 @@ public:
     /// Number of mouse buttons and keys that panels use.
     static constexpr std::size_t switches = 23;
 
-    /// Events for Window::poll, to be used while this object lives. Those on a panel go to the panels alone, and so do
-    /// all keys while a text field, a list or a question is open: Esc closes it. Ends of presses go to both.
+    /// Event handlers for Window::poll, valid while this object exists. Events on a panel go only to the
+    /// panels, and so do all keys while a text field, a list or a question is open (Esc closes these).
+    /// Releases of buttons and keys go to both.
     render::WindowEvents listening(const render::WindowEvents& program);
     void begin(render::Size size, double seconds);
     void draw();
 
 private:
-    /// Tells Dear ImGui of a press. It looks once a picture, so a press that ends before is held until then.
+    /// Reports a press or release to Dear ImGui. Dear ImGui reads this state once per picture, so a press
+    /// that has already ended is kept until then.
     void set(std::size_t number, bool down);
-    /// Returns whether the key is for the panels alone.
+    /// Returns whether the key is used by the panels alone.
     bool take_key(std::string_view name, bool pressed);
     void add_mouse(const render::WindowEvents& program, render::WindowEvents& heard);
 
-    std::array<bool, switches> fresh_{};  ///< pressed since the last picture
-    std::array<bool, switches> ended_{};  ///< released since then
+    std::array<bool, switches> fresh_{};  ///< for each button or key, true if pressed since the last picture
+    std::array<bool, switches> ended_{};  ///< for each button or key, true if released since the last picture
 };
 
 }  // namespace thaum::app

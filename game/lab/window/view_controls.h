@@ -3,7 +3,7 @@
 
 namespace thaum::app {
 
-inline constexpr double turn_per_px = 0.008;    // by a way of the mouse (rad/px)
-inline constexpr double nearer_per_step = 0.9;  // factor of the eye's distance by one step of the wheel
+inline constexpr double turn_per_px = 0.008;    // rotation of the view per mouse motion (rad/px)
+inline constexpr double nearer_per_step = 0.9;  // factor on the camera's distance per step of the wheel
 
 }  // namespace thaum::app

@@ -103,7 +103,7 @@ Expected<void> read_places(const Arguments& arguments, game::VolumeSession& sess
     return {};
 }
 
-/// Session of the command line: from a file, or a new one with the volume's name.
+/// The session that the command line describes: from a file, or a new one with the volume's name.
 Expected<game::VolumeSession> read_session(const Arguments& arguments) {
     game::VolumeSession session;
     if (const auto file = arguments.value("--session")) {
@@ -139,7 +139,7 @@ Expected<game::VolumeSession> read_session(const Arguments& arguments) {
     return session;
 }
 
-/// Opens a file, or makes a volume.
+/// Opens a file, or generates a volume.
 Expected<field::Volume> open_volume(const game::SessionVolume& one, std::vector<std::string>& notes) {
     if (is_made(one.volume))
         return field::make_volume(one.volume, static_cast<int>(one.count),
@@ -155,7 +155,7 @@ Expected<field::Volume> open_volume(const game::SessionVolume& one, std::vector<
 
 // ---- modes ------------------------------------------------------------------------------------------------
 
-/// Reads "NAME,A,B", the parts of a --filter behind its mode.
+/// Reads "NAME,A,B", the part of a --filter value after the mode.
 Expected<field::Filter> read_filter(const std::string& words, std::span<const std::string> parts) {
     const auto names = field::filter_names();
     const auto name = parts.empty() ? names.end() : std::ranges::find(names, parts[0]);
@@ -237,7 +237,7 @@ Expected<field::TransferFunction> read_points(std::string_view option, std::span
     return *function;
 }
 
-/// Reads "M,X:Y,..." and gives the function to mode M.
+/// Reads "M,X:Y,..." and assigns the function to mode M.
 Expected<void> read_transfer(const std::string& words, std::vector<LabMode>& modes) {
     const auto parts = parts_of(words);
     const auto mode = mode_named(modes, parts[0]);
@@ -262,7 +262,7 @@ Expected<game::FeelPart> read_feel(const std::string& words) {
     return *part;
 }
 
-/// Reads the feel of the body as a whole, and the opacity that it goes by.
+/// Reads the feel of the body as a whole, and the opacity that the feel uses.
 Expected<void> read_body_feel(const Arguments& arguments, VolumeLabPlan& plan,
                               game::VolumeLabSettings& settings) {
     if (const auto words = arguments.value("--opacity")) {
@@ -349,7 +349,7 @@ Expected<void> read_outputs(const Arguments& arguments, VolumeLabPlan& plan) {
     return check_outputs(plan);
 }
 
-/// Chooses what is felt where the command line says nothing of it: the surface of a body, the direction of a flow.
+/// Chooses a default mode if the command line names none: the surface of a body, the direction of a flow.
 Expected<void> put_on_usual_mode(const Arguments& arguments, VolumeLab& lab) {
     if (arguments.has("--session") || arguments.has("--mode") || arguments.has("--feel")) return {};
     auto mode = read_mode(arguments, lab.carvable() ? "isosurface" : "follow", lab);
@@ -359,7 +359,7 @@ Expected<void> put_on_usual_mode(const Arguments& arguments, VolumeLab& lab) {
     return game::change_volume_lab(lab, settings);
 }
 
-/// Notes which modes read smoothed samples of a volume so large that the first step is slow.
+/// Notes the modes that read smoothed samples of a very large volume, because their first step is slow.
 void note_slow_filters(VolumeLabPlan& plan) {
     constexpr std::size_t many = std::size_t{1} << 24U;
     constexpr double samples_per_second = 4e6;
@@ -376,7 +376,7 @@ void note_slow_filters(VolumeLabPlan& plan) {
     }
 }
 
-/// Reads the length of a servo step (ms), of which a tick has a whole number.
+/// Reads the duration of a servo step (ms). A tick must consist of a whole number of steps.
 Expected<void> read_servo_step(const Arguments& arguments, VolumeLab& lab) {
     const auto ms = arguments.number("--step", 1.0 / game::most_steps_per_tick, 1);
     if (!ms) return ms.error();
@@ -397,7 +397,8 @@ Expected<VolumeLabPlan> read_volume_plan(const Arguments& arguments) {
     protect_companions(plan);
     plan.session_file = arguments.path("--session");
     if (auto read = read_modes(arguments, plan); !read) return read.error();
-    if (!session->view) come_near(plan.lab, plan.view);  // the level may be another one now
+    // Taken again, because the level of the surface may have changed.
+    if (!session->view) come_near(plan.lab, plan.view);
     if (auto put = put_on_usual_mode(arguments, plan.lab); !put) return put.error();
     note_slow_filters(plan);
     if (auto read = read_script(arguments, headless, plan); !read) return read.error();
@@ -413,7 +414,7 @@ Expected<VolumeLabPlan> read_volume_plan(const Arguments& arguments) {
 // ---- without a window -------------------------------------------------------------------------------------
 
 void tell_end(const VolumeLab& lab, std::size_t changed, double most_n, double took_s) {
-    // Before anything is said: a hash needs memory for a second body.
+    // Computed before any output, because the hash needs memory for a second body and may fail.
     const auto state = hex(game::lab_hash(lab));
     const auto& n = lab.carvable() ? lab.body.count : lab.source.count;
     std::printf("lab: %s s with %d x %d x %d samples in %s s; force up to %s N; %zu voxels changed\n",

@@ -14,43 +14,44 @@
 
 namespace thaum::app {
 
-/// A time in which a tool is held.
+/// A period in which a tool is held.
 struct PlannedCarve {
     std::size_t tool{};   ///< index into VolumeLab::data.tools
-    double from{}, to{};  ///< when it is taken up and put down (s)
+    double from{}, to{};  ///< times at which the tool is taken up and put down (s)
 };
 
 /// Options of one session.
 struct VolumeLabPlan {
     game::SessionVolume first{};                ///< the volume that can be carved
-    std::vector<game::SessionVolume> beside{};  ///< those beside it
-    bool registered{};                          ///< those lie to the first one as their files say
-    std::string device{};                       ///< model of the simulated arm
+    std::vector<game::SessionVolume> beside{};  ///< the added volumes
+    bool registered{};  ///< true: the added volumes are placed relative to the first one as their files say
+    std::string device{};  ///< model of the simulated arm
     game::VolumeLab lab{};
     game::HandPath path{};
-    /// The mouse moves the hand from the start. Otherwise the path does until the mouse moves.
+    /// true: the mouse moves the hand from the start; false: the path moves the hand until the mouse does
     bool by_mouse{};
     std::vector<PlannedCarve> carves{};
     VolumeView view{};
     /// length of the session in simulated time (s); std::nullopt: until the window is closed
     std::optional<double> seconds{};
-    std::optional<std::filesystem::path> session_file{};  ///< file of the settings
+    std::optional<std::filesystem::path> session_file{};  ///< file of the session's settings
     LabOutputs out{};
     std::vector<std::string> notes{};  ///< messages about the volumes for the user, one line each
 };
 
-/// Opens the volume of a session and sets what it says. The error says what is wrong with a file or a setting.
+/// Opens the volumes of a session and applies its settings. The error says what is wrong with a file or a
+/// setting.
 Expected<VolumeLabPlan> plan_of(const game::VolumeSession& session);
-/// The session that would open the plan as it is now, with the volumes at their present places.
+/// The session that would open the plan in its present state, with the volumes at their present places.
 game::VolumeSession session_of(const VolumeLabPlan& plan);
 
-/// Input of the next step by the plan's path and carves.
+/// Input of the next step, from the plan's path and periods of carving.
 game::VolumeLabInput planned_input(const VolumeLabPlan& plan);
 
 /// Pictures drawn without a window, saved as FOLDER/lab_TICK.png; none if the plan names no folder.
 class VolumeShots {
 public:
-    /// The error is one line: the folder cannot be made, or there is no OpenGL.
+    /// Prepares the pictures. The error is one line: the folder cannot be made, or there is no OpenGL.
     static Expected<VolumeShots> open(const VolumeLabPlan& plan);
     VolumeShots(VolumeShots&&) noexcept;
     VolumeShots& operator=(VolumeShots&&) noexcept;
@@ -63,10 +64,10 @@ public:
 private:
     struct State;
     VolumeShots();
-    std::unique_ptr<State> state_;  ///< null: no pictures are wanted
+    std::unique_ptr<State> state_;  ///< null if no pictures are wanted
 };
 
-/// `thaum lab VOLUME ...`: words of the command line -> exit code.
+/// Runs `thaum lab VOLUME ...` with these arguments. Returns an exit code.
 int run_volume_lab(const std::vector<std::string>& words);
 std::string_view volume_lab_help();
 

@@ -13,7 +13,7 @@
 namespace thaum::app {
 namespace {
 
-/// Files of colours and materials beside the first volume; none for one that is made.
+/// Files of colours and materials beside that of the first volume; none for a generated volume.
 std::vector<std::filesystem::path> companions(const VolumeLabPlan& plan) {
     if (is_made(plan.first.volume)) return {};
     const auto files = game::companions_of(plan.first.volume);

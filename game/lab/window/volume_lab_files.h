@@ -1,5 +1,5 @@
-// game/lab/window/volume_lab_files.h: files of `thaum lab VOLUME`: no output may be a file that the command reads, or another
-// output.
+// game/lab/window/volume_lab_files.h: checks of the files of `thaum lab VOLUME`: no output may be a file that
+// the command reads, or another output.
 #pragma once
 #include <string_view>
 
@@ -8,13 +8,15 @@
 
 namespace thaum::app {
 
-/// True for a name of a volume that the lab makes; any other name is a file.
+/// True for the name of a volume that the lab generates; any other name is a file.
 bool is_made(std::string_view name);
 
-/// Protects the files of colours and materials beside the first volume, read or not (core/write_rule.h).
+/// Protects the files of colours and materials beside that of the first volume from being overwritten,
+/// whether or not they were read (core/write_rule.h).
 void protect_companions(const VolumeLabPlan& plan);
 
-/// Checks that each output has a file of its own, which this command does not read. A saved body has three.
+/// Checks that no two outputs use the same file, and that this command reads none of them. A saved body has
+/// three files.
 Expected<void> check_outputs(const VolumeLabPlan& plan);
 
 }  // namespace thaum::app

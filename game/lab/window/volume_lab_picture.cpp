@@ -10,11 +10,12 @@ namespace thaum::app {
 namespace {
 
 constexpr float tip_radius = 0.0012F, proxy_radius = 0.0022F;  // m
-constexpr float newton_m = 0.012F;                             // length of the arrow for each newton (m)
-constexpr float view_angle = 0.7F;       // from the lower to the upper edge of the picture (rad)
-constexpr double filled_height = 0.7;    // share of the picture's height that a volume fills at first
+constexpr float newton_m = 0.012F;                             // length of the force arrow per newton (m/N)
+constexpr float view_angle = 0.7F;                             // vertical field of view (rad)
+constexpr double filled_height = 0.7;    // share of the picture's height that a volume fills initially
 constexpr float edge_radius = 0.00015F;  // radius of the lines that show the edges of the workspace (m)
-constexpr float layers = 60;             // layers of the table's opacity along the diagonal
+// Number of layers along the diagonal of a volume; each has the opacity of the transfer function.
+constexpr float layers = 60;
 
 double diagonal(const game::VolumeLab& lab) { return lab.placement.scale * glm::length(lab.source.extent()); }
 
@@ -44,13 +45,13 @@ fmat4 arrow(vec3 from, vec3 force) {
     return model;
 }
 
-/// Whether the hand wants to go where the device cannot.
+/// Whether the hand's target is outside of the device's workspace.
 bool at_the_edge(const game::VolumeLab& lab) {
     const vec3 free = 0.5 * lab.data.device.workspace - glm::abs(lab.hand.target);
     return std::min({free.x, free.y, free.z}) < 1e-6;
 }
 
-/// The twelve edges of the device's workspace, as rods of a length of 1 m along y.
+/// The twelve edges of the device's workspace, as instances of a rod of length 1 m along y.
 void add_edges(vec3 workspace, render::MeshId rod, std::vector<render::Instance>& instances) {
     const fvec3 half(0.5 * workspace);
     for (int along = 0; along < 3; ++along) {
@@ -68,7 +69,7 @@ void add_edges(vec3 workspace, render::MeshId rod, std::vector<render::Instance>
     }
 }
 
-/// Colours from cool and thin to warm and dense.
+/// Colours from cool and thin to warm and dense, by value.
 fvec3 ramp(float share) {
     const fvec3 low = render::colour(0x3E6FB0), middle = render::colour(0xE0A878),
                 high = render::colour(0xFFF4E2);
@@ -82,7 +83,7 @@ fvec3 speed_ramp(float share) {
     return share < 0.5F ? glm::mix(slow, middle, 2 * share) : glm::mix(middle, fast, 2 * share - 1);
 }
 
-/// A plain room: light from above and from the user's left, on a dark ground.
+/// Light of a plain room: from above and from the user's left, on a dark background.
 render::Environment lab_light() {
     render::Environment light;
     light.sun.direction = glm::normalize(fvec3(-0.5F, 0.8F, 0.6F));
@@ -115,7 +116,8 @@ VolumeView view_of(const game::VolumeRef& volume) {
     return view;
 }
 
-/// Places that a picture should show (m, lab): those of the body within its surface, or the corners of a flow's box.
+/// Points that a picture should show (m, lab frame): those of the body within its surface, or the corners of
+/// a flow's box.
 std::vector<vec3> shown_places(const game::VolumeLab& lab, double level) {
     std::vector<vec3> places;
     const auto n = lab.carvable() ? lab.body.count : lab.source.count;
@@ -146,7 +148,7 @@ std::vector<float> lengths_of(const std::vector<float>& vectors) {
     return lengths;
 }
 
-/// Lets the scan of the first volume show the body as it is now.
+/// Updates the scan of the first volume to the present body.
 void show_body(const game::VolumeLab& lab, std::span<const render::ScanMaterial> materials,
                render::Scan& scan) {
     scan.version = lab.body.bricks.newest;
@@ -157,7 +159,8 @@ void show_body(const game::VolumeLab& lab, std::span<const render::ScanMaterial>
     scan.material_table = materials;
 }
 
-/// Words at the lower right: force, value and time, why the hand stops, and what the ribbons' colours mean.
+/// Text at the lower right: force, value, time, the reason why the hand stops, and the meaning of the
+/// ribbons' colours.
 void show_words(const game::VolumeLab& lab, const game::VolumeLabFigures& figures, bool blocked,
                 render::Frame& frame) {
     auto& items = frame.overlay.items;
@@ -239,7 +242,8 @@ void VolumePicture::add_ribbons(const game::VolumeRef& volume, Drawn& drawn, vec
     seeds_.clear();
     seeds_.push_back(field::to_own(volume.placement, proxy));
     for (int i = 1; i <= count; ++i) {
-        // Places that fill a box evenly: multiples of the golden section and its relatives (Roberts 2018).
+        // Points that fill a box evenly: multiples of the golden ratio and its generalisations (Roberts
+        // 2018).
         const vec3 share =
             glm::fract(static_cast<double>(i) * vec3(0.8191725134, 0.6710436067, 0.5497004779));
         seeds_.push_back(half * (2.0 * share - 1.0));

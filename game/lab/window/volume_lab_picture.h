@@ -1,5 +1,5 @@
-// game/lab/window/volume_lab_picture.h: one picture of a volume in the lab: the body or the flow, the tip of the device, its
-// proxy and the force.
+// game/lab/window/volume_lab_picture.h: one picture of a volume in the lab: the body or the flow, the tip of
+// the device, its proxy and the force.
 #pragma once
 #include <memory>
 #include <vector>
@@ -15,39 +15,41 @@ namespace thaum::app {
 /// Camera that orbits a place near the middle of the workspace.
 struct VolumeEye {
     double yaw = 0.5;    ///< angle about the upright axis (rad)
-    double pitch = 0.4;  ///< angle above the level (rad)
-    double away = 1.6;   ///< distance, in lengths of the volume's diagonal
-    vec3 aim{};          ///< middle of the picture (m)
+    double pitch = 0.4;  ///< angle above the horizontal (rad)
+    double away = 1.6;   ///< distance from the camera, in lengths of the volume's diagonal
+    vec3 aim{};          ///< point shown in the middle of the picture (m)
 };
 
 /// How the volume is shown.
 struct VolumeView {
     render::ScanLook look = render::ScanLook::surface;
-    double level{};                     ///< value of the surface
-    field::TransferFunction opacity{};  ///< by the value, 0 to 1, for the translucent look
-    int ribbons = 40;     ///< number of stream ribbons of a flow, besides the one through the proxy
-    bool moving = false;  ///< draw quickly: the hand, the view or the body moved a short time ago
-    bool still = false;   ///< draw sharp, however long it takes
+    double level{};  ///< value (density) at which the surface is drawn
+    /// Opacity as a function of the value, 0 to 1, for the translucent look.
+    field::TransferFunction opacity{};
+    int ribbons = 40;  ///< number of stream ribbons of a flow, besides the one through the proxy
+    /// True: draw quickly, because the hand, the view or the body moved a short time ago.
+    bool moving = false;
+    bool still = false;  ///< true: draw sharply, however long it takes
     VolumeEye eye{};
 };
 
-/// Look that suits a volume: a surface at its usual level, or a thin haze for a flow, seen from near.
+/// A suitable view of a volume: a surface at its usual level, or a thin haze for a flow, seen from near.
 VolumeView usual_view(const game::VolumeLab& lab);
 
-/// Puts the middle of what is shown into the middle of the picture, at a distance where it fills 70 % of the height.
+/// Centres the picture on the visible part of the volume, at a distance where it fills 70 % of the height.
 void come_near(const game::VolumeLab& lab, VolumeView& view);
 
 class VolumePicture {
 public:
-    /// The renderer's context must be current for the whole life of the picture.
+    /// The renderer's OpenGL context must be current during the whole lifetime of the picture.
     VolumePicture(render::Renderer& renderer, const game::VolumeLab& lab);
 
-    /// Builds the frame. The reference stays valid until the next call, and while the lab's body does.
+    /// Builds the frame. The reference is valid until the next call, and no longer than the lab's body.
     const render::Frame& frame(const game::VolumeLab& lab, const game::VolumeLabFigures& figures,
                                const VolumeView& view, render::Size size);
 
 private:
-    /// A volume as it is drawn.
+    /// A volume in the form in which it is drawn.
     struct Drawn {
         render::ScanId scan{};
         render::Ribbons ribbons{};
@@ -59,7 +61,7 @@ private:
     void add_scan(const game::VolumeRef& volume, Drawn& drawn, const VolumeView& view);
 
     render::Renderer* renderer_;
-    std::vector<std::unique_ptr<Drawn>> drawn_;  ///< one per volume
+    std::vector<std::unique_ptr<Drawn>> drawn_;  ///< what is drawn of each volume
     render::SpeedColours colours_{};
     std::vector<vec3> seeds_;
     render::MeshId tip_{}, proxy_{}, rod_{}, edge_{};

@@ -6,8 +6,9 @@ namespace thaum::app {
 
 struct VolumeShots::State {
     render::Offscreen context;
-    render::Renderer renderer;             // destroyed before its context
-    std::optional<VolumePicture> picture;  // refers to the renderer, which therefore stays where it is
+    render::Renderer renderer;  // must be destroyed before its OpenGL context
+    // Keeps a reference to the renderer, which therefore must not move in memory.
+    std::optional<VolumePicture> picture;
     std::filesystem::path folder;
     Tick every;
 };

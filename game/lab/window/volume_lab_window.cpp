@@ -1,6 +1,6 @@
-// A volume of the lab in a window: the hand follows the mouse, panels choose modes, transfer functions and tools. One
-// thread handles input, computes the ticks that are due by the clock, and draws a picture. If ticks take too long, the
-// lab runs more slowly; nothing in it must be on time.
+// A volume of the lab in a window: the hand follows the mouse, panels choose modes, transfer functions and
+// tools. One thread handles input, computes the ticks that are due by the clock, and draws a picture. If
+// ticks take too long, the lab runs more slowly, since it has no real-time deadlines.
 #include <imgui.h>
 
 #include <algorithm>
@@ -26,13 +26,14 @@
 namespace thaum::app {
 namespace {
 
-constexpr Tick ticks_of_a_frame = 100;         // most ticks for one picture; time beyond them is dropped
-constexpr double way_per_step = 0.003;         // way of the hand along the view by one step of the wheel (m)
-constexpr double least_way = 1e-4;             // way of a hand that moves (m)
-constexpr std::int64_t rest_ns = 400'000'000;  // rest after which a sharp picture is drawn
+constexpr Tick ticks_of_a_frame = 100;  // maximum number of ticks per picture; time beyond them is dropped
+constexpr double way_per_step = 0.003;  // displacement of the hand along the view per step of the wheel (m)
+constexpr double least_way = 1e-4;      // minimum displacement for which the hand counts as moving (m)
+// Time without motion after which a sharp picture is drawn (ns)
+constexpr std::int64_t rest_ns = 400'000'000;
 constexpr float text_px = 14;
 
-/// State that the last picture showed, to tell whether anything moves.
+/// State shown by the last picture, to detect motion.
 struct Seen {
     vec3 tip{}, aim{}, eye{};
     std::uint32_t body{};
@@ -44,23 +45,24 @@ struct Session {
     game::VolumeLabFigures figures{};
     VolumePanelState panels{};
     std::optional<fvec2> cursor{};  ///< position of the mouse (px); std::nullopt: not yet known
-    vec3 target{};                  ///< where the hand wants to be (m)
-    double depth{};                 ///< of the hand beyond the middle, along the view (m)
+    vec3 target{};                  ///< target position of the hand (m)
+    double depth{};                 ///< distance of the hand beyond the middle, along the view (m)
     bool by_mouse = false, carving = false, turning = false, panning = false, leaves = false, control = false;
     int height = 1;   ///< height of the window (px)
-    int history = 0;  ///< undo or redo that is due
+    int history = 0;  ///< undo (-1) or redo (1) that is due
     Seen seen{};
     std::int64_t moved = 0;   ///< time at which the picture last changed (ns)
-    std::uint32_t saved = 1;  ///< Bricks::newest of the body when it was opened or saved
+    std::uint32_t saved = 1;  ///< value of Bricks::newest of the body when it was opened or saved
 };
 
-/// The body was carved and not saved since.
+/// Whether the body was carved and not saved since.
 bool unsaved(const Session& session) {
     const auto& lab = session.plan.lab;
     return lab.carvable() && lab.edited && lab.body.bricks.newest != session.saved;
 }
 
-/// Leaves at once, or asks first if a carved body would be lost. `--save` saves it at the end anyway.
+/// Ends the session at once, or asks first if a carved body would be lost. `--save` saves the body at the end
+/// anyway.
 void leave(Session& session) {
     using Before = UnsavedQuestion::Before;
     if (session.plan.out.save || !unsaved(session))
@@ -69,7 +71,8 @@ void leave(Session& session) {
         session.panels.question.before = Before::leaving;
 }
 
-/// Place that the mouse points at, in the plane across the view at the hand's depth, within the workspace.
+/// Position at which the mouse points, in the plane perpendicular to the view at the hand's depth, limited to
+/// the workspace.
 vec3 pointed_at(const Session& session, render::Size size) {
     const auto camera = camera_of(session.plan.view.eye, session.plan.lab);
     const double tall = std::tan(double{camera.fov_y} / 2), half = 0.5 * std::max(size.height, 1);
@@ -81,7 +84,7 @@ vec3 pointed_at(const Session& session, render::Size size) {
     return glm::clamp(vec3(camera.position) + away * ray, -reach, reach);
 }
 
-/// Puts the hand before the volume, where it touches nothing and is seen.
+/// Puts the hand in front of the volume, where it touches nothing and is visible.
 void put_hand_before(Session& session) {
     auto& lab = session.plan.lab;
     const quat turn(camera_of(session.plan.view.eye, lab).orientation);
@@ -100,7 +103,7 @@ void press(Session& session, std::string_view key) {
     if (key == "PageDown") session.depth -= way_per_step;
 }
 
-/// Moves the picture with the mouse, by a way in px.
+/// Moves the picture with the mouse by a displacement in px.
 void pan(Session& session, fvec2 way) {
     auto& eye = session.plan.view.eye;
     const auto camera = camera_of(eye, session.plan.lab);
@@ -150,7 +153,7 @@ render::WindowEvents lab_events(Session& session) {
     return events;
 }
 
-/// Lets the panels show what is set.
+/// Updates the panels from the current settings.
 void show_what_is_set(const game::VolumeLab& lab, VolumePanelState& panels) {
     panels.modes = lab.settings.modes;
     panels.feel = lab.settings.feel;
@@ -179,7 +182,7 @@ void step(Session& session) {
     add_force(session.panels, glm::length(session.figures.force));
 }
 
-/// Saves the body and says so. Returns whether it is saved.
+/// Saves the body and shows a message. Returns whether it was saved.
 bool save_body(Session& session) {
     const auto file = session.plan.out.save.value_or("carved.nrrd");
     const auto saved = game::save_volume(session.plan.lab, file);
@@ -188,7 +191,7 @@ bool save_body(Session& session) {
     return saved.has_value();
 }
 
-/// Does what the question about an unsaved body was answered with.
+/// Carries out the answer to the question about an unsaved body.
 void obey_answer(Session& session) {
     using Answer = UnsavedQuestion::Answer;
     auto& panels = session.panels;
@@ -200,7 +203,7 @@ void obey_answer(Session& session) {
     if (!goes_on) panels.open.reset();
 }
 
-/// Does what a button of the panels asks for.
+/// Carries out what a button in the panels asked for.
 void obey(Session& session) {
     auto& panels = session.panels;
     obey_answer(session);
@@ -213,7 +216,7 @@ void obey(Session& session) {
     }
 }
 
-/// Puts the chosen device into the hand. The body stays as it is.
+/// Puts the chosen device into the hand. The body is kept.
 void take_chosen_device(Session& session) {
     auto& panels = session.panels;
     const auto name = std::exchange(panels.next_device, std::nullopt);
@@ -252,7 +255,7 @@ Expected<void> open_chosen(Session& session, std::optional<VolumePicture>& pictu
         return {};
     }
     if (!same) plan->view = usual_view(plan->lab);
-    plan->lab.tick = session.plan.lab.tick;  // the times of a trace rise
+    plan->lab.tick = session.plan.lab.tick;  // the tick continues, because the times in a trace must increase
     session.saved = 1;
     session.plan.lab = std::move(plan->lab);
     session.plan.view = plan->view;
@@ -266,7 +269,8 @@ Expected<void> open_chosen(Session& session, std::optional<VolumePicture>& pictu
     return {};
 }
 
-/// Whether hand, view or body moved in the last moment. A sharp picture takes long, so it waits until all rests.
+/// Whether hand, view or body moved a short time ago. A sharp picture takes long to draw, so it waits until
+/// nothing moves.
 bool is_moving(Session& session, std::int64_t now) {
     const auto& eye = session.plan.view.eye;
     const Seen seen{session.figures.tip, eye.aim, vec3(eye.yaw, eye.pitch, eye.away),
@@ -280,14 +284,14 @@ bool is_moving(Session& session, std::int64_t now) {
     return now - session.moved < rest_ns;
 }
 
-/// Saves the picture if one was due since the tick `before`.
+/// Saves the picture if one became due after the tick `before`.
 Expected<void> save_due_shot(const VolumeLabPlan& plan, Tick before, render::Renderer& renderer) {
     const auto every = static_cast<Tick>(plan.out.every);
     if (!plan.out.shots || before / every == plan.lab.tick / every) return {};
     return write_lab_shot(*plan.out.shots, static_cast<std::int64_t>(plan.lab.tick), renderer.read_pixels());
 }
 
-/// Asks when the window is closed. Who closes it again while it asks leaves without saving.
+/// Asks about an unsaved body when the window is closed. Closing it a second time leaves without saving.
 bool stays_open(Session& session, render::Window& window) {
     if (!window.should_close()) return true;
     if (session.panels.question.before != UnsavedQuestion::Before::nothing) return false;

@@ -15,10 +15,11 @@ using game::LabMode;
 using game::VolumeLab;
 
 constexpr float curve_height = 60;
-constexpr int columns = 31;  // of a freehand curve
+constexpr int columns = 31;  // number of columns of a freehand curve
 constexpr float wide = 330, tall = 700;
 
-/// Digits behind the point that show about four digits of a number of a range: none for a CT, 0.1 mm for a workspace.
+/// Number of decimals that shows about four digits of a number in this range: none for a CT scan, 0.1 mm for
+/// a workspace.
 int digits_for(double low, double high) {
     const double range = std::max(high - low, 1e-9);
     return std::clamp(4 - static_cast<int>(std::ceil(std::log10(range))), 0, 6);
@@ -26,7 +27,7 @@ int digits_for(double low, double high) {
 
 std::string number(double value, double low, double high) { return fixed(value, digits_for(low, high)); }
 
-/// Names what a curve's axes mean, and their ends.
+/// Labels the axes of a curve with their meaning and their ends.
 void show_axes(const char* name, ImVec2 from, ImVec2 to, std::array<double, 3> low_high_top) {
     const auto [low, high, top] = low_high_top;
     const auto grey = IM_COL32(150, 155, 170, 255);
@@ -38,7 +39,7 @@ void show_axes(const char* name, ImVec2 from, ImVec2 to, std::array<double, 3> l
     canvas->AddText({to.x - ImGui::CalcTextSize(end.c_str()).x - 4, to.y - line - 2}, grey, end.c_str());
 }
 
-/// A curve that the mouse draws: x from low to high, y from 0 to top. Returns whether it changed.
+/// Editor of a curve drawn with the mouse: x from low to high, y from 0 to top. Returns whether it changed.
 bool curve(const char* name, field::TransferFunction& f, double low, double high, double top) {
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
@@ -67,7 +68,7 @@ bool curve(const char* name, field::TransferFunction& f, double low, double high
     return true;
 }
 
-/// A slider. Ctrl and a click let a person type the number.
+/// A slider. With Ctrl and a click a person can type the number.
 bool slider(const char* name, double& value, double low, double high) {
     const bool changed =
         ImGui::SliderScalar(name, ImGuiDataType_Double, &value, &low, &high,
@@ -80,14 +81,14 @@ void ask_for_change(const VolumeLabPlan& plan, VolumePanelState& state) {
     state.change = game::VolumeLabSettings{state.modes, state.feel, plan.view.opacity, state.places};
 }
 
-/// A label with the key that does the same, as the user's keyboard has it: "undo (Z)".
+/// A label with the name of its key on the user's keyboard: "undo (Z)".
 std::string with_key(std::string_view label, std::string_view name) {
     return text(label, " (", render::key_label(render::key_code(name).value_or(-1)), ")");
 }
 
 // ---- volume and device ------------------------------------------------------------------------------------
 
-/// A slider for the moment of a file with time. The file is read again once the slider is let go.
+/// A slider for the time step of a file with several. The file is read again when the slider is released.
 void show_moment(const VolumeLabPlan& plan, VolumePanelState& state) {
     const int frames = plan.lab.source.frames;
     if (frames == 1) return;
@@ -99,7 +100,7 @@ void show_moment(const VolumeLabPlan& plan, VolumePanelState& state) {
     if (!ImGui::IsItemActive()) state.moment.reset();
 }
 
-/// What the files of the volumes say, and what was left out of them.
+/// Shows notes on the volumes' files, and what was not read from them.
 void show_notes(const VolumeLabPlan& plan) {
     ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(255, 200, 120, 255));
     for (const auto& note : plan.notes) ImGui::TextWrapped("%s", note.c_str());
@@ -150,7 +151,8 @@ double highest_property(const game::VolumeRef& volume, const haptics::Mode& mode
     return range / volume.finest_spacing();
 }
 
-/// The filter through which a mode reads the volume at all; none if it reads the volume itself.
+/// The filter that converts the volume to a kind of field that the mode can read; none if the mode reads the
+/// volume directly.
 std::optional<field::FilterKind> leads(const LabMode& mode) {
     using enum field::FilterKind;
     if (mode.filters.empty()) return std::nullopt;
@@ -159,7 +161,7 @@ std::optional<field::FilterKind> leads(const LabMode& mode) {
     return kind;
 }
 
-/// Filters of a mode beside those through which it reads such a volume.
+/// Shows the filters of a mode, except those that the mode needs to read such a volume.
 bool show_filters(LabMode& chosen) {
     bool changed = false;
     for (std::size_t i = 0; i < chosen.filters.size(); ++i) {
@@ -184,7 +186,7 @@ bool show_filters(LabMode& chosen) {
     add("smooth", field::FilterKind::smooth);
     ImGui::SameLine();
     add("scale", field::FilterKind::scale);
-    // The other filters change a vector to a scalar or back, without which the mode could read nothing.
+    // The remaining filters convert between vector and scalar, and without them the mode could read nothing.
     if (chosen.filters.empty() || leads({.filters = {chosen.filters.back()}})) return changed;
     ImGui::SameLine();
     if (!ImGui::SmallButton("remove the last filter")) return changed;
@@ -216,7 +218,7 @@ bool show_settings(const VolumeLab& lab, const haptics::Mode& mode, LabMode& cho
     return changed;
 }
 
-/// Words for a mode: "snap core by gradient".
+/// Text for a mode and its filter: "snap core by gradient".
 std::string words_of(const haptics::ModeOffer& offer) {
     std::string words(offer.mode->name);
     std::ranges::replace(words, '_', ' ');
@@ -224,14 +226,14 @@ std::string words_of(const haptics::ModeOffer& offer) {
     return words;
 }
 
-/// One mode that can read a volume. Returns whether something changed.
+/// Shows one mode that can read a volume. Returns whether something changed.
 bool show_offer(const VolumeLab& lab, std::size_t volume, const haptics::ModeOffer& offer,
                 std::vector<LabMode>& modes) {
     const std::string name(offer.mode->name);
     const auto at = std::ranges::find_if(
         modes, [&](const LabMode& mode) { return mode.volume == volume && mode.name == name; });
     bool on = at != modes.end();
-    // A mode that several filters lead to has one place.
+    // A mode that can be reached through several filters is shown once.
     if (on && offer.through != leads(*at)) return false;
     const auto label = words_of(offer);
     ImGui::PushID(label.c_str());
@@ -252,7 +254,8 @@ bool show_offer(const VolumeLab& lab, std::size_t volume, const haptics::ModeOff
     return changed;
 }
 
-/// The modes that can read one volume: first those that read it as it is. Returns whether something changed.
+/// Shows the modes that can read one volume, first those that need no filter. Returns whether something
+/// changed.
 bool show_modes_of(const VolumeLab& lab, std::size_t volume, std::vector<LabMode>& modes) {
     const auto offers = haptics::mode_offers(game::volume_of(lab, volume).kind());
     bool changed = false;
@@ -267,7 +270,7 @@ bool show_modes_of(const VolumeLab& lab, std::size_t volume, std::vector<LabMode
     return changed;
 }
 
-/// The level of the first volume's surface that is felt; null: none is.
+/// The density of the first volume's surface that is felt; null if none is.
 double* felt_level(VolumePanelState& state) {
     for (LabMode& mode : state.modes)
         if (mode.name == "isosurface" && mode.volume == 0 && !leads(mode)) return &mode.settings.level;
@@ -314,7 +317,7 @@ bool show_part(const VolumeLab& lab, game::FeelPart& part) {
     return changed;
 }
 
-/// A part that suits the volume, and that a first try feels.
+/// A part that suits the volume, with numbers that are felt at the first try.
 game::FeelPart usual_part(const VolumeLab& lab, game::FeelKind kind) {
     const double middle = 0.5 * (double{lab.range.low} + double{lab.range.high});
     const double force = 0.8 * lab.data.device.continuous_force;
@@ -414,7 +417,8 @@ void show_help() {
     ImGui::TextWrapped("%s", words.c_str());
 }
 
-/// The end of the panel, which stays in its place: what an action did, and what is always at hand.
+/// Shows the fixed lower end of the panel: the message about the last action, and controls that are always
+/// available.
 void show_foot(VolumePanelState& state) {
     if (ImGui::Button("save session")) state.saves_session = true;
     ImGui::SameLine();
@@ -422,7 +426,7 @@ void show_foot(VolumePanelState& state) {
     ImGui::TextWrapped("%s", state.note.c_str());
 }
 
-/// Asks what becomes of a carved body. Esc is the answer to stay.
+/// Asks whether to save a carved body before it is lost. Esc means to stay.
 void show_question(UnsavedQuestion& question) {
     using Answer = UnsavedQuestion::Answer;
     constexpr auto title = "The carved body is not saved";

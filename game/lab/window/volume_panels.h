@@ -1,5 +1,5 @@
-// game/lab/window/volume_panels.h: the panels of the volume lab: which volume, modes with transfer functions drawn freehand,
-// look, tools, device, and the force over time.
+// game/lab/window/volume_panels.h: the panels of the volume lab: which volume, modes with transfer functions
+// drawn freehand, look, tools, device, and the force over time.
 #pragma once
 #include <array>
 #include <optional>
@@ -14,50 +14,52 @@ namespace thaum::app {
 struct UnsavedQuestion {
     enum class Before : std::uint8_t { nothing, leaving, opening };
     enum class Answer : std::uint8_t { save, drop, stay };
-    Before before{};  ///< action that waits for the answer
+    Before before{};  ///< action that waits for the answer to the question
     bool shown = false;
-    std::optional<Answer> answer{};  ///< given in the last picture
+    std::optional<Answer> answer{};  ///< answer given in the last picture
 };
 
 /// A volume to open.
 struct NextVolume {
-    std::string name{};       ///< as on the command line
-    std::int64_t moment = 1;  ///< number of the moment, from 1, if the file has time
+    std::string name{};       ///< name as on the command line
+    std::int64_t moment = 1;  ///< number of the time step, from 1, if the file has several
 };
 
-/// What a person has set in the panels, and what they ask for.
+/// Settings that a person has made in the panels, and requests for actions.
 struct VolumePanelState {
-    std::vector<game::LabMode> modes{};               ///< chosen modes
-    std::vector<game::FeelPart> feel{};               ///< chosen parts of the body's feel
-    std::vector<game::LabPlace> places{};             ///< places of all volumes
-    std::optional<game::VolumeLabSettings> change{};  ///< both, for the next step
-    bool one_level = true;                            ///< the drawn level is the felt one
-    std::size_t tool{};                               ///< index into VolumeLab::data.tools
-    std::string device{};                             ///< model of the arm that is shown
-    std::optional<std::string> next_device{};         ///< model that was chosen in place of it
-    std::optional<NextVolume> open{};                 ///< volume to open
-    std::optional<int> moment{};                      ///< moment to which the slider is being pulled
+    std::vector<game::LabMode> modes{};    ///< chosen modes
+    std::vector<game::FeelPart> feel{};    ///< chosen parts of the body's feel
+    std::vector<game::LabPlace> places{};  ///< placements of all volumes
+    /// Changed settings (modes, feel, places) for the next step.
+    std::optional<game::VolumeLabSettings> change{};
+    bool one_level = true;  ///< true: the surface is drawn at the density at which it is felt
+    std::size_t tool{};     ///< index into VolumeLab::data.tools
+    std::string device{};   ///< shown device model of the arm
+    std::optional<std::string> next_device{};  ///< device model chosen to replace it
+    std::optional<NextVolume> open{};          ///< volume to be opened
+    std::optional<int> moment{};               ///< time step to which the slider is being dragged
     bool saves = false, saves_session = false;
-    bool hand_held = false;  ///< the hand stays where it is, whatever the mouse does
+    bool hand_held = false;  ///< true: the hand stays where it is, whatever the mouse does
     UnsavedQuestion question{};
-    int history = 0;               ///< -1: undo, 1: redo
+    int history = 0;               ///< undo and redo: -1: undo, 1: redo, 0: neither
     std::string note{};            ///< message about the last action
-    std::array<char, 256> path{};  ///< text of the field for a file's path
+    std::array<char, 256> path{};  ///< text of the field for a file path
 
-    std::array<float, 2000> force{};  ///< force in the last ticks (N), a ring
+    std::array<float, 2000> force{};  ///< ring buffer of the force in the last ticks (N)
     std::size_t newest{};
 };
 
-/// Index of the tool that a person has first: one that takes material away, so that a first try shows something.
+/// Index of the tool that is selected first: one that removes material, so that the first try has a visible
+/// effect.
 std::size_t usual_tool(const game::VolumeLab& lab);
 
-/// Whether the surface is drawn where the chosen modes let it be felt.
+/// Whether the surface is drawn at the density at which the chosen modes let it be felt.
 bool levels_agree(const VolumeView& view, VolumePanelState& state);
 
 /// Adds the force of a tick to the plot.
 void add_force(VolumePanelState& state, double newtons);
 
-/// Shows all panels and takes what is done on them.
+/// Shows all panels and stores the user's changes in them.
 void show_panels(VolumeLabPlan& plan, const game::VolumeLabFigures& figures, VolumePanelState& state);
 
 }  // namespace thaum::app

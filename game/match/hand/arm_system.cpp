@@ -9,12 +9,12 @@
 namespace thaum::game {
 namespace {
 
-/// Ticks for which the models repeat a key press.
+/// Number of ticks for which the models repeat a key press, since an arm may skip models.
 constexpr std::uint32_t press_kept = 40;
-/// Limit of hand positions (m). No arm reaches farther, but a damaged log might.
+/// Limit of hand positions (m). No arm reaches farther, but a damaged log might contain more.
 constexpr double furthest = 0.5;
-/// An arm that is back must be held still for `still_ticks` ticks within `still_within` um before it gives
-/// forces again.
+/// An arm that has come back must be held still for `still_ticks` ticks within `still_within` um before it
+/// gives forces again.
 constexpr std::uint32_t still_ticks = 300;
 constexpr std::int32_t still_within = 3000;
 
@@ -30,7 +30,7 @@ const PastModel& model_in(const ecs::World& world, const Arm& arm, std::uint32_t
     return world.get<PastModel>(arm.models[number % arm.models.size()]);
 }
 
-/// Copies the arm's hand into HandState, from which everything else reads it.
+/// Copies the position of the arm's hand into HandState, where all other code reads it.
 void hold(const input::ArmState& state, HandState& hand_state) {
     auto& device = hand_state.device;
     hand_state.servo = state.servo;
@@ -41,7 +41,7 @@ void hold(const input::ArmState& state, HandState& hand_state) {
 }
 
 /// Lets the simulated hand continue from the position of the arm's hand. A kick that was meant for the arm is
-/// over by then, so the simulated hand must not play it.
+/// over by then, so the simulated hand must not repeat it.
 void take_over(const MatchContext& context, const Arm& arm, HandState& hand_state) {
     const vec3 reach = context.input.haptic_setup.device.reach;
     hand_state.servo = arm.state.servo;
@@ -57,7 +57,7 @@ bool moved(const std::array<std::int32_t, 3>& a, const std::array<std::int32_t, 
     return false;
 }
 
-/// Counts a tick in which the arm is held still, or restarts the count.
+/// Counts the ticks for which the arm is held still, or restarts the count.
 void note_still(Arm& arm) {
     if (arm.state.without != 0) return;
     if (arm.still == 0 || moved(arm.state.position_um, arm.still_um)) {
@@ -67,8 +67,8 @@ void note_still(Arm& arm) {
     if (++arm.still >= still_ticks) arm.away = 0;
 }
 
-/// Chooses who moves the hand: the arm, or the simulated hand while the arm is gone. An arm that is back
-/// continues from the simulated hand's position.
+/// Chooses who moves the hand: the arm, or the simulated hand while the arm is gone. An arm that has come
+/// back continues from the simulated hand's position.
 void note_presence(const MatchContext& context, Arm& arm, HandState& hand_state) {
     if (is_gone(arm)) {
         if (arm.away == 0) take_over(context, arm, hand_state);

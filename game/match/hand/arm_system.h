@@ -1,6 +1,6 @@
-// game/match/hand/arm_system.h: real arms in a match. Each tick takes one sample of each arm and repeats the servo step
-// that the arm's own thread made with that sample. The step uses the haptic model which that thread had at
-// the time. So the forces of match, replay and arm are equal bit for bit.
+// game/match/hand/arm_system.h: real arms in a match. In each tick the match takes one sample of each arm and
+// repeats the servo step that the arm's own thread made with that sample, with the haptic model that the
+// thread used then. So the forces of match, replay and arm are equal bit for bit.
 #pragma once
 #include <vector>
 
@@ -10,9 +10,9 @@
 
 namespace thaum::game {
 
-/// Returns all arms; called before the scene is cleared.
+/// Returns a copy of all arms, to be taken before the scene is cleared.
 std::vector<Arm> arms_in(const ecs::World& world);
-/// Creates an arm for each player who has such a device. State of the same device in `before` is kept.
+/// Creates an arm for each player who has such a device. If `before` has the same device, its state is kept.
 void add_arms(MatchContext& context, const std::vector<Arm>& before);
 /// Copies the state of arms from a match into the world of the match that continues it.
 void carry_arms(const std::vector<Arm>& before, ecs::World& world);
@@ -20,19 +20,19 @@ void carry_arms(const std::vector<Arm>& before, ecs::World& world);
 /// Adds the system that takes each arm's sample and repeats its servo step, every tick and also in a pause.
 /// Writes HandState.
 void add_arm_system(MatchContext& context, ecs::Schedule& schedule);
-/// Creates the haptic models that arms use next. It must be the last call of a tick. Forces are off unless
-/// the match is live.
+/// Creates the haptic models that arms use next. Must be called last in a tick. Forces are off unless the
+/// match is live.
 void publish_models(MatchContext& context, const BrewResource& brew, bool live);
 
-/// Restores the models of the arms from the World, after it was restored: parts that did not change are not written
-/// again (resource::Models), and the World holds the bytes of past models.
+/// Restores the arms' models from the bytes in the World, after the World was restored. This is necessary
+/// because unchanged parts of a model are not written again (resource::Models).
 void recall_models(MatchContext& context);
 
-/// Passes a player's panic press, or a press that switches forces on again, to the arms.
+/// Passes a player's panic press to the arms, or the press that switches forces on again.
 void tell_arms(ecs::World& world, bool panic);
 
-/// Fills the order for the player's arm after the last tick. Returns false if the player has no arm or no
-/// model was made yet.
+/// Fills in the order for the player's arm after the last tick. Returns false if the player has no arm or no
+/// model exists yet.
 bool fill_order(const ecs::World& world, const HapticSetup& setup, std::uint32_t player,
                 input::ArmOrder& order);
 

@@ -8,12 +8,12 @@
 namespace thaum::game {
 namespace {
 
-/// Margin around the line from proxy to tip (m): more than view and hand move the tip in a tick.
+/// Margin around the line from proxy to tip (m): larger than any motion of the tip in a tick.
 constexpr double margin = 0.15;
-/// Displacement in one tick (m) above which the frame has jumped, not moved by walking.
+/// Displacement of the frame in one tick above which it was moved by a jump, not by walking (m).
 constexpr double leap = 0.5;
 
-/// `roughness`: share of the friction that the player feels.
+/// `roughness`: share of the friction that the player wants to feel.
 Feel feel_of(const MatchData& data, double roughness) {
     const ProbeRules& probe = data.haptic_rules.probe;
     return {.stiffness = std::min(probe.stiffness, data.device.max_stiffness),
@@ -34,16 +34,17 @@ HandFrame frame_of(const MatchContext& context, ecs::Entity wizard, vec3 eye) {
     return frame;
 }
 
-/// A wizard who holds something by a tether or works at a station feels that instead of surfaces.
+/// Whether the wizard feels surfaces. A wizard who holds something by a tether or works at a station feels
+/// that instead.
 bool can_probe(const MatchContext& context, ecs::Entity wizard, const HandState& hand_state) {
     return wand_per_hand(context, wizard) > 0 && context.data.haptic_rules.probe.stiffness > 0 &&
            !(hand_state.tether.stiffness > 0) && !context.world.has<Dead>(wizard) &&
            !at_station(context.world, wizard);
 }
 
-/// Pushes a touched prop. The prop's hits then count for the player who pushed it. They still count for the
-/// other player if that player moved the prop within the blame time: a wizard struck by a thing has usually
-/// touched it with the wand, too.
+/// Pushes a touched prop. Its later hits count for the player who pushed it, unless the other player moved
+/// the prop within the blame time: a wizard hit by a thrown thing has usually touched that thing with the
+/// wand, too.
 void push(MatchContext& context, const haptics::SurfaceContact& contact, vec3 impulse, vec3 place,
           const Prop& deed) {
     const auto thing = context.world.entity(contact.key);

@@ -3,23 +3,22 @@
 //
 // The origin of the device frame is at the tip of a wand whose hand is at rest. The frame turns with the
 // wizard's view. A metre of the hand is wand_m_per_m metres in the world. When the wizard turns or walks, the
-// world moves in the device frame. The servo subtracts that frame motion (haptics::FrameMotion), so walking and
-// turning neither kick nor press the hand. The hand feels only its own motion and the motion of props. Props
-// are pushed with the opposite force: one newton on a prop is n_per_n newtons at the hand.
+// world moves in the device frame. The servo subtracts that frame motion (haptics::FrameMotion), so walking
+// and turning neither kick nor press the hand. The hand feels only its own motion and the motion of props.
+// Props are pushed with the opposite force: one newton on a prop is n_per_n newtons at the hand.
 #pragma once
 #include "game/components/hand_state.h"
 #include "game/context/match_context.h"
 
 namespace thaum::game {
 
-/// Writes patch, frame motion, start and patch number of the model, and the frame in HandState. The patch is
-/// empty if nothing is within reach. Reads resource::Physics.
+/// Writes surface patch, frame motion, start and patch number of the model, and the frame in HandState. The
+/// patch is empty if no surface is within reach. Reads resource::Physics.
 void fill_probe_model(const MatchContext& context, ecs::Entity wizard, HandState& hand_state,
                       haptics::HapticModel& model);
 
-/// Adds the system that runs every tick before bodies move. It pushes touched things with the opposite of the
-/// hand's contact force, in world units. The push is not reduced when the safety stage reduces the hand's
-/// force.
+/// Adds the system that pushes touched things with the opposite of the hand's contact force, in world units,
+/// every tick before bodies move. The push is not reduced when the safety stage reduces the hand's force.
 void add_probe_system(MatchContext& context, ecs::Schedule& schedule);
 
 }  // namespace thaum::game

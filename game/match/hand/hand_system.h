@@ -1,5 +1,5 @@
-// game/match/hand/hand_system.h: forces on a wizard's hand and its position: the servo step and the simulated device,
-// every tick.
+// game/match/hand/hand_system.h: forces on a wizard's hand, and the hand's position: the servo step and the
+// simulated device, every tick.
 #pragma once
 #include "game/components/hand_state.h"
 #include "game/stations/cauldron/cauldron.h"

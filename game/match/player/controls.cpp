@@ -16,7 +16,7 @@ namespace {
 using input::Button;
 namespace hand = input::hand;
 
-/// Limit of mouse counts per tick: more than any mouse gives, and small enough that no product overflows.
+/// Limit of mouse counts per tick: more than any mouse reports, and small enough that no product overflows.
 constexpr std::int32_t most_counts = 10'000;
 
 double wrapped(double angle) {
@@ -25,7 +25,7 @@ double wrapped(double angle) {
     return angle;
 }
 
-/// Turns the view by the sample, and by the help that the player has with aiming.
+/// Turns the view by the sample and by aim assist.
 void turn(const input::DeviceSample& sample, const input::DeviceSpec& spec, double pitch_limit,
           const ViewHelp& help, Gaze& gaze) {
     const double step = spec.turn_rad_per_s * tick_seconds;
@@ -39,7 +39,7 @@ void turn(const input::DeviceSample& sample, const input::DeviceSpec& spec, doub
     gaze.pitch = std::clamp(gaze.pitch + up + help.up, -pitch_limit, pitch_limit);
 }
 
-/// Whether the player does anything that aiming could help with.
+/// Whether the player gives any input, without which aim assist does nothing.
 bool acts(const input::DeviceSample& sample) {
     const auto& counts = sample.counts;
     return counts[hand::look_right] != 0 || counts[hand::look_up] != 0 || counts[hand::turn_right] != 0 ||
@@ -47,7 +47,7 @@ bool acts(const input::DeviceSample& sample) {
            sample.down(Button::fire);
 }
 
-/// Displacement of the hand in one tick by a stick (um).
+/// Displacement of the hand in one tick by a deflected stick (um).
 std::int32_t by_stick(const HapticRules& rules, std::int32_t deflection) {
     return static_cast<std::int32_t>(std::lround(rules.clutch_per_tick * stick_curve(deflection)));
 }
@@ -63,12 +63,13 @@ void move_hand(const input::DeviceSample& sample, const HapticRules& rules, Cont
     controls.hand_up = moved(hand::look_up, hand::turn_up);
 }
 
-/// Share of its full deflection from which on a stick draws.
+/// Share of its full deflection at which a stick begins to draw.
 constexpr double stick_begins = 0.8;
 
-/// Moves a hand that draws. A mouse draws at the pace at which it turns the view, so that a player's sensitivity counts
-/// for both. A stick gives the hand's place, so that a turn of the stick is a circle. All figures begin away from their
-/// middle, so the way of the stick to its rim is no part of the stroke.
+/// Moves a hand that draws a stroke. Mouse counts move the hand in proportion to how they turn the view, so
+/// the player's sensitivity applies to both. A stick sets the hand's position, so turning the stick draws a
+/// circle. All gestures begin away from their middle, so the stick's first motion to its rim is not part of
+/// the stroke.
 void move_tracing_hand(const input::DeviceSample& sample, const input::DeviceSpec& spec,
                        const HapticRules& rules, double stick_reach, Controls& controls) {
     const auto& counts = sample.counts;
@@ -95,10 +96,10 @@ void move_tracing_hand(const input::DeviceSample& sample, const input::DeviceSpe
     controls.stick_up = up;
 }
 
-/// Moves the hand of a wizard at a station, who stands still meanwhile. Mouse and stick move a ladle in the plane of the
-/// brew's surface, and the keys or stick for walking forward and back lift and sink it. At orb and crystal, mouse and
-/// stick move the hand across the view, and walking forward and back moves it in and out. Walking sideways turns a
-/// crystal (game/stations/crystal/chisel.h).
+/// Moves the hand of a wizard at a station, who stands still meanwhile. Mouse and stick move a ladle in the
+/// plane of the brew's surface, and the keys or stick for walking forward and back lift and sink it. At orb
+/// and crystal, mouse and stick move the hand across the view, and walking forward and back moves it in and
+/// out. Walking sideways turns a crystal (game/stations/crystal/chisel.h).
 void move_hand_at(StationKind station, const input::DeviceSample& sample, const HapticRules& rules,
                   Controls& controls) {
     move_hand(sample, rules, controls);
@@ -114,8 +115,8 @@ void move_hand_at(StationKind station, const input::DeviceSample& sample, const 
     controls.pressed &= ~bit(Button::jump);
 }
 
-/// Adds the buttons of a player's arm to the sample of the player's other device. The arm gives hand and
-/// wand; the other device gives view and walking.
+/// Adds the buttons of a player's arm to the sample of the player's other device. The arm controls hand and
+/// wand; the other device controls view and walking.
 input::DeviceSample with_arm(input::DeviceSample hands, std::uint32_t buttons) {
     hands.buttons |= buttons;
     if ((buttons & bit(Button::fire)) != 0) hands.counts[hand::trigger] = 255;
@@ -132,8 +133,8 @@ std::uint32_t arm_buttons(const MatchContext& context, std::uint32_t player) {
     return buttons;
 }
 
-/// Buttons of the sample. A press of fire while Trace is held makes a key chord harsh, and shoots nothing until it is
-/// released.
+/// Buttons of the sample. If fire is pressed while Trace is held, a key chord becomes harsh, and no shot is
+/// fired until fire is released and pressed again.
 std::uint32_t buttons_of(const input::DeviceSample& sample, Controls& controls) {
     constexpr auto fire = bit(Button::fire);
     const bool fired_before = (controls.held & fire) != 0;
@@ -157,13 +158,13 @@ void take(const input::DeviceSample& sample, bool has_spells, Controls& controls
     controls.wheel = std::clamp(controls.wheel + std::clamp(counts[hand::wheel], -100, 100), -100, 100);
 }
 
-/// Whose controls are applied.
+/// The player whose controls are applied.
 struct Player {
     ecs::Entity wizard;
     std::uint32_t number{};
 };
 
-/// Moves hand or view by the sample, whichever the held buttons say.
+/// Moves hand or view by the sample, depending on the held buttons.
 void apply(MatchContext& context, const Player& player, const input::DeviceSample& sample,
            const input::DeviceSpec& spec, Controls& controls, Gaze& gaze) {
     auto& world = context.world;
@@ -236,7 +237,7 @@ void add_pause_system(MatchContext& context, ecs::Schedule& schedule) {
                           match.paused ^= 1U;
                           match.paused_by = match.paused != 0 ? wizard.player : no_player;
                       });
-                      // Buttons pressed during a pause have no effect after it.
+                      // Buttons pressed during a pause have no effect afterwards.
                       if (match.paused != 0 || match.phase != Phase::playing) {
                           w.view<Controls>().each(
                               [](Controls& c) { c.pressed = 0, c.wand_pressed = 0, c.wheel = 0; });

@@ -1,21 +1,22 @@
-// game/match/player/controls.h: decodes a device's integer counts into what a wizard does with hands, feet and
-// view.
+// game/match/player/controls.h: decodes a device's integer counts into what a wizard does with hands, feet
+// and view.
 #pragma once
 #include "game/context/match_context.h"
 
 namespace thaum::game {
 
-/// Adds the system that fills Controls every tick, also in a pause. It turns Gaze except in a pause.
+/// Adds the system that fills in Controls every tick, also in a pause. It also turns Gaze, but not in a
+/// pause.
 void add_controls_system(MatchContext& context, ecs::Schedule& schedule);
 
 /// Adds the system that clears pressed buttons and wheel steps. It must be the last gameplay system.
 void add_controls_used_system(MatchContext& context, ecs::Schedule& schedule);
 
-/// Adds the system with which either player pauses the match at once.
+/// Adds the system with which either player can pause the match at once.
 void add_pause_system(MatchContext& context, ecs::Schedule& schedule);
 
-/// Turning rate of a stick at `deflection` (-127 to 127) as a share of the full rate: fine in the middle,
-/// fast at the rim.
+/// Turning rate of a stick at `deflection` (-127 to 127) as a share of the full rate: slow near the middle,
+/// fast near the rim.
 double stick_curve(std::int32_t deflection);
 
 }  // namespace thaum::game

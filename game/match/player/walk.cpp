@@ -9,7 +9,7 @@
 namespace thaum::game {
 namespace {
 
-/// Speed sideways that the player asks for, -127 to 127. At a crystal these keys turn it instead.
+/// Sideways speed that the player asks for, -127 to 127; 0 at a crystal, which these keys turn instead.
 std::int32_t strafe_of(const Controls& controls, const Chisel* chisel) {
     return chisel == nullptr ? controls.strafe : 0;
 }
@@ -17,15 +17,15 @@ std::int32_t strafe_of(const Controls& controls, const Chisel* chisel) {
 vec3 wish_of(const Controls& controls, std::int32_t strafe, const Gaze& gaze, double speed) {
     vec3 wish{strafe / 127.0, 0, -controls.forward / 127.0};
     const double length = glm::length(wish);
-    if (length > 1) wish /= length;  // walking diagonally is no faster
+    if (length > 1) wish /= length;  // so that walking diagonally is no faster
     return rotation({0, 1, 0}, gaze.yaw) * wish * speed;
 }
 
-/// `pace`: share of the walking speed that the wizard has.
+/// `pace`: factor on the wizard's walking speed.
 physics::MoverSettings abilities_of(const WizardRules& rules, const Stance& stance, double pace, Tick tick) {
     auto abilities = rules.walk;
     if (tick < stance.loose_until) abilities.ground_acceleration *= rules.loose_grip;
-    abilities.walk_speed *= std::max(1.0, pace);  // the mover limits the wish to this speed
+    abilities.walk_speed *= std::max(1.0, pace);  // the mover limits the requested speed to this one
     return abilities;
 }
 
@@ -63,7 +63,7 @@ void add_walk_system(MatchContext& context, ecs::Schedule& schedule) {
                      const auto jump = input::bit(input::Button::jump);
                      const bool wishes =
                          strafe != 0 || controls.forward != 0 || (controls.pressed & jump) != 0;
-                     // The body rests undisturbed, so the mover has nothing to do.
+                     // The body is at rest and no motion is requested, so the mover has nothing to do.
                      if (motion.asleep != 0 && !wishes) return;
                      const double pace = pace_at(context.data, std::as_const(w), motion.position) *
                                          pace_of(context.data, potions, tick);

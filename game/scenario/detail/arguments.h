@@ -22,9 +22,9 @@ template <class... Parts>
 double number(lua_State* lua, int index, std::string_view name, Range range);
 std::int64_t integer(lua_State* lua, int index, std::string_view name, Range range);
 std::string string(lua_State* lua, int index, std::string_view name);
-/// Text of lower-case letters, digits and _, safe as a file name.
+/// Reads a text of lower-case letters, digits and _, which is safe as a file name.
 std::string plain_name(lua_State* lua, int index, std::string_view name);
-/// A player, 1 or 2, as an index.
+/// Reads a player, 1 or 2, and returns the index.
 std::uint32_t player(lua_State* lua, int index);
 /// Reads {x, y, z} or {x = , y = , z = }. Each value must lie within +-most.
 vec3 place(lua_State* lua, int index, std::string_view name, double most);
@@ -37,8 +37,8 @@ void set_place(lua_State* lua, const char* key, vec3 value);
 
 void push_place(lua_State* lua, vec3 value);
 
-/// The table of options at `index`. Each of its keys must be in `names`. `has` pushes fields and leaves them
-/// on the stack, which is cleared when the verb returns.
+/// The table of options at `index`. Each of its keys must be in `names`. `has` pushes fields onto the Lua
+/// stack and leaves them there; the stack is cleared when the verb returns.
 class Options {
 public:
     Options(lua_State* lua, int index, std::string_view verb, std::initializer_list<std::string_view> names);

@@ -19,9 +19,9 @@ struct Sandbox::State {
     lua_State* script = nullptr;  ///< coroutine of the script, if one is loaded
     std::size_t memory = 0;
     std::uint64_t steps = 0;
-    bool trusted = false;    ///< trusted code is running, and no allocation may interrupt it
-    bool exhausted = false;  ///< every error now passes through all pcalls
-    bool late = false;       ///< the processor time was used up
+    bool trusted = false;    ///< true: trusted code is running, which no failing allocation may interrupt
+    bool exhausted = false;  ///< true: every error now passes through all pcalls
+    bool late = false;       ///< true: the processor time is used up
     /// Thread processor time at which the script must have ended (ns). It is far in the future while no
     /// script runs.
     std::int64_t deadline_ns = std::numeric_limits<std::int64_t>::max() / 2;
@@ -31,7 +31,7 @@ struct Sandbox::State {
     std::string output;
     std::string fault;  ///< message of the verb that has just failed
 
-    /// Counts steps. Returns false from the moment when they are used up.
+    /// Adds to the counted steps. Returns false once the limit is reached.
     bool spend(std::uint64_t count) {
         steps += count;
         exhausted = exhausted || steps > limits.steps;
@@ -43,17 +43,18 @@ inline Sandbox::State& state_of(lua_State* lua) {
     return **static_cast<Sandbox::State**>(lua_getextraspace(lua));
 }
 
-/// Instructions between two checks of steps and time.
+/// Number of instructions between two checks of steps and time.
 inline constexpr int hook_steps = 1000;
 
-/// Counts steps. Raises an error that no pcall catches if the steps or the processor time are used up.
+/// Adds to the counted steps. Raises an error that no pcall catches once the steps or the processor time are
+/// used up.
 void charge(lua_State* lua, std::uint64_t steps);
 
 /// Raises "NAME:LINE: message" with the line of the innermost script function, not of the prelude. The
 /// message is on top of the stack.
 int raise_at_script(lua_State* lua);
 
-/// Opens the safe parts of Lua's libraries, and replacements for the others.
+/// Adds the safe parts of Lua's libraries, and replacements for the others.
 void open_library(lua_State* lua);
 
 /// Line of the first operator ^ in a source; std::nullopt if there is none.

@@ -9,7 +9,8 @@
 
 namespace thaum::game {
 
-/// A verb and its name. The prelude takes over verbs whose names begin with raw_ and removes the names.
+/// A verb and its name. Names that begin with raw_ are only for the prelude, which wraps these verbs and
+/// removes the names.
 struct VerbName {
     const char* name;
     Sandbox::Verb verb;
@@ -25,16 +26,16 @@ std::span<const VerbName> sense_verbs();
 
 // Limits that keep a script's values in the range of the physics.
 inline constexpr double farthest = 500;  ///< greatest distance from the origin (m)
-inline constexpr double fastest = 200;   ///< greatest speed (m/s)
+inline constexpr double fastest = 200;   ///< greatest speed that a script may set (m/s)
 
-/// Returns the play behind a verb. Throws a fault if there is no match yet.
+/// Returns the play that `context` points to. Throws a fault if its match has not begun.
 inline Play& began(void* context) {
     auto& play = *static_cast<Play*>(context);
     if (!play.match) arguments::fault("there is no match yet: match{...} comes first");
     return play;
 }
 
-/// Reads the name of a kind of event.
+/// Reads a kind of event by its name.
 inline EventKind read_kind(lua_State* lua, int index) {
     const auto name = arguments::string(lua, index, "kind");
     const auto kind = event_kind(name);

@@ -1,4 +1,5 @@
-// game/senses/sound/cues.h: sounds that the state of a match causes, and not one event. Each has a sound in assets/sounds.
+// game/senses/sound/cues.h: the cues: sounds that the state of a match causes rather than a single event.
+// Each has a file in assets/sounds.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -46,7 +47,7 @@ inline constexpr std::array<std::string_view, cues> cue_names{
     "orb_hum",     "carve",      "count_tick",  "count_go",      "last_seconds", "round_won", "round_lost",
     "round_drawn", "music_calm", "music_pulse", "music_tension", "music_final"};
 
-/// Materials by which things sound.
+/// Materials that decide how a blow sounds.
 enum class Material : std::uint8_t { stone, wood, metal, soft };
 Material material_of(Surface surface);
 Cue step_on(Material material);

@@ -33,7 +33,7 @@ SoundNumber sound_of(const SoundWriting& writing, const Event& event) {
     return kind < sounds.events.size() ? sounds.events[kind] : std::nullopt;
 }
 
-/// Place of an event: its own, or that of the player to whom it happened.
+/// Position of an event: its own, or that of the player to whom it happened.
 vec3 place_of(const SoundWriting& writing, const Event& event) {
     const auto& info = info_of(event.kind);
     if (info.placed || event.subject >= players) return event.place;
@@ -50,10 +50,12 @@ void tell_end_of_round(SoundWriting& writing) {
     }
 }
 
-/// Begins the sound of a hurt for the one who is hurt: at the ear, since the place is on the own body. Its words tell
-/// the side from which it came, as the body feels it. A fall has none.
+/// Starts the sound of an injury for the injured player: at the ear, since the sound's place is the
+/// listener's own body. Its caption names the side from which the harm came, as the body feels it; a fall has
+/// no side.
 void begin_own_hurt(SoundWriting& writing, const Event& event, SoundNumber sound, double gain) {
-    constexpr double told_distance = 5;  // any distance at which a sound has a side (m)
+    // Distance of a made-up sound source on that side; any value would do (m)
+    constexpr double told_distance = 5;
     const auto& world = writing.match.world();
     const auto& rows = writing.match.data().presentation->events;
     Heard heard{.gain = gain, .heard_by = writing.ears_of(event.subject), .at_ear = true};
@@ -84,7 +86,7 @@ void add_sound_of(SoundWriting& writing, const Event& event) {
     if (event.subject >= players && !info_of(event.kind).placed) heard.at_ear = true;
     const auto sound = sound_of(writing, event);
     if (strikes_body(event.kind) && event.subject < players) {
-        // A fall may end at another place than the wizard is put back to, so the own body is at the ear.
+        // A wizard who fell may have been put back elsewhere, so the sound is played at the ear.
         begin_own_hurt(writing, event, sound, heard.gain);
         heard.heard_by &= ~writing.ears_of(event.subject);
     }

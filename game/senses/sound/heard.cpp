@@ -9,15 +9,15 @@
 namespace thaum::game {
 namespace {
 
-/// Distance along the ground, and above or below the ear, within which a sound is the listener's own (m). The own feet
-/// are 1.6 m below.
+/// Limits within which a sound counts as the listener's own: distance along the ground, and height above or
+/// below the ear (m). The listener's feet are 1.6 m below the ear.
 constexpr double own_place = 1.2, own_height = 2;
-/// Sine of the angle above or below which a sound is above or below.
+/// Sine of the elevation beyond which a sound counts as above or below.
 constexpr double steep = 0.8;
-/// Least strength of a voice that is told.
+/// Minimum strength of a voice that gets a caption.
 constexpr double least_strength = 0.02;
 
-/// Strength of a voice at the listener by distance alone, 0 to 1.
+/// Strength of a voice at the listener, from distance alone, 0 to 1.
 double strength_at(const audio::Listener& listener, const audio::Sound& sound, const audio::Voice& voice) {
     if (voice.at_ear) return voice.gain;
     const double distance = glm::distance(listener.position, voice.position);
@@ -73,7 +73,7 @@ void HeardLines::add(const HeardLine& line) {
         return;
     }
     if (count_ == lines_.size()) {
-        // The oldest line that matters least makes room.
+        // The oldest of the least important lines is dropped.
         const auto plain =
             std::find_if(lines_.begin(), lines_.end(), [](const auto& l) { return !l.important; });
         const auto leaves = plain != lines_.end() ? plain : lines_.begin();

@@ -1,6 +1,6 @@
-// game/senses/sound/heard.h: what is heard and felt in words, for players who do not hear or feel it: "step, behind", "weight
-// pulls down". The words of sounds are those of the sounds that a frame begins or keeps up, so nothing is heard that
-// has no words. game/senses adds what the hand and the body feel.
+// game/senses/sound/heard.h: captions of what is heard and felt, for players who do not hear or feel it:
+// "step, behind", "weight pulls down". Each sound that starts or continues in an audio frame gives a caption,
+// so none is missed. Other code in game/senses adds what hand and body feel.
 #pragma once
 #include <array>
 #include <bitset>
@@ -13,7 +13,7 @@
 
 namespace thaum::game {
 
-/// What a player wants in words of all that is heard and felt.
+/// Which captions a player has chosen to see.
 enum class HeardWish : std::uint8_t { none, important, all };
 
 /// Side from which a sound comes. `here`: from the listener, or from no place.
@@ -21,53 +21,56 @@ enum class HeardFrom : std::uint8_t { here, ahead, right, behind, left, above, b
 inline constexpr std::array<std::string_view, 7> heard_from_words{"",     "ahead", "right", "behind",
                                                                   "left", "above", "below"};
 
-/// Words for the side from which the own body is hurt, by HeardFrom: "hit from behind". So nobody takes the foe's hit
-/// for an own one.
+/// Words for the side from which the player's own body is hurt, by HeardFrom: "hit from behind". They make
+/// clear that the player was hit, not the foe.
 inline constexpr std::array<std::string_view, 7> hurt_from_words{
     "", "from ahead", "from the right", "from behind", "from the left", "from above", "from below"};
-/// Words for the side to which a force pushes the hand, by HeardFrom.
+/// Words for the side towards which a force pushes the hand, by HeardFrom.
 inline constexpr std::array<std::string_view, 7> pushed_to_words{"",     "away", "right", "towards you",
                                                                  "left", "up",   "down"};
 
-/// A sound, an effect on the body or a force on the hand in words. Two voices of one sound from one side are one line.
+/// One caption: a sound, an effect on the body, or a force on the hand. Two voices of the same sound from the
+/// same side give one line.
 struct HeardLine {
-    std::string_view words;  ///< caption of the sound or effect, or name of the force; it belongs to the data
-    HeardFrom from{};        ///< side from which it comes, or to which a force pushes
+    /// Caption of the sound or effect, or name of the force; refers to the loaded data.
+    std::string_view words;
+    HeardFrom from{};  ///< side from which the sound comes, or towards which the force pushes
     bool important{};
-    double age_s{};           ///< time since it was last heard or felt
-    bool own{};               ///< it hurts or touches the own body
-    std::string_view verb{};  ///< what a force does to the hand, such as "pulls"; empty: no force on the hand
+    double age_s{};  ///< time since the sound or force was last heard or felt (s)
+    bool own{};      ///< true: the sound or effect hurts or touches the player's own body
+    /// Verb for what a force does to the hand, such as "pulls"; empty: not a force on the hand.
+    std::string_view verb{};
 };
 
 /// The whole line as shown: "step, behind", "weight pulls down".
 std::string words_of(const HeardLine& line);
-/// Whether a player with this wish is shown the line.
+/// Whether a player with this setting is shown the line.
 bool wants(HeardWish wish, const HeardLine& line);
 
-/// Time for which a line stays after its sound or force (s).
+/// Time for which a line stays after its sound or force has ended (s).
 inline constexpr double heard_seconds = 1.6;
 
 /// Lines of one listener, the oldest first.
 class HeardLines {
 public:
-    /// Takes the voices of one frame that this listener hears. `pass_frame` has gone before.
+    /// Adds captions for the voices of one frame that this listener hears. Call pass_frame first.
     void follow(const audio::AudioFrame& frame, const audio::SoundBank& bank, std::uint32_t listener);
-    /// Lets the time of one frame pass.
+    /// Advances the age of all lines by one frame.
     void pass_frame();
-    /// Adds a line, or keeps an equal one up. Of a force there is one line, whose side changes.
+    /// Adds a line, or renews an equal one. A force has only one line, whose side is updated.
     void add(const HeardLine& line);
     std::span<const HeardLine> lines() const { return {lines_.data(), count_}; }
 
 private:
-    /// Whether the caption of a lasting voice is to be told. That of music is told once, when it begins.
+    /// Whether a lasting voice gets a caption now. Music gets one only when it begins.
     bool tells(const audio::SoundBank& bank, const audio::Voice& voice, bool loud);
 
     std::array<HeardLine, 8> lines_{};
-    std::bitset<256> music_{};  ///< by number of the sound: music that is heard
+    std::bitset<256> music_{};  ///< whether a piece of music is being heard, indexed by the sound's number
     std::size_t count_ = 0;
 };
 
-/// Side from which a listener hears a place.
+/// Side from which a listener hears a position.
 HeardFrom side_of(const audio::Listener& listener, vec3 place);
 
 }  // namespace thaum::game

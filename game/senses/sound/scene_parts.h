@@ -1,15 +1,15 @@
-// game/senses/sound/scene_parts.h: the parts of a SoundScene. Each adds its voices to a frame.
+// game/senses/sound/scene_parts.h: the functions that make up a SoundScene. Each adds its voices to a frame.
 #pragma once
 #include "game/senses/sound/sound_scene.h"
 
 namespace thaum::game {
 
-/// Keys of lasting voices. A wizard's voices have the player's number added.
+/// Keys of lasting voices. For a wizard's voices, the player's number is added.
 namespace lasting {
 inline constexpr std::uint32_t ready = 10, hold = 20, stir = 30, boil = 40, score = 50, orb = 60, carve = 64;
 }
 
-/// A frame that is being written.
+/// An audio frame that is being filled in.
 struct SoundWriting {
     const Simulation& match;
     const MatchSounds& sounds;
@@ -24,14 +24,14 @@ struct SoundWriting {
 
 /// How strongly and where a sound is heard.
 struct Heard {
-    vec3 place{};  ///< (m, world)
+    vec3 place{};  ///< position (m, world)
     double gain{1}, pitch{1};
-    std::uint32_t heard_by{3};  ///< bits of the listeners
-    bool at_ear{};              ///< without place
-    bool sided{};               ///< at the ear, but the words tell the side of `place`
+    std::uint32_t heard_by{3};  ///< bits of the listeners who hear the sound
+    bool at_ear{};              ///< true: played at the ear, without a position
+    bool sided{};               ///< true: played at the ear, but the caption names the side of `place`
 };
 
-/// Begins a voice, muffled by walls. Its pitch differs a little from that of the voice before.
+/// Starts a voice, muffled by walls. Its pitch differs slightly from that of the previous voice.
 void begin(SoundWriting& writing, SoundNumber sound, const Heard& heard);
 void begin(SoundWriting& writing, Cue cue, const Heard& heard);
 /// Adds a lasting voice. The key is the same in each frame while the voice lasts.
@@ -41,11 +41,11 @@ void add_event_sounds(SoundWriting& writing);
 void add_wizard_sounds(SoundWriting& writing);
 void add_thing_sounds(SoundWriting& writing);
 void add_brew_sounds(SoundWriting& writing);
-/// The hum of an orb that somebody scries. It rises towards the core.
+/// Adds the hum of an orb while a wizard scries. Its pitch rises towards the core.
 void add_orb_sounds(SoundWriting& writing);
 void add_clock_sounds(SoundWriting& writing);
 void add_score(SoundWriting& writing);
-/// Muffles lasting voices behind walls. Looks at one voice in each frame, since each look costs a ray.
+/// Muffles lasting voices behind walls. Checks one voice in each frame, since each check costs a ray cast.
 void muffle_by_walls(SoundWriting& writing);
 
 }  // namespace thaum::game

@@ -8,9 +8,9 @@ namespace {
 
 constexpr Tick told_seconds = 10, counted_seconds = 3;
 constexpr double fight_fades_s = 8, final_s = 30, weak_health = 0.4;
-/// Loudness of the layers, and the time in which they come and go (s).
+/// Loudness of each layer of music, and the time in which layers fade in and out (s).
 constexpr double calm = 0.5, pulse = 0.5, tension = 0.5, last_layer = 0.6, change_s = 1.5;
-/// Loudness below which a layer is left out. The mixer keeps all layers in step.
+/// Loudness below which a layer is left out. The mixer keeps all layers synchronous.
 constexpr double unheard = 1e-3;
 constexpr std::array<Cue, score_layers> layers{Cue::music_calm, Cue::music_pulse, Cue::music_tension,
                                                Cue::music_final};
@@ -29,7 +29,7 @@ double weakest(const SoundWriting& writing) {
     return share;
 }
 
-/// Wanted loudness of each layer.
+/// Target loudness of each layer.
 std::array<double, score_layers> wanted(const SoundWriting& writing) {
     const auto& match = writing.match.match();
     if (match.phase != Phase::playing || match.paused != 0) return {calm, 0, 0, 0};

@@ -1,4 +1,5 @@
-// game/senses/sound/sound_names.h: the sounds that events and wands name in their data files, found in the bank once.
+// game/senses/sound/sound_names.h: the sounds that events and wands name in their data files, looked up in
+// the bank once.
 #pragma once
 #include <array>
 #include <vector>
@@ -16,15 +17,16 @@ struct WandSoundNumbers {
 /// Numbers of all sounds of a match.
 struct MatchSounds {
     CueSounds cues{};
-    std::vector<SoundNumber> events;  ///< by EventKind; without those of power-ups and spells
+    /// Sounds of events, indexed by EventKind; not those of power-ups and spells.
+    std::vector<SoundNumber> events;
     std::array<SoundNumber, power_up_names.size()> power_ups{};
-    std::vector<SoundNumber> spells;      ///< by number of the spell
-    std::vector<WandSoundNumbers> wands;  ///< in the order of Presentation::wands
-    /// Sounds that the bank lacks. Faulty sounds are not among them: the bank says why.
+    std::vector<SoundNumber> spells;      ///< sounds of spells, indexed by the spell's number
+    std::vector<WandSoundNumbers> wands;  ///< sounds of wands, in the order of Presentation::wands
+    /// Sounds that are missing in the bank. Sounds with a fault are not listed: the bank reports those.
     std::vector<MissingName> missing{};
 };
 
-/// A missing or faulty sound is silence, and costs no other one.
+/// Looks up all sounds. A missing or faulty sound is silent, and does not affect the others.
 MatchSounds match_sounds(const audio::SoundBank& bank, const Presentation& shown);
 
 }  // namespace thaum::game

@@ -7,9 +7,10 @@
 namespace thaum::game {
 namespace {
 
-/// Muffling by a wall between ear and source, and the share of the way to it in each look.
+/// Full muffling by a wall between ear and source, and the share of the remaining change that is made at each
+/// check.
 constexpr double wall_muffles = 0.75, wall_share = 0.5;
-/// A wall as near as this to the source is the source's own (m).
+/// A wall no farther than this from the source belongs to the source and does not muffle it (m).
 constexpr double own_wall = 0.4;
 
 void take_listeners(SoundWriting& writing) {
@@ -39,7 +40,7 @@ double differing(std::uint32_t voice) {
     return random.uniform(-1, 1);
 }
 
-/// Takes the state of a match without a sound for what came before.
+/// Copies the state of a match without making sounds for what happened before.
 void begin_anew(SoundWriting& writing) {
     auto& memory = writing.memory;
     const auto score = memory.score;
@@ -118,7 +119,7 @@ void SoundScene::take(const Simulation& match, std::span<const std::uint32_t> li
     take_listeners(writing);
     if (match.match().paused == 0) {
         add_event_sounds(writing);
-        // After a round everything stands still, with the speeds and charges that it had.
+        // Between rounds everything stands still, but keeps its speed and charge, which must make no sound.
         if (match.match().phase == Phase::playing) {
             add_wizard_sounds(writing);
             add_thing_sounds(writing);
@@ -128,7 +129,7 @@ void SoundScene::take(const Simulation& match, std::span<const std::uint32_t> li
         add_clock_sounds(writing);
     }
     if (!followed) out.begins.count = 0;
-    // The first round of a match begins before its first frame.
+    // At the first frame of a match, its first round has already begun, so this sound is added here.
     if (!memory_.follower.has_begun() && match.match().played <= audio::frame_ticks)
         begin(writing, Cue::count_go, {.at_ear = true});
     add_score(writing);

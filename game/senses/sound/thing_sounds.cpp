@@ -8,16 +8,17 @@ namespace thaum::game {
 namespace {
 
 constexpr double heard_change = 1.2,
-                 loud_change = 8;   ///< sudden changes of speed that are heard, and loud ones (m/s)
-constexpr double usual_mass = 40;   ///< mass of a thing with the sound's own pitch (kg)
-constexpr Tick between_blows = 96;  ///< least time between two sounds of a thing (ticks)
+                 /// Changes of speed in one frame that are audible, and that are loudest (m/s)
+    loud_change = 8;
+constexpr double usual_mass = 40;   ///< mass of a thing that gives the sound its recorded pitch (kg)
+constexpr Tick between_blows = 96;  ///< minimum time between two sounds of a thing (ticks)
 
 ThingSoundMemory& memory_of(SoundMemory& memory, ecs::Entity thing) {
     if (memory.things.size() <= thing.index) memory.things.resize(thing.index + 1);
     return memory.things[thing.index];
 }
 
-/// A blow takes speed from the thing; a push or a throw gives it some.
+/// A blow makes the thing slower; a push or a throw makes it faster.
 bool is_blow(vec3 before, vec3 now) { return glm::length(now) < glm::length(before); }
 
 void add_thing(SoundWriting& writing, ecs::Entity e, const Motion& motion, const Look& look,
@@ -37,7 +38,7 @@ void add_thing(SoundWriting& writing, ecs::Entity e, const Motion& motion, const
           {.place = motion.position, .gain = std::min(1.0, change / loud_change), .pitch = pitch});
 }
 
-/// Share of the time until the brew boils over that has passed, 0 to 1; 0 for a pure brew.
+/// Elapsed share of the time until the brew boils over, 0 to 1; 0 for a pure brew.
 double ripeness(const SoundWriting& writing, const Cauldron& cauldron) {
     if (cauldron.begun == 0 || writing.played() <= cauldron.begun) return 0;
     const auto whole = std::max<Tick>(1, writing.match.data().cauldron->spoils_after);
@@ -63,7 +64,8 @@ void add_brew_sounds(SoundWriting& writing) {
 }
 
 void add_orb_sounds(SoundWriting& writing) {
-    constexpr double far_from_core = 0.6;  // share of the orb's radius from which on the hum is lowest
+    // Distance from the core, as a share of the orb's radius, from which on the hum is lowest.
+    constexpr double far_from_core = 0.6;
     const auto& world = writing.match.world();
     if (world.count<Orb>() == 0) return;
     const auto& orb = world.single<Orb>();

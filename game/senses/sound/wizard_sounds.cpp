@@ -9,13 +9,13 @@
 namespace thaum::game {
 namespace {
 
-constexpr double jump_speed = 2;  ///< speed upwards from which leaving the ground is a jump (m/s)
+constexpr double jump_speed = 2;  ///< upward speed above which leaving the ground counts as a jump (m/s)
 constexpr double land_speed = 2,
-                 hard_landing = 9;  ///< speeds of a landing that is heard, and at full strength (m/s)
+                 hard_landing = 9;  ///< landing speeds that are audible, and that are loudest (m/s)
 constexpr double slow_heart_hz = 1.2, fast_heart_hz = 2.4;
-constexpr double loud_hold_n = 1200;  ///< force by which a wand holds something at full loudness
+constexpr double loud_hold_n = 1200;  ///< holding force of a wand at which its sound has full loudness (N)
 
-/// One living wizard at the moment.
+/// Present state of one living wizard.
 struct WizardNow {
     ecs::Entity entity;
     std::uint32_t player{};
@@ -29,7 +29,7 @@ vec3 feet_of(const SoundWriting& writing, const WizardNow& wizard) {
     return wizard.motion.position - vec3(0, writing.match.data().wizard.height / 2, 0);
 }
 
-/// Material of what the wizard stands on.
+/// Material of the ground under the wizard.
 Material ground_of(const SoundWriting& writing, const WizardNow& wizard) {
     constexpr double below = 0.3;
     const vec3 feet = feet_of(writing, wizard);

@@ -10,7 +10,7 @@
 namespace thaum::game {
 namespace {
 
-/// Share of a sound's amplitude that is left behind a wall, as in the mixer of what is heard.
+/// Share of a sound's amplitude that remains behind a wall, as in the audio mixer.
 constexpr double behind_wall = 0.5;
 
 /// Loudness of a voice for a listener.
@@ -49,7 +49,7 @@ void FeltSound::begin(const audio::Voice& voice) {
     if (is_known(voice) && begun_count_ < most_begun) begun_.at(begun_count_++) = {.voice = voice};
 }
 
-/// Goes on with a lasting voice, or begins it.
+/// Continues a lasting voice, or starts it.
 void FeltSound::keep_up(const audio::Voice& voice) {
     if (!is_known(voice)) return;
     const auto end = lasting_.begin() + static_cast<std::ptrdiff_t>(lasting_count_);

@@ -1,7 +1,7 @@
-// game/senses/tactile/felt_sound.h: sounds as they are felt on a jacket (paper 004's acoustic-tactile display): how strong
-// music and effects are in three bands of frequencies, for each listener. It follows the audio frames of a match and
-// knows the course of each sound (audio/bands.h). So it needs no samples and no sound device, and equal frames give
-// equal strengths.
+// game/senses/tactile/felt_sound.h: sounds as felt on a jacket (paper 004's acoustic-tactile display): the
+// strength of music and effects in three frequency bands, for each listener. It uses the audio frames of a
+// match and the strength of each sound over time (audio/bands.h). So it needs neither samples nor a sound
+// device, and equal frames give equal strengths.
 #pragma once
 #include <array>
 #include <filesystem>
@@ -12,7 +12,7 @@
 
 namespace thaum::game {
 
-/// The bands, from the lowest, by the names of their tables in assets/tactile/sound.toml.
+/// Names of the bands, lowest first, which are also the names of their tables in assets/tactile/sound.toml.
 inline constexpr std::array<std::string_view, 3> felt_band_names{"low", "middle", "high"};
 inline constexpr std::size_t felt_bands = felt_band_names.size();
 
@@ -20,20 +20,21 @@ struct FeltBands {
     std::array<audio::Band, felt_bands> bands{};
     std::array<double, felt_bands> full{};  ///< amplitude that is felt at full strength
 };
-/// The error names the file, line and key.
+/// Loads the bands. The error names file, line and key.
 Expected<FeltBands> load_felt_bands(const std::filesystem::path& file);
 
-/// Courses of all sounds of a bank in these bands.
+/// Strength over time of all sounds of a bank, in these bands.
 struct FeltCourses {
     FeltBands bands{};
-    std::vector<audio::BandCourse> sounds{};  ///< by number of the sound
+    /// Strength over time of each sound, indexed by the sound's number.
+    std::vector<audio::BandCourse> sounds{};
 };
 FeltCourses felt_courses(const audio::SoundBank& bank, const FeltBands& bands);
 
-/// Sounds that a player wants to feel.
+/// Kinds of sound that a player has chosen to feel.
 enum class FeltGroups : std::uint8_t { music, effects, both };
 struct FeltSoundWish {
-    double strength{};  ///< 0 (off) to 1
+    double strength{};  ///< strength of all sounds on the jacket, 0 (off) to 1
     FeltGroups groups{};
     bool operator==(const FeltSoundWish&) const = default;
 };
@@ -43,26 +44,27 @@ using BandStrengths = std::array<double, felt_bands>;
 
 class FeltSound {
 public:
-    /// Keeps the reference.
+    /// Keeps a reference to `courses`.
     explicit FeltSound(const FeltCourses& courses) : courses_(courses) {}
 
-    /// Takes the frame of the eight ticks that have passed.
+    /// Reads the audio frame of the last eight ticks.
     void follow(const audio::AudioFrame& frame);
-    /// Forgets all voices, after a jump to another time.
+    /// Ends all voices, after a jump to another time.
     void stop();
-    /// What a listener of the last frame (0 or 1) feels.
+    /// Strengths that a listener of the last frame (0 or 1) feels.
     BandStrengths strengths(std::uint32_t listener, const FeltSoundWish& wish) const;
 
 private:
-    /// A voice that sounds.
+    /// A voice that is playing.
     struct Playing {
         audio::Voice voice{};
-        double at{};  ///< time since its start (samples of its sound)
-        bool told{};  ///< lasting voices: it is in the present frame
+        double at{};  ///< time since the voice started (samples of its sound)
+        bool told{};  ///< for lasting voices, true: the voice is in the present frame
     };
-    /// Voices that begin are the shorter ones: the largest match has far fewer at once.
+    /// Capacity for voices played once, and for lasting voices; even the largest match has far fewer at the
+    /// same time.
     static constexpr std::size_t most_begun = 64, most_lasting = 32;
-    /// Sums of squared amplitudes by group and band.
+    /// Sums of squared amplitudes, by group and band.
     using Powers = std::array<std::array<double, felt_bands>, audio::sound_groups>;
 
     bool is_known(const audio::Voice& voice) const { return voice.sound < courses_.sounds.size(); }

@@ -1,5 +1,5 @@
-// game/senses/tactile/match_effects.h: the effects on the body that events name in their rows, and those that the state of a
-// match causes, found in the bank of effects once.
+// game/senses/tactile/match_effects.h: the effects on the body named in the rows of events, and those that
+// the state of a match causes, looked up once in the bank of effects.
 #pragma once
 #include <array>
 #include <optional>
@@ -15,15 +15,15 @@ namespace thaum::game {
 using EffectNumber = std::optional<std::uint32_t>;
 
 struct MatchEffects {
-    std::vector<EffectNumber> events;  ///< by EventKind; without those of spells
-    std::vector<EffectNumber> spells;  ///< by number of the spell
+    std::vector<EffectNumber> events;  ///< effects of events, indexed by EventKind; not those of spells
+    std::vector<EffectNumber> spells;  ///< effects of spells, indexed by the spell's number
     EffectNumber recoil, stir, heartbeat, great_work, walk_left, walk_right;
-    std::array<EffectNumber, felt_bands> sounds{};  ///< by band, the lowest first
-    /// Effects that the bank lacks. Faulty effects are not among them: the bank says why.
+    std::array<EffectNumber, felt_bands> sounds{};  ///< effects for the bands of sound, the lowest first
+    /// Effects that are missing in the bank. Effects with a fault are not listed: the bank reports those.
     std::vector<MissingName> missing{};
 };
 
-/// A missing or faulty effect is not felt, and costs no other one.
+/// Looks up all effects. A missing or faulty effect is not felt, and does not affect the others.
 MatchEffects match_effects(const tactile::EffectBank& bank, const Presentation& shown);
 
 }  // namespace thaum::game

@@ -10,18 +10,20 @@
 namespace thaum::game {
 namespace {
 
-constexpr double full_harm = 60;         ///< harm that is felt at full strength (HP)
-constexpr double full_recoil = 3;        ///< kick of the hand that is felt at full strength (N)
-constexpr double full_drag = 20;         ///< drag at the ladle that is felt at full strength (N)
-constexpr Tick quiet_after_event = 250;  ///< time in which an event is felt without sounds (ticks)
-constexpr double chest = 1.15;           ///< height of a blow whose height is unknown (m)
+constexpr double full_harm = 60;         ///< harm at which an event is felt at full strength (HP)
+constexpr double full_recoil = 3;        ///< kick of the hand at which a shot is felt at full strength (N)
+constexpr double full_drag = 20;         ///< drag on the ladle at which stirring is felt at full strength (N)
+constexpr Tick quiet_after_event = 250;  ///< time after an event for which no sounds are felt (ticks)
+constexpr double chest = 1.15;           ///< assumed height of a blow whose height is unknown (m)
 
-constexpr double least_raise = 0.02;  ///< smallest move of an arm that is passed on (rad)
+/// Smallest change of an arm's angle that is passed to the mixers (rad)
+constexpr double least_raise = 0.02;
 
 /// Keys of lasting effects.
 constexpr std::uint32_t heart_key = 1, stir_key = 2, work_key = 3, first_sound_key = 10;
 
-/// Place at which a player feels an event: on the side of the event's place, or of the player who caused it.
+/// Part of the body on which a player feels an event: the side of the event's position, or of the player who
+/// caused it.
 tactile::Where where_of(const Simulation& match, const Event& event, std::uint32_t player) {
     const auto& world = match.world();
     const auto wizard = wizard_of(world, player);
@@ -39,8 +41,8 @@ bool has_arms(const tactile::Layout& layout) {
     });
 }
 
-/// Angle of the arm that holds the wand, from hanging down forwards (rad). The wand points where the wizard looks; a
-/// dead one's arm hangs down.
+/// Angle of the arm that holds the wand, counted forwards from hanging down (rad). The wand points where the
+/// wizard looks; the arm of a dead wizard hangs down.
 double raised_arm(const Simulation& match, std::uint32_t player) {
     const auto& world = match.world();
     const auto wizard = wizard_of(world, player);
@@ -97,7 +99,7 @@ void TactileScene::feel(const BodyCue& cue, Tick now) {
     }
 }
 
-/// Feels an effect if there is one.
+/// Starts an effect, if there is one.
 void TactileScene::feel(const EffectNumber& effect, BodyCue cue, Tick now) {
     if (!effect) return;
     cue.effect = *effect;
@@ -122,7 +124,7 @@ void TactileScene::feel_events(const Simulation& match) {
     follower_.each_event(match, [&](const Event& event) { feel_event(match, event); });
 }
 
-/// Moves the arm that holds the wand, the right one, on the layouts that have arms.
+/// Moves the arm with the wand, the right one, on the layouts that have arms.
 void TactileScene::follow_arm(const Simulation& match, bool anew) {
     if (!any_arms_) return;
     const double raised = raised_arm(match, player_);
@@ -162,7 +164,8 @@ void TactileScene::feel_own(const Simulation& match) {
     }
 }
 
-/// The heart of a player whose foe holds the Great Work beats the faster the longer the foe has held it.
+/// If the foe holds the Great Work, the player feels a heartbeat, which becomes faster the longer the foe
+/// holds it.
 void TactileScene::feel_foes_work(const Simulation& match) {
     const auto& world = match.world();
     if (!match.data().crystal || world.count<GreatWork>() == 0) return;
@@ -172,9 +175,9 @@ void TactileScene::feel_foes_work(const Simulation& match) {
     feel(effects_.great_work, {.strength = std::min(share, 1.0), .key = work_key}, match.now());
 }
 
-/// Sounds are felt only where no blow is: for a moment after an event they are still.
+/// Sounds are felt only when no event is: they are silent for a moment after each event.
 void TactileScene::feel_sound(Tick now) {
-    constexpr double least = 1.0 / 256;  // a motor does not run any weaker
+    constexpr double least = 1.0 / 256;  // weaker vibrations do not start a motor
     const bool quiet = now < quiet_until_ && quiet_until_ - now <= quiet_after_event;
     for (std::uint32_t band = 0; band < felt_bands; ++band) {
         const double strength = quiet || sound_.at(band) < least ? 0 : sound_.at(band);

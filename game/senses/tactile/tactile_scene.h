@@ -1,6 +1,7 @@
-// game/senses/tactile/tactile_scene.h: what one player feels on the body during a match. It reads a Simulation every eighth
-// tick and starts effects on every layout that the player has: the picture of a jacket, a pad, a recorder. It never
-// changes the match, and equal matches give equal frames. Actuators on the right arm move with the wand.
+// game/senses/tactile/tactile_scene.h: what one player feels on the body during a match. It reads a
+// Simulation every eighth tick and starts effects on every layout that the player has: the picture of a
+// jacket, a pad, a recorder. The match is never changed, and equal matches give equal frames. Actuators on
+// the right arm move with the wand.
 //
 //     match -> events and state -> TactileScene -> TactileMixer of each layout -> TactileFrame every 8 ms
 #pragma once
@@ -15,41 +16,45 @@
 
 namespace thaum::game {
 
-/// One effect that starts, or that lasts under a key.
+/// An effect that starts, or that lasts while its key is repeated.
 struct BodyCue {
     std::uint32_t effect{};
     tactile::Where where{};
     double strength{1};
-    std::uint32_t key{};  ///< 0: starts and plays to its end
-    EventKind event{};    ///< event that caused it; EventKind::none: the state of the match did
+    std::uint32_t key{};  ///< key of a lasting effect; 0: the effect starts and plays to its end
+    /// Event that caused the effect; EventKind::none: it comes from the state of the match.
+    EventKind event{};
 };
 
-/// Faders of the figure in the view: it shows what comes from outside, and the own shots would hide that.
+/// Faders for the figure in the view, which shows only effects from outside, since the player's own shots
+/// would cover them.
 tactile::Faders figure_faders();
 
-/// Time since a cell of a figure was last on, at the tick `felt_at` (s); very long for 0: never.
+/// Time since any cell of a figure was last active, which was at tick `felt_at` (s). Very long if `felt_at`
+/// is 0 (never).
 double since_felt_s(Tick now, Tick felt_at);
 
 class TactileScene {
 public:
-    /// Keeps the references.
+    /// Keeps references to the arguments.
     TactileScene(const MatchEffects& effects, const tactile::EffectBank& bank, std::uint32_t player);
 
-    /// Adds a layout, whose frames have the returned number. Keeps the reference.
+    /// Adds a layout. The returned number is that of its frames. Keeps a reference to the layout.
     std::size_t add(const tactile::Layout& layout);
-    /// A layout that is not used costs nothing, and its frames are silent. New ones are used.
+    /// Switches a layout on or off. While it is off, it costs nothing and its frames are silent. New layouts
+    /// are on.
     void set_used(std::size_t layout, bool used);
     void set_faders(std::size_t layout, const tactile::Faders& faders);
 
-    /// Whether a layout feels sounds, too. New ones do not.
+    /// Sets whether a layout also plays sounds. New layouts do not.
     void set_hears(std::size_t layout, bool hears) { outputs_[layout].hears = hears; }
-    /// Strengths of the sounds in the next frame, 0 to 1; all 0 for none.
+    /// Sets the strength of sounds in the next frame, 0 to 1; all 0: none.
     void set_sound(const BandStrengths& strengths) { sound_ = strengths; }
 
-    /// Makes the frames of the eight ticks that have passed. In a pause, and after a jump of the clock, all is still.
+    /// Makes the frames of the last eight ticks. In a pause and after a jump of the clock they are silent.
     void take(const Simulation& match);
     const tactile::TactileFrame& frame(std::size_t layout) const { return outputs_[layout].frame; }
-    /// What was felt anew or lasted in the last frame, for words on it.
+    /// Effects that started or lasted in the last frame, for captions.
     std::span<const BodyCue> cues() const { return cues_; }
     const tactile::MixerCounts& counts(std::size_t layout) const { return outputs_[layout].mixer->counts(); }
 
@@ -73,17 +78,18 @@ private:
         tactile::TactileFrame frame{};
         bool used = true;
         bool hears{};
-        bool has_arms{};  ///< some actuator sits on an arm or a shoulder
+        bool has_arms{};  ///< true: some actuators are on an arm or a shoulder
     };
     std::vector<Output> outputs_;
-    std::vector<BodyCue> cues_{};  ///< of the last frame; never grows
+    std::vector<BodyCue> cues_{};  ///< effects of the last frame; allocated once
     BandStrengths sound_{};
-    std::array<bool, felt_bands> sounding_{};  ///< bands that play
-    Tick quiet_until_{};                       ///< Simulation::now from which sounds are felt again
+    std::array<bool, felt_bands> sounding_{};  ///< bands that are playing
+    Tick quiet_until_{};  ///< value of Simulation::now from which on sounds are felt again
     bool any_arms_{};
-    double raised_{};  ///< angle of the wand's arm in the mixers, from hanging down forwards (rad)
+    /// Angle of the wand's arm that the mixers have, counted forwards from hanging down (rad)
+    double raised_{};
 
-    // The match at the last frame.
+    // State of the match at the last frame.
     MatchFollower follower_{};
     std::uint32_t fired_{};
     Stride stride_{};

@@ -19,7 +19,7 @@ bool near(const MatchData& data, const Cauldron& cauldron, vec3 place) {
 
 // ---- ingredients ------------------------------------------------------------------------------------------
 
-/// Players who have found an ingredient in this tick. Their Pouch enters the World only after the tick.
+/// Players who have picked up an ingredient in this tick. Their Pouch enters the World only after the tick.
 using Takers = std::array<bool, players>;
 
 /// Gives the ingredient to the nearest wizard in reach with empty hands.
@@ -49,7 +49,7 @@ void pick_up(MatchContext& context, Niche& niche, vec3 place, Tick tick, Takers&
                      .place = place});
 }
 
-/// An ingredient that lies ready in a niche within a wizard's reach, other than the carried one; no_ingredient: none.
+/// An ingredient in a niche within a wizard's reach, other than the carried one; no_ingredient: none.
 std::uint32_t other_in_reach(const MatchContext& context, vec3 body, std::uint32_t carried, Tick tick) {
     std::uint32_t other = no_ingredient;
     double nearest = context.data.cauldron->niche_radius;
@@ -65,7 +65,7 @@ std::uint32_t other_in_reach(const MatchContext& context, vec3 body, std::uint32
     return other;
 }
 
-/// Tells wizards who come to a niche why they cannot take what lies there: they carry something else.
+/// Tells wizards who come to a niche with an ingredient in hand that they can carry only one.
 void refuse_second(MatchContext& context, Tick tick) {
     context.world.view<const Wizard, const Motion, Pouch, ecs::Without<Dead>>().each(
         [&](const Wizard& wizard, const Motion& motion, Pouch& pouch) {
@@ -81,8 +81,9 @@ void refuse_second(MatchContext& context, Tick tick) {
         });
 }
 
-/// Puts the carried ingredient away. It will lie in the nearest of its niches. So a wizard at that niche does not take it
-/// up again at once, and one at another niche has free hands for what lies there.
+/// Returns the carried ingredient to the nearest of its niches, where it reappears later. So a wizard at that
+/// niche does not pick it up again at once, and a wizard at another niche has free hands for the ingredient
+/// there.
 void put_away(MatchContext& context, ecs::Entity e, std::uint32_t player, vec3 body, const Pouch& pouch,
               Tick tick) {
     Niche* home = nullptr;
@@ -103,7 +104,7 @@ void put_away(MatchContext& context, ecs::Entity e, std::uint32_t player, vec3 b
                      .place = body});
 }
 
-/// Whether a wand of the wizard holds a thing. Then the button is for throwing that thing.
+/// Whether a wand of the wizard holds a thing. If so, the button throws that thing.
 bool holds_thing(const MatchContext& context, ecs::Entity wizard) {
     const auto& wands = context.data.wands;
     return std::any_of(wands.begin(), wands.end(), [&](const LoadedWand& wand) {
@@ -144,7 +145,7 @@ void drop_in(MatchContext& context, Cauldron& cauldron, ecs::Entity e, std::uint
                      .place = cauldron.middle + place});
 }
 
-/// Drops ingredients whose carriers press fire at the brew.
+/// Drops the ingredients of wizards who press fire over the brew.
 void drop_all(MatchContext& context, Cauldron& cauldron, Tick tick) {
     context.world.view<const Wizard, const Controls, const Ladle, const Pouch>().each(
         [&](ecs::Entity e, const Wizard& wizard, const Controls& controls, const Ladle& ladle,
@@ -156,8 +157,8 @@ void drop_all(MatchContext& context, Cauldron& cauldron, Tick tick) {
 
 // ---- ownership -------------------------------------------------------------------------------------------
 
-/// Moves the brew to the player whose ladle did more work, if both ladles are in. A brew without ingredients
-/// has no owner and cannot be wrested.
+/// If both ladles are in the brew, the player whose ladle did more work becomes the brew's owner. A brew
+/// without ingredients has no owner.
 void wrest(MatchContext& context, Cauldron& cauldron, Tick tick) {
     if (cauldron.begun == 0) return;
     std::array<double, players> work{-1, -1};
@@ -192,7 +193,7 @@ void refill(MatchContext& context, const BrewWork* work, Tick tick) {
 
 // ---- boon -------------------------------------------------------------------------------------------------
 
-/// Grants the boon to the owner of a brew that has been well mixed for long enough.
+/// Gives the boon (healing) to the owner of a brew that has been well mixed for long enough.
 void grant_boon(MatchContext& context, Cauldron& cauldron, Tick tick) {
     const auto& boon = context.data.cauldron->boon;
     const bool mixed = cauldron.begun != 0 && cauldron.mixing >= boon.mixed;
@@ -211,7 +212,7 @@ void grant_boon(MatchContext& context, Cauldron& cauldron, Tick tick) {
                      .place = cauldron.middle});
 }
 
-/// Heals the player who has the boon, near the bowl and up to the health of a new wizard.
+/// Heals the player with the boon while near the bowl, at most up to the health of a new wizard.
 void heal_by_boon(MatchContext& context, const Cauldron& cauldron, Tick tick) {
     if (tick >= cauldron.boon_until) return;
     const double full = context.data.wizard.health;
@@ -225,8 +226,8 @@ void heal_by_boon(MatchContext& context, const Cauldron& cauldron, Tick tick) {
 
 // ---- spoiling ---------------------------------------------------------------------------------------------
 
-/// Boils the brew over when its time is up. This hurts wizards at the rim, throws them back, and leaves a
-/// pure brew.
+/// Boils the brew over when its time is up: wizards at the rim are hurt and thrown back, and a pure brew is
+/// left.
 void spoil(MatchContext& context, Cauldron& cauldron, Tick tick) {
     const auto& rules = *context.data.cauldron;
     if (cauldron.begun == 0 || tick < spoils_at(context.data, cauldron)) return;
@@ -255,7 +256,7 @@ void spoil(MatchContext& context, Cauldron& cauldron, Tick tick) {
 
 // ---- aura -------------------------------------------------------------------------------------------------
 
-/// Lifts wizards near a light brew and those whom a potion makes light.
+/// Reduces the weight of wizards near a light brew, and of those whom a potion makes light.
 void lift_all(MatchContext& context, const Cauldron& cauldron, Tick tick) {
     const auto& aura = context.data.cauldron->aura;
     const bool light = is_light(aura, cauldron);
@@ -325,7 +326,8 @@ void add_put_away_system(MatchContext& context, ecs::Schedule& schedule) {
                      const Pouch& pouch) {
                      const bool asks = (controls.pressed & bit(Button::throw_)) != 0;
                      const bool drops = (controls.pressed & bit(Button::fire)) != 0 &&
-                                        std::as_const(context.world).has<Ladle>(e);  // into the brew
+                                        // True: the ingredient is dropped into the brew.
+                                        std::as_const(context.world).has<Ladle>(e);
                      if (asks && !drops && !holds_thing(context, e))
                          put_away(context, e, wizard.player, motion.position, pouch, tick);
                  });

@@ -9,23 +9,25 @@ namespace thaum::game {
 /// Creates the ingredient niches at the arena's places.
 void spawn_niches(MatchContext& context);
 
-/// Share of the full walking speed that a wizard has at a place. It is below 1 near a thick brew.
+/// Share of the full walking speed that a wizard has at a position; below 1 near a thick brew.
 double pace_at(const MatchData& data, const ecs::World& world, vec3 place);
 
 /// Adds the brewing systems. Every gameplay tick: pick-up and drop of ingredients, ownership, energy for
-/// stirring with the flow, the boon of a well-mixed brew, and spoiling. Every tick: lift on wizards near a light brew.
+/// stirring with the flow, the boon (healing) for a well-mixed brew, and boiling over. Every tick: reduced
+/// weight of wizards near a light brew.
 void add_brewing_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule);
 
-/// Adds the system that puts a carried ingredient away when its wizard presses Throw and no wand holds a thing. It must
-/// come before the wands, which let go of a thing in the tick of the press.
+/// Adds the system that returns a carried ingredient to a niche when its wizard presses Throw and no wand
+/// holds a thing. It must run before the wands, which let go of a thing in the tick of the press.
 void add_put_away_system(MatchContext& context, ecs::Schedule& schedule);
 
-/// Tells whether the brew is light enough to lift wizards near it.
+/// Whether the brew is light enough to lift wizards near it.
 bool is_light(const AuraRules& aura, const Cauldron& cauldron);
-/// Tells whether the brew is thick enough to slow wizards near it.
+/// Whether the brew is thick enough to slow wizards near it.
 bool is_thick(const AuraRules& aura, const Cauldron& cauldron);
 
-/// Tells whether stirring with this ladle refills the wands of its wizard now: it moves with the flow.
+/// Whether stirring with this ladle refills the wands of its wizard now, because the ladle moves with the
+/// flow.
 bool is_refilling(const AuraRules& aura, const ecs::World& world, const BrewWork* work, const Ladle& ladle,
                   Tick tick);
 

@@ -84,13 +84,13 @@ void apply(const CauldronRules& rules, const ChangedBrew& changes, const Strokes
     }
 }
 
-/// Gives the solver the numbers of the changed brew.
+/// Gives the solver the properties of a brew that a potion has changed.
 void apply_changes(const CauldronRules& rules, const ChangedBrew& changes, Brew& brew) {
     brew.fluid.settings.viscosity = rules.viscosity * changes.viscosity;
     brew.surface.settings.tension = rules.surface.tension * changes.elasticity;
 }
 
-/// Starts the fluid step that takes the strokes in `current`.
+/// Starts the fluid step with the strokes in `current`.
 void begin_step(const MatchData& data, BrewSolver& solver, Cauldron& cauldron) {
     auto& work = *solver.work;
     const auto& rules = *data.cauldron;
@@ -140,13 +140,14 @@ void step_fluid(MatchContext& context, BrewSolver& solver, Cauldron& cauldron, T
     begin_step(context.data, solver, cauldron);
 }
 
-/// Steps the surface with the ladles as probes. Ladles in or above the surface push it; ladles below it make
+/// Steps the surface with the ladles as probes. Ladles in or above the surface push it; ladles below it cause
 /// ripples when they leave.
 void step_surface(MatchContext& context, Brew& brew, Cauldron& cauldron) {
     auto& surface = brew.surface;
     std::array<fluid::SurfaceProbe, players> probes;
     bool any = false;
-    probes.fill({.place = vec2(std::numeric_limits<double>::quiet_NaN())});  // absent probes
+    // NaN marks probes that are absent.
+    probes.fill({.place = vec2(std::numeric_limits<double>::quiet_NaN())});
     context.world.view<const Wizard, const Ladle>().each([&](const Wizard& wizard, const Ladle& ladle) {
         const vec3 at = ladle.place - cauldron.middle;
         probes[wizard.player] = {
@@ -172,7 +173,7 @@ std::unique_ptr<BrewWork> make_work(const MatchData& data) {
     return work;
 }
 
-/// Frees the solver's memory after the running step has ended.
+/// Waits for the running step, then frees the solver's memory.
 void drop_work(BrewSolver& solver) {
     if (solver.work) solver.work->step.wait();
     solver.work.reset();
@@ -203,7 +204,7 @@ void rebuild_brew(MatchContext& context, BrewSolver& solver) {
     read_fluid(context.world, cauldron.newest, brew.fluid);
     brew.fluid.now.asleep = cauldron.step_running == 0;
     read_surface(context.world, cauldron, brew.surface);
-    // Haptic data is read again from the restored state.
+    // Clears the haptic data of the brew, so that it is read again from the restored state.
     for (auto& model : context.output.models.write()) model.fluid = {};
     apply_changes(*context.data.cauldron, changes_of(context.data, cauldron), brew);
     if (cauldron.step_running != 0) begin_step(context.data, solver, cauldron);

@@ -1,12 +1,12 @@
 // game/stations/cauldron/cauldron.h: the brew in the match. Its state is in the World: Cauldron, BrewSamples,
-// SurfaceSamples. The solver's memory is outside the World. It is made when the brew is first touched, and can be
-// rebuilt from the World.
+// SurfaceSamples. The solver's memory is outside the World. It is made when the brew is first touched, and
+// can be rebuilt from the World.
 //
 //     tick:   16 k                        16 (k + 1)
 //     strokes ─┴─> fluid step as a job ─────┴─> pages and figures; the next step begins
 //
-// A step takes the strokes queued before it began. Its result is read exactly 16 ticks later, whichever
-// thread computed it. A brew at rest without strokes costs nothing.
+// A step uses the strokes queued before it began. Its result is read exactly 16 ticks later, whichever thread
+// computed it. A brew at rest without strokes costs nothing.
 #pragma once
 #include <memory>
 
@@ -22,9 +22,10 @@ inline constexpr Tick surface_period = 4;
 inline constexpr double fluid_dt = seconds(fluid_period);
 inline constexpr double surface_dt = seconds(surface_period);
 
-/// Averages over the whole brew.
+/// Averages over the whole brew, which the component Cauldron also has.
 struct BrewFigures {
-    double mixing{}, reached{}, viscosity{1}, density{1}, speed{};  ///< the figures of the component Cauldron
+    /// Figures of the brew, as in the component Cauldron.
+    double mixing{}, reached{}, viscosity{1}, density{1}, speed{};
 };
 
 /// Solver memory of a match's brew.
@@ -39,7 +40,7 @@ struct BrewWork {
 
 /// Solver of a match's brew. The simulation owns it.
 struct BrewSolver {
-    Jobs& jobs;                        ///< runs the fluid steps
+    Jobs& jobs;                        ///< thread pool that runs the fluid steps
     std::unique_ptr<BrewWork> work{};  ///< null until a player or a thing touches the brew
     std::uint64_t bursts_seen{};       ///< number of the next event that may be a burst at the brew
 };
@@ -64,12 +65,12 @@ void rebuild_brew(MatchContext& context, BrewSolver& solver);
 /// Adds the system for the surface (every 4 ticks) and the one for the fluid (every 16 ticks).
 void add_brew_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule);
 
-/// Makes the solver's memory if there is none and the match has a cauldron. Must not be called inside a view.
-/// Writes BrewSamples and SurfaceSamples.
+/// Creates the solver's memory if there is none and the match has a cauldron. Must not be called while
+/// iterating over a view of the World. Writes BrewSamples and SurfaceSamples.
 void touch_brew(MatchContext& context, BrewSolver& solver);
 
-/// Queues a stroke for the next fluid step. A stroke with `by` is merged with an earlier one of the same
-/// `by`. In a full queue momentum joins the last stroke, and an ingredient is rejected (false).
+/// Queues a stroke for the next fluid step. A stroke is merged with an earlier one that has the same non-zero
+/// `by`. If the queue is full, momentum is added to the last stroke, and an ingredient is rejected (false).
 bool add_stroke(Cauldron& cauldron, const Stroke& stroke);
 /// Adds a ladle's impulse to its player's stroke of the next step. All impulses of one step act at the latest
 /// place.
@@ -78,11 +79,11 @@ void add_ladle_stroke(Cauldron& cauldron, std::uint32_t player, vec3 place, vec3
 /// Height of the brew's surface at a place (m, world). Returns the level at rest if `work` is null.
 double surface_at(const BrewWork* work, const Cauldron& cauldron, vec3 place);
 
-/// Blend between the newest two fluid states: 0 at the older, 1 at the newer one step after it was taken.
-/// Readers interpolate with it during a step.
+/// Interpolation weight between the two newest fluid states: 0 is the older one; 1, the newer one, is reached
+/// one step after that was stored.
 double share_of_step(const Cauldron& cauldron, Tick tick);
 
-/// What the present fluid step makes of the pure brew's numbers.
+/// Changes of the pure brew's properties that apply in the present fluid step.
 const ChangedBrew& changes_of(const MatchData& data, const Cauldron& cauldron);
 
 /// Velocity of the brew at a place and tick (m/s, world). Zero outside the brew.

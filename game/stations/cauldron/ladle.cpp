@@ -10,7 +10,7 @@ namespace {
 
 using input::Button;
 
-constexpr Tick span_length = ticks(0.125);  // length of one entry of Ladle::work
+constexpr Tick span_length = ticks(0.125);  // duration of one entry of Ladle::work
 
 bool wants_to_stir(const Controls& controls) { return (controls.held & bit(Button::stir)) != 0; }
 
@@ -73,9 +73,9 @@ haptics::FlowSource source_of(const MatchContext& context, const Brew& brew, std
     return source;
 }
 
-/// Reads the flow around the ladle from the newest two fluid states. Reads again after each fluid step, and
+/// Samples the flow around the ladle from the two newest fluid states. Done again after each fluid step, and
 /// when the ladle has left the middle of the patch. The patch is centred ahead of the ladle, since later
-/// ticks use it too.
+/// ticks use it, too.
 void read_flow(const MatchContext& context, const Brew& brew, const Cauldron& cauldron, vec3 place,
                vec3 velocity, Ladle& ladle, haptics::FluidTouch& touch) {
     const double spacing = brew.fluid.lattice.h;
@@ -101,7 +101,7 @@ double stirred_mass(const MatchData& data, const Cauldron& cauldron) {
            fluid::pushed_volume(data.cauldron->ladle.radius);
 }
 
-/// Sets the part of the fluid model that stays constant while a player stirs.
+/// Sets the parts of the fluid model that stay constant while a player stirs.
 void begin_touch(const MatchContext& context, const Basin& basin, const Cauldron& cauldron, double yaw,
                  std::uint32_t player, haptics::FluidTouch& touch) {
     const auto& data = *context.data.cauldron;
@@ -165,7 +165,7 @@ void feel_brew(const MatchContext& context, const BrewWork& work, ecs::Entity wi
                      .cling = surface.settings.cling,
                      .inside = cauldron.inside[player],
                      .present = 1};
-    // The surface takes notice of a new ladle one tick late. A ladle that starts below the surface counts as
+    // The surface knows of a new ladle only one tick later. A ladle that starts below the surface counts as
     // already inside.
     const double depth = touch.surface.height - place.y;
     if (begins && depth * touch.surface.stiffness >= touch.surface.pop_through) touch.surface.inside = 1;

@@ -1,5 +1,5 @@
-// game/stations/cauldron/ladle.h: the ladle of a player who holds Stir at the cauldron's rim. The probe moves the
-// ladle, and the wizard stands still.
+// game/stations/cauldron/ladle.h: the ladle of a player who holds Stir at the cauldron's rim. The probe moves
+// the ladle, and the wizard stands still.
 //
 //     hand, device frame --(metres_per_metre, turned to the middle)--> ladle, world --> strokes in the brew
 //     brew's drag on the ladle --(newtons_per_newton)--> hand
@@ -17,17 +17,17 @@ namespace thaum::game {
 /// Pose of a stirring hand's device frame (world). `yaw`: AtStation::yaw.
 HandFrame ladle_frame(const CauldronRules& rules, const Cauldron& cauldron, double yaw);
 
-/// Prepares the fluid model of the hand that stirs, for one tick of play. Reads the flow around the ladle
-/// again when needed, and notes that in Ladle.
+/// Prepares the fluid model of the stirring hand for one tick of play. Samples the flow around the ladle
+/// again when needed, and records that in Ladle.
 void feel_brew(const MatchContext& context, const BrewWork& work, ecs::Entity wizard, Ladle& ladle, Tick tick,
                haptics::FluidTouch& touch);
 
-/// Whether a wizard with the body's middle at this place can stir.
+/// Whether a wizard can stir, given the position of the body's middle.
 bool within_reach(const MatchData& data, const Cauldron& cauldron, vec3 body);
 
-/// Adds the system that starts and ends stirring, every gameplay tick, before the haptics.
+/// Adds the system that starts and ends stirring, every gameplay tick. It runs before the haptics.
 void add_stir_system(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule);
-/// Adds the system that moves the ladles, every tick, after the haptics. It pushes the brew.
+/// Adds the system that moves the ladles and pushes the brew, every tick. It runs after the haptics.
 void add_ladle_system(MatchContext& context, ecs::Schedule& schedule);
 
 }  // namespace thaum::game

@@ -8,9 +8,9 @@
 namespace thaum::game {
 namespace {
 
-/// Time between two hits by poison.
+/// Time between two injuries by poison.
 constexpr Tick poison_period = ticks(1.0);
-/// Time after the beginning of a round at which drawn recipes are told.
+/// Time after the beginning of a round at which recipes with a drawn order are shown to the players.
 constexpr Tick told_after = ticks(1.0);
 
 void note_step(MatchContext& context, const Cauldron& cauldron, std::uint32_t player, Tick tick) {
@@ -32,7 +32,7 @@ void note_fault(MatchContext& context, const Cauldron& cauldron, std::uint32_t p
                      .place = cauldron.middle});
 }
 
-/// Ends all hopes for this filling of the cauldron.
+/// Makes a potion impossible until the cauldron is filled again.
 void spoil_recipe(MatchContext& context, Cauldron& cauldron, std::uint32_t player, BrewFault fault,
                   Tick tick) {
     cauldron.fault = fault;
@@ -48,7 +48,8 @@ bool begins_with(const RecipeOrder& order, const Contents& contents, std::size_t
 
 // ---- ingredients ------------------------------------------------------------------------------------------
 
-/// Fault of dropping an ingredient into a brew that already holds some; none if a recipe has it next.
+/// Fault of dropping an ingredient into a brew that already has ingredients; none if it is the next one of a
+/// recipe.
 BrewFault fault_of_drop(const MatchContext& context, const Cauldron& cauldron, std::uint32_t player,
                         std::uint32_t ingredient) {
     const auto open = recipes_open_to(context.data, context.world, cauldron, player);
@@ -67,7 +68,7 @@ BrewFault fault_of_drop(const MatchContext& context, const Cauldron& cauldron, s
 
 // ---- strokes ----------------------------------------------------------------------------------------------
 
-/// The recipe whose ingredients are all in; null if there is none.
+/// The recipe whose ingredients are all in the brew; null if there is none.
 const Recipe* finished_mix(const MatchContext& context, const Cauldron& cauldron, std::uint32_t player) {
     const auto open = recipes_open_to(context.data, context.world, cauldron, player);
     for (std::size_t i = 0; i < open.count; ++i) {
@@ -77,7 +78,7 @@ const Recipe* finished_mix(const MatchContext& context, const Cauldron& cauldron
     return nullptr;
 }
 
-/// Fault that a stroke has by what lies in the brew; none if a recipe waits for strokes.
+/// Fault of a stroke that is due to the contents of the brew; none if a recipe waits for a stroke.
 BrewFault fault_of_brew(const Cauldron& cauldron, const Recipe* recipe, std::uint32_t player) {
     if (cauldron.begun == 0) return BrewFault::unfinished;
     if (cauldron.owner != player) return BrewFault::foreign;
@@ -91,13 +92,13 @@ BrewFault fault_of_moment(const Cauldron& cauldron, double begun_at, const Recip
     return begun_at > window.most ? BrewFault::late : BrewFault::none;
 }
 
-/// Name of a gesture of the player; empty for a number without a gesture.
+/// Name of a player's gesture by its number; empty for an unknown number.
 std::string_view gesture_name(const MatchContext& context, std::uint32_t player, std::uint32_t number) {
     const auto* gestures = gestures_of(context, player);
     return gestures == nullptr ? std::string_view() : gestures->name(number);
 }
 
-/// `gesture`: name of the gesture that was read.
+/// Fault of a stroke itself. `gesture`: name of the recognised gesture.
 BrewFault fault_of_stroke(const RecipeStroke& wanted, std::string_view gesture,
                           const StrokeReading& reading) {
     if (gesture != wanted.gesture) return BrewFault::gesture;
@@ -107,10 +108,10 @@ BrewFault fault_of_stroke(const RecipeStroke& wanted, std::string_view gesture,
     return reading.force > wanted.most_force ? BrewFault::hard : BrewFault::none;
 }
 
-/// Number of times that a stroke counts: once, or once for each whole circle, up to what the recipe still wants of this
-/// gesture.
+/// How often a stroke counts: once, or once for each whole circle, at most as often as the recipe still
+/// requires this gesture.
 std::uint32_t counts_for(const Recipe& recipe, std::uint32_t done, const StrokeReading& reading) {
-    constexpr double nearly = 0.25;  // a circle that lacks a quarter counts as a whole one
+    constexpr double nearly = 0.25;  // a circle with at most this share missing counts as whole
     const auto whole =
         static_cast<std::uint32_t>(std::clamp(std::floor(std::abs(reading.turns) + nearly), 1.0, 100.0));
     const auto* wanted = next_stroke(recipe, done);
@@ -156,7 +157,7 @@ void succeed(MatchContext& context, Cauldron& cauldron, ecs::Entity wizard, cons
 
 // ---- time -------------------------------------------------------------------------------------------------
 
-/// Product of one number of the gifts of all potions that act now.
+/// Product of one factor in PotionGift over all potions that act now.
 double product_of(const MatchData& data, const Potions* potions, Tick tick, double PotionGift::*share) {
     double product = 1;
     if (potions == nullptr) return product;
@@ -205,7 +206,7 @@ void run_potions(MatchContext& context, Tick tick) {
         });
 }
 
-/// Event::detail of a told recipe: its number, then its ingredients.
+/// Event::detail of a revealed recipe: its number, then its ingredients.
 std::uint32_t packed_recipe(std::uint32_t number, const RecipeOrder& order) {
     std::uint32_t packed = number;
     for (std::size_t i = 0; i < order.steps.size(); ++i) {
@@ -317,7 +318,7 @@ void brew_by_stroke(MatchContext& context, ecs::Entity wizard, const BrewStroke&
     const auto moment = fault_of_moment(cauldron, stroke.begun_at, order.steps[order.count - 1]);
     if (moment == BrewFault::late) return spoil_recipe(context, cauldron, player, moment, tick);
     const auto* next = next_stroke(*recipe, cauldron.strokes_done);
-    // Edited data may ask for fewer strokes than are done.
+    // Edited data may require fewer strokes than were already drawn.
     if (next == nullptr) return succeed(context, cauldron, wizard, *recipe, tick);
     const auto fault = moment != BrewFault::none
                            ? moment
@@ -404,7 +405,7 @@ void forget_filling(Cauldron& cauldron) {
 
 void change_brew(const MatchData& data, Cauldron& cauldron, Tick tick) {
     if (cauldron.potion == no_potion) return;
-    // The recipe may be gone from edited data.
+    // Edited data may lack the recipe.
     if (tick >= cauldron.potion_until || cauldron.potion >= data.recipes.size()) {
         cauldron.potion = no_potion;
         return;
@@ -413,8 +414,8 @@ void change_brew(const MatchData& data, Cauldron& cauldron, Tick tick) {
     const double lack = std::max(std::abs(fluid.swirl), fluid.rise) - cauldron.speed;
     if (!(lack > 0)) return;
     const auto& rules = *data.cauldron;
-    constexpr double gain = 0.1;                   // share of the lack that one push makes good
-    constexpr std::uint32_t pusher = 0xFFFF'0000;  // Stroke::by of the first push
+    constexpr double gain = 0.1;                   // share of the missing speed that one push adds
+    constexpr std::uint32_t pusher = 0xFFFF'0000;  // value of Stroke::by for the first push
     const double radius = 1.5 * rules.ladle.radius, out = data.arena.bowl->size.radius / 2;
     const double push = gain * lack * rules.density * fluid.density * fluid::pushed_volume(radius);
     const vec3 rise{0, fluid.rise > 0 ? push : 0, 0};
@@ -423,7 +424,7 @@ void change_brew(const MatchData& data, Cauldron& cauldron, Tick tick) {
     if (fluid.swirl == 0) return;
     const double round = fluid.swirl > 0 ? push : -push;
     for (std::uint32_t i = 0; i < 4; ++i) {
-        // Clockwise from above: at (x, z) towards (-z, x).
+        // Clockwise, seen from above: the push at (x, z) has the direction (-z, x).
         const vec2 at = i < 2 ? vec2(i == 0 ? 1 : -1, 0) : vec2(0, i == 2 ? 1 : -1);
         add_stroke(cauldron, {.place = {out * at.x, -radius, out * at.y},
                               .impulse = {-round * at.y, 0, round * at.x},

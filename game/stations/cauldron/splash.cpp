@@ -6,15 +6,15 @@
 namespace thaum::game {
 namespace {
 
-/// Speed that makes drag linear at low speeds (m/s). Well above it, drag grows with the square of the speed.
+/// Speed below which drag is linear (m/s). Well above this speed, drag grows with the square of the speed.
 constexpr double slow = 1.5;
 constexpr std::size_t most_dips = 8;
 
-/// A thing in the brew or at its surface (brew's frame).
+/// A thing in the brew or at its surface (brew frame).
 struct Dip {
     ecs::Entity thing{};
     vec3 place{}, velocity{};
-    double radius{};  ///< radius of a ball of about the same size (m)
+    double radius{};  ///< radius of a ball of about the thing's size (m)
     double mass{};
     bool rests{};
 };
@@ -61,7 +61,7 @@ vec3 push_of(const MatchContext& context, const BrewWork* work, const Cauldron& 
     const vec3 slip = dip.velocity - current_at(context.world, work, below, tick);
     const double drag = wet * density * dip.radius * dip.radius * (slow + glm::length(slip));
     const double displaced = wet * density * 4 / 3 * pi * dip.radius * dip.radius * dip.radius;
-    // The drag impulse is limited, so that it never reverses the slip.
+    // The drag impulse is limited, so that it never reverses the relative velocity.
     const vec3 stop = std::min(drag * surface_dt, dip.mass / 2) * -slip;
     return stop - displaced * context.physics.read().settings().gravity * surface_dt;
 }
@@ -80,10 +80,11 @@ void splash(MatchContext& context, const BrewWork* work, Cauldron& cauldron, con
     }
 }
 
-/// Greatest height above the level at which a burst still hits the brew (m).
+/// Greatest height above the level surface at which a burst still pushes the brew (m).
 constexpr double burst_reach = 0.6;
 
-/// Queues the bursts at the brew in this tick. If the queue is full, the last entry counts once more.
+/// Queues the bursts of this tick that are near the brew. If the queue is full, the last entry counts once
+/// more.
 void note_bursts(MatchContext& context, BrewSolver& solver, const Basin& basin) {
     const auto& journal = context.output.journal.read();
     if (solver.bursts_seen == journal.count()) return;

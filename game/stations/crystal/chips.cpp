@@ -6,7 +6,7 @@
 namespace thaum::game {
 namespace {
 
-/// Middle of the solid voxel that is nearest to a place (crystal's frame); std::nullopt for an empty crystal.
+/// Middle of the solid voxel nearest to a position (crystal frame); std::nullopt for an empty crystal.
 std::optional<vec3> nearest_solid(const field::VoxelView& body, vec3 place) {
     std::optional<vec3> nearest;
     double least = HUGE_VAL;

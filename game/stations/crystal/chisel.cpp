@@ -17,14 +17,15 @@ using input::Button;
 
 /// HapticModel::set_number of the first crystal's primitives.
 constexpr std::uint32_t crystal_set = 0x4000'0000;
-/// Distance between the numbers of one crystal before and after an edit: above the number of any crystal.
+/// Difference between the set numbers of one crystal before and after an edit: larger than the number of any
+/// crystal, so that numbers stay unique.
 constexpr std::uint32_t crystals_apart = 64;
 
 bool is_down(std::uint32_t buttons, Button button) { return (buttons & bit(button)) != 0; }
 
 // ---- begin and end ----------------------------------------------------------------------------------------
 
-/// The crystal at which a wizard can work; no entity if there is none.
+/// The crystal at which a wizard can work; an invalid entity if there is none.
 ecs::Entity crystal_near(const MatchContext& context, vec3 body) {
     ecs::Entity near;
     context.world.view<const Crystal>().each([&](ecs::Entity e, const Crystal& crystal) {
@@ -33,7 +34,7 @@ ecs::Entity crystal_near(const MatchContext& context, vec3 body) {
     return near;
 }
 
-/// Whether somebody carves a crystal.
+/// Whether a wizard is carving the crystal.
 bool is_carved(const ecs::World& world, std::uint32_t number) {
     bool carved = false;
     world.view<const AtStation, const Chisel>().each(
@@ -41,10 +42,11 @@ bool is_carved(const ecs::World& world, std::uint32_t number) {
     return carved;
 }
 
-/// Turns a crystal that shows its narrow side to a wizard who begins, so that the flat side with the key is in front.
-/// The hand would begin within the narrow side and could not come out.
+/// Turns a crystal whose narrow side faces a wizard who begins to carve, so that the flat side with the key
+/// is in front. Otherwise the hand would begin inside the narrow side and could not get out.
 void show_flat_side(const ecs::World& world, const AtStation& station, Crystal& crystal) {
-    constexpr double as_left = pi / 6;  // angle up to which a crystal stays as its last carver has left it
+    // Angle up to which a crystal is left as its last carver turned it (rad)
+    constexpr double as_left = pi / 6;
     const double off = std::remainder(station.yaw - crystal.yaw, pi);
     if (std::abs(off) <= as_left || is_carved(world, crystal.number)) return;
     crystal.yaw = std::remainder(crystal.yaw + off, 2 * pi);
@@ -84,7 +86,7 @@ void note_carvers(MatchContext& context, CrystalBodies& bodies) {
 
 // ---- tools ------------------------------------------------------------------------------------------------
 
-/// A wizard who carves, in one gameplay tick.
+/// A wizard who carves, with what is needed in one gameplay tick.
 struct Carver {
     ecs::Entity wizard{};
     std::uint32_t player{};
@@ -103,13 +105,13 @@ void tell(MatchContext& context, const Carver& carver, EventKind kind, std::uint
                      .place = place});
 }
 
-/// Takes the tool that the player asks for by the keys of wands.
+/// Selects the tool that the player chooses with the keys of wands.
 void choose_tool(MatchContext& context, const Carver& carver, Lens& lens) {
     const auto count = static_cast<std::uint32_t>(context.data.crystal->tools.size());
     const auto& controls = carver.controls;
     const auto before = lens.tool;
     lens.tool = std::min(lens.tool, count - 1);  // edited data may have fewer tools
-    // While a stroke is drawn, the keys of wands are key chords.
+    // While a stroke is drawn, the keys of wands cast spells by key chords.
     const bool draws = is_down(controls.held, Button::trace);
     if (!draws && controls.wand_pressed != 0 && controls.wand_pressed <= count)
         lens.tool = controls.wand_pressed - 1;
@@ -118,7 +120,7 @@ void choose_tool(MatchContext& context, const Carver& carver, Lens& lens) {
     if (lens.tool != before) tell(context, carver, EventKind::tool_taken, lens.tool, carver.station.middle);
 }
 
-/// The hand's place in its device: that of the proxy, which the surface stops (m).
+/// Position of the hand in its device: that of the proxy, which the surface stops (m).
 vec3 felt_place(const HandState& hand_state) {
     const auto& servo = hand_state.servo;
     return servo.primitives == 0 ? hand_state.device.position : servo.proxy;
@@ -130,7 +132,7 @@ void give_lens(MatchContext& context, CrystalBodies& bodies, const Carver& carve
     renew_crystal(context, bodies, crystal);
 }
 
-/// Takes the focus of one dab; false if there is too little.
+/// Takes the focus for one use of the tool; false if there is too little.
 bool pay(MatchContext& context, const Carver& carver, Chisel& chisel) {
     const double cost = context.data.crystal->focus_per_second * gameplay_dt;
     auto* focus = context.world.find<Focus>(carver.wizard);
@@ -181,11 +183,12 @@ void carve(MatchContext& context, CrystalBodies& bodies, Tick tick) {
 
 // ---- turn -------------------------------------------------------------------------------------------------
 
-/// Part of the full deflection up to which a stick that is meant for in and out turns nothing.
+/// Deflection up to which a stick does not turn the crystal, because the player is only moving the hand in or
+/// out.
 constexpr std::int32_t straight = 40;
 
-/// Turns the crystals by the keys or sticks that walk sideways, for one tick. To the right, the side that the carver
-/// sees goes to the right.
+/// Turns the crystals by the keys or sticks that walk sideways, for one tick. With the control for the right,
+/// the side that the carver sees moves to the right.
 void turn_crystals(MatchContext& context) {
     auto& world = context.world;
     const double most = context.data.crystal->turning * tick_seconds;
@@ -202,7 +205,7 @@ void turn_crystals(MatchContext& context) {
 
 // ---- feel -------------------------------------------------------------------------------------------------
 
-/// The crystal in the frame of a hand's device.
+/// Placement of the crystal in the frame of a hand's device.
 field::Placement in_hand(const HandFrame& frame, const Crystal& crystal) {
     const auto world = placement_of(crystal);
     return {.origin = frame.to_device(world.origin),
@@ -238,7 +241,7 @@ void feel_crystal(const MatchContext& context, ecs::Entity wizard, const HandSta
                      .strength = rules.surface.strength,
                      .friction = rules.surface.friction,
                      .reach = rules.surface.depth * spacing_of(crystal) / frame.metres_per_metre};
-    // A change of the body under the hand is a switch, by whoever carved it.
+    // After each edit, whoever made it, the set has a new number, so that the servo fades to the new force.
     model.set_number = crystal_set + crystal.number + crystals_apart * crystal.edits;
     model.coupling = {.stiffness = std::min(rules.hand.stiffness, context.data.device.max_stiffness),
                       .damping = std::min(rules.hand.damping, context.data.device.max_damping)};

@@ -10,12 +10,12 @@
 namespace thaum::game {
 namespace {
 
-/// Colour of a crystal that nobody has painted.
+/// Colour of a crystal that no one has painted.
 constexpr field::Rgb8 clear_colour{150, 200, 230};
-/// Stream of the match's random numbers from which seeds of crystals come.
+/// Number of the random stream of the match that gives the seeds of crystals.
 constexpr std::uint64_t seed_stream = 4;
 
-/// Room for the hits of one tick, so that the first one need not allocate.
+/// Number of hits in one tick for which memory is reserved, so that the first hit need not allocate.
 constexpr std::uint32_t usual_strikes = 8;
 
 std::uint64_t next_seed(std::uint64_t seed) { return hash_combine(seed, 0x6b6579); }
@@ -29,7 +29,7 @@ void mark_all_changed(field::Bricks& bricks) {
     std::fill(bricks.version.begin(), bricks.version.end(), bricks.newest);
 }
 
-/// Prepares the body for voxels that were made or restored.
+/// Prepares the cached body for voxels that were created or restored.
 void note_voxels(ecs::World& world, CrystalBodies& bodies, const Crystal& crystal) {
     auto& body = body_of(bodies, crystal);
     mark_all_changed(body.bricks);
@@ -48,7 +48,8 @@ void make_rough(MatchContext& context, CrystalBodies& bodies, Crystal& crystal) 
     crystal.overlap = body.overlap.ratio();
 }
 
-/// Turn (rad) that lets a crystal's z axis point to the middle of the arena, so that both players' crystals look alike.
+/// Yaw that points a crystal's z axis at the middle of the arena, so that both players' crystals look alike
+/// (rad).
 double yaw_of(vec3 middle) { return middle.x == 0 && middle.z == 0 ? 0 : det::atan2(-middle.x, -middle.z); }
 
 void fit_bodies(const ecs::World& world, CrystalBodies& bodies) {
@@ -60,7 +61,7 @@ void fit_bodies(const ecs::World& world, CrystalBodies& bodies) {
     }
 }
 
-/// Place on the way from `from`, which is outside, to `to`, which is inside, where the density is that of the surface.
+/// Point with the surface's density on the line from `from`, which is outside, to `to`, which is inside.
 vec3 bisected(const field::Grid& grid, vec3 from, vec3 to) {
     for (int i = 0; i < 24; ++i) {
         const vec3 middle = 0.5 * (from + to);
@@ -69,7 +70,7 @@ vec3 bisected(const field::Grid& grid, vec3 from, vec3 to) {
     return to;
 }
 
-/// Part of a ray within a box about the origin; empty if high < low.
+/// Part of a ray inside a box around the origin; empty if high < low.
 struct Stretch {
     double low{}, high{};
 };

@@ -1,11 +1,13 @@
-// game/stations/crystal/crystal.h: the crystals in the match, bodies of voxels that wizards carve and hits chip.
+// game/stations/crystal/crystal.h: the crystals in the match, bodies of voxels that wizards carve and hits
+// chip.
 //
 //     World      Crystal, CrystalDensity, CrystalColour     the state
 //     outside    CrystalBodies                              changed bricks, ghost keys, counts of voxels: made again
 //                                                           from the state after a restore
 //
-// A crystal that nobody has touched has no voxels: it is the rough body of its seed (crystal_shape.h). It costs nothing.
-// An edit reads and writes only the voxels near it, and counts the overlap with the key anew only there.
+// A crystal that no one has touched has no voxels and costs nothing: its shape is the rough body of its seed
+// (crystal_shape.h). An edit reads and writes only the voxels near it, and updates the overlap with the key
+// from those.
 #pragma once
 #include <optional>
 #include <vector>
@@ -18,15 +20,15 @@
 
 namespace thaum::game {
 
-/// Density from which a voxel is solid: the surface that is felt and drawn.
+/// Density at or above which a voxel is solid: the surface that is felt and drawn.
 inline constexpr float crystal_surface = 0.5F;
 
-/// Facts about a crystal that follow from its state and are kept to save time.
+/// Data on a crystal that follows from its state and is cached to save time.
 struct CrystalBody {
     field::Bricks bricks = field::make_bricks({crystal_side, crystal_side, crystal_side});
     field::VoxelOverlap overlap{};
     std::vector<float> key{};  ///< density of the ghost key; empty for an untouched crystal
-    std::vector<float> old{};  ///< room for the densities that an edit is about to change
+    std::vector<float> old{};  ///< memory for the densities that an edit is about to change
 };
 
 /// Bodies of all crystals, by Crystal::number. The simulation owns it.
@@ -48,42 +50,45 @@ using CrystalResource = ecs::Resource<resource::Crystals>;
 /// Seeds of the crystals, by their numbers.
 using CrystalSeeds = std::vector<std::uint64_t>;
 
-/// Seeds of a new round: those that follow on the present crystals'. Empty without crystals.
+/// Seeds for a new round, which follow those of the present crystals. Empty without crystals.
 CrystalSeeds next_seeds(const ecs::World& world);
-/// Makes the solids of a new round with the surface "crystal" crystals, untouched. Missing seeds are 0.
+/// Turns the solids of a new round that have the surface "crystal" into untouched crystals. Missing seeds are
+/// 0.
 void spawn_crystals(MatchContext& context, CrystalBodies& bodies, const CrystalSeeds& seeds);
 /// Gives the crystals of the first round their seeds from the match's seed.
 void draw_crystals(MatchContext& context, std::uint64_t seed);
-/// Makes the bodies again from the World after a restore.
+/// Rebuilds the bodies from the World after a restore.
 void rebuild_crystals(MatchContext& context, CrystalBodies& bodies);
 
 /// Puts the voxels of an untouched crystal into the World. Writes Crystal, CrystalDensity, CrystalColour and
 /// resource::Crystals.
 void touch_crystal(MatchContext& context, CrystalBodies& bodies, Crystal& crystal);
-/// Makes a carved crystal rough again, for another key. Writes the same.
+/// Replaces a carved crystal by a rough body with another key. Writes the same as touch_crystal.
 void renew_crystal(MatchContext& context, CrystalBodies& bodies, Crystal& crystal);
-/// Applies a tool to a touched crystal and counts its overlap. `dab` is in the crystal's frame. Writes the same.
+/// Applies a tool to a touched crystal and updates its overlap. `dab`: use of the tool, in the crystal frame.
+/// Writes the same as touch_crystal.
 field::Edit cut_crystal(MatchContext& context, CrystalBodies& bodies, Crystal& crystal,
                         const field::Tool& tool, const field::Dab& dab);
 
-/// Counts the overlap anew after an edit of the voxels in a box.
+/// Updates the overlap after an edit of the voxels in a box.
 void count_again(CrystalBodies& bodies, Crystal& crystal, const field::VoxelView& view,
                  const field::VoxelBox& changed);
 
-/// Placement that takes the crystal's frame to the world.
+/// Placement of the crystal frame in the world.
 field::Placement placement_of(const Crystal& crystal);
 /// Distance between voxels (m).
 inline double spacing_of(const Crystal& crystal) { return crystal.size / crystal_side; }
-/// Densities of a touched crystal in its own frame. Valid until the World's blob is resized.
+/// Densities of a touched crystal in the crystal frame. Valid until the World's blob is resized.
 field::Grid density_grid(const ecs::World& world, const Crystal& crystal, field::Kernel kernel);
 /// Voxels of a touched crystal.
 field::VoxelView voxels_of(ecs::World& world, CrystalBodies& bodies, const Crystal& crystal);
 
-/// Place (crystal's frame) where a ray enters the surface that the picture shows, between voxels as the picture reads
-/// them (trilinear). `way` need not be a unit vector. std::nullopt if the ray misses. The crystal must be touched.
+/// Point (crystal frame) where a ray enters the surface that the picture shows, interpolated between voxels
+/// like the picture (trilinear). `way` need not be a unit vector. std::nullopt if the ray misses. The crystal
+/// must be touched.
 std::optional<vec3> surface_along(const ecs::World& world, const Crystal& crystal, vec3 from, vec3 way);
 
-/// The crystal with this number; no entity if there is none.
+/// The crystal with this number; an invalid entity if there is none.
 ecs::Entity crystal_entity(const ecs::World& world, std::uint32_t number);
 
 }  // namespace thaum::game

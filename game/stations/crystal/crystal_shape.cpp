@@ -8,25 +8,25 @@
 namespace thaum::game {
 namespace {
 
-/// Voxels along an edge of the body for which the sizes of parts hold.
+/// Number of voxels along an edge of the body for which the sizes of parts are given.
 constexpr double usual_voxels = 48;
-/// Half the thickness of the bits (voxels).
+/// Half the thickness of the key's bits (voxels).
 constexpr double bit_thick = 2.4;
-/// Half the thickness of the collar (voxels).
+/// Half the thickness of the key's collar (voxels).
 constexpr double collar_thick = 1.3;
 /// Density from which a voxel counts as solid.
 constexpr float solid = 0.5F;
-/// Share of the key's volume that bites take at least, and overlap at which no more lumps are added.
+/// Minimum share of the key's volume that bites remove, and overlap below which no more lumps are added.
 constexpr double bitten = 0.2, rough_overlap = 0.52;
 
-/// Box of places (voxels of a usual body, from the middle).
+/// A box of positions (voxels of a body with usual_voxels, relative to the middle).
 struct Bounds {
     vec3 low{}, high{};
 };
 
 double length_of(double x, double y) { return std::sqrt(x * x + y * y); }
 
-/// Adds parts to densities or takes them away, each within its bounds.
+/// Adds parts to densities, or subtracts them, each within its bounds.
 class Sculptor {
 public:
     Sculptor(std::vector<float>& density, int voxels)
@@ -68,7 +68,7 @@ private:
 
     std::vector<float>& density_;
     int count_;
-    double scale_;  ///< voxels of a usual body per voxel
+    double scale_;  ///< number of usual_voxels voxels per voxel of this body
 };
 
 void add_ring(const KeyShape& key, Sculptor& sculptor) {
@@ -101,17 +101,17 @@ void add_bit(const KeyShape& key, const KeyBit& bit, Sculptor& sculptor) {
     });
 }
 
-/// A ball in the rough body.
+/// A ball that is added to, or removed from, the rough body.
 struct Ball {
     vec3 middle{};
     double radius{};
 };
 
-/// A ball at a random place of the key's middle lines, its middle off by up to `off` voxels on each axis.
+/// A ball near a random point of the key's middle lines, displaced by up to `off` voxels along each axis.
 Ball ball_at(const KeyShape& key, Random& random, double off) {
     vec3 on;
     const double which = random.uniform();
-    if (which < 0.45) {  // on the ring: a random direction without angles
+    if (which < 0.45) {  // on the ring: a random direction, made without trigonometric functions
         vec2 way;
         do way = {random.uniform(-1, 1), random.uniform(-1, 1)};
         while (!(glm::dot(way, way) > 0.01 && glm::dot(way, way) <= 1));
@@ -128,7 +128,7 @@ Ball ball_at(const KeyShape& key, Random& random, double off) {
     return {on + away, random.uniform(3.0, 4.4)};
 }
 
-/// The rough body with its overlap so far.
+/// The rough body while it is being made, with its overlap so far.
 class RoughBody {
 public:
     RoughBody(const std::vector<float>& key, int voxels)
@@ -144,7 +144,7 @@ public:
         apply(ball, [](float d, float share) { return std::max(d, share); });
     }
     double overlap() const { return static_cast<double>(both_) / static_cast<double>(either_); }
-    /// Share of the key that is left.
+    /// Share of the key's volume that is still solid.
     double left() const { return static_cast<double>(both_) / static_cast<double>(volume_); }
     std::vector<float> take() { return std::move(density_); }
 

@@ -1,12 +1,13 @@
-// game/stations/crystal/crystal_shape.h: the key that a crystal shall become, and the rough body that it is at first. Both follow
-// from a seed.
+// game/stations/crystal/crystal_shape.h: the key's shape that is to be carved from a crystal, and the
+// crystal's initial rough body. Both are computed from a seed.
 //
 //     ring (bow) --- shaft --- bits      seen from +z; the key lies along x, its middle is the body's middle
 //     rough body = key - bites + lumps   most of the key's volume is there, but the two overlap by half
 //
-// Each part is a solid with a formula for the depth below its surface. A voxel's density is 0.5 at the surface and goes
-// from 0 to 1 within two voxels, as the rims of carving tools do. Only + - * / and sqrt are used, so that the bits are
-// the same on every processor. The parts' sizes are in voxels of a body with 48 along each axis; other bodies scale them.
+// Each part is a solid with a formula for the depth below its surface. A voxel's density is 0.5 at the
+// surface and changes from 0 to 1 within two voxels, like the rims that carving tools leave. Only + - * / and
+// sqrt are used, so that every processor computes the same bits. The sizes of parts are in voxels of a body
+// with 48 along each axis; other bodies scale them.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -16,11 +17,11 @@
 
 namespace thaum::game {
 
-/// Tooth of a key: a block that stands off the shaft.
+/// Tooth of a key: a block on the side of the shaft.
 struct KeyBit {
-    double along{};  ///< x of its middle
-    double half{};   ///< half its width along x
-    double deep{};   ///< distance from the shaft's axis to its end
+    double along{};  ///< x of the bit's middle
+    double half{};   ///< half the bit's width along x
+    double deep{};   ///< distance from the shaft's axis to the bit's end
 };
 
 inline constexpr std::size_t most_key_bits = 4;
@@ -33,10 +34,10 @@ struct KeyShape {
     double ring_high{};                        ///< height of the ring as a share of its width
     double shaft_end{};                        ///< x of the shaft's tip
     double shaft_thick{};                      ///< radius of the shaft
-    double collar_x{};                         ///< x of the disc round the shaft
-    double collar{};                           ///< radius of that disc
+    double collar_x{};                         ///< x of the collar, a disc around the shaft
+    double collar{};                           ///< radius of the collar
     double side{};                             ///< 1: the bits point up; -1: down
-    std::array<KeyBit, most_key_bits> bits{};  ///< the first `bit_count`
+    std::array<KeyBit, most_key_bits> bits{};  ///< the bits; only the first `bit_count` are used
     std::size_t bit_count{};
 };
 

@@ -5,13 +5,13 @@
 namespace thaum::game {
 namespace {
 
-/// Density after an edit that the grain has slowed.
+/// Density after an edit, of which the grain (grain.h) may suppress a part.
 float along_grain(float before, float after, bool wanted, double against) {
     if (after == before || (after > before) == wanted) return after;
     return before + static_cast<float>(against) * (after - before);
 }
 
-/// Calls visit(voxel of the crystal, number within the box) for each voxel of the box.
+/// Calls visit(number of the voxel in the crystal, number within the box) for each voxel of the box.
 template <class Visit>
 void for_each_voxel(const field::VoxelView& crystal, const field::VoxelBox& box, Visit visit) {
     std::size_t number = 0;
@@ -20,7 +20,7 @@ void for_each_voxel(const field::VoxelView& crystal, const field::VoxelBox& box,
             for (int i = box.low[0]; i < box.high[0]; ++i) visit(crystal.at(i, j, k), number++);
 }
 
-/// The voxels of a box as a body of their own. Colours are white: they do not count.
+/// The voxels of a box as a body of their own. Colours are left white, since they do not matter here.
 field::Voxels cutout_of(const field::VoxelView& crystal, std::span<const float> density,
                         const field::VoxelBox& box) {
     const auto length = [&](std::size_t axis) { return box.high.at(axis) - box.low.at(axis); };
@@ -36,7 +36,7 @@ vec3 middle_of(const field::VoxelBox& box, double spacing) {
     return 0.5 * spacing * (low + high - static_cast<double>(crystal_side));
 }
 
-/// Voxels in the crystal and its key after a trial.
+/// Numbers of voxels in the crystal and its key after a trial edit.
 struct Counts {
     std::size_t both{}, either{};
 
@@ -47,7 +47,7 @@ struct Counts {
         auto& count = wanted ? both : either;
         is ? ++count : --count;
     }
-    /// Positive if the overlap is greater than it is now, negative if less.
+    /// Positive if the overlap is greater than `now`, negative if it is less.
     double against(const field::VoxelOverlap& now) const {
         return static_cast<double>(both) * static_cast<double>(now.either) -
                static_cast<double>(now.both) * static_cast<double>(either);
@@ -96,7 +96,7 @@ DabWorth worth_of_dab(const MatchContext& context, const CrystalBodies& bodies, 
         plain.note(before, after, wanted);
     });
     if (slowed.against(overlap) > 0) return DabWorth::helps;
-    // The grain would only put off the harm.
+    // Without the grain the tool would do harm; the grain would only delay it.
     return plain.against(overlap) < 0 ? DabWorth::spoils : DabWorth::nothing;
 }
 

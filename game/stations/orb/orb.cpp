@@ -8,30 +8,31 @@
 namespace thaum::game {
 namespace {
 
-/// Least and greatest distance of the core from the orb's middle, as a share of the extent. A probe that rests in the
-/// middle must not find it.
+/// Least and greatest distance of the core from the orb's middle, as a share of the extent. A probe at rest
+/// in the middle must not find the core.
 constexpr double least_off_middle = 0.1, most_off_middle = 0.22;
-/// Half of the length of the core along which the next conditions hold, as a share of the extent: that of a hand whose
-/// device is shallow.
+/// Half of the length of the part of the core that a hand can reach, as a share of the extent, for a device
+/// whose workspace is shallow. The conditions below hold along this part.
 constexpr double searched_half = 0.2;
-/// Greatest distance between the core and the place round which the flow turns, as a share of the extent.
+/// Maximum distance between the core and the point around which the flow turns, as a share of the extent.
 constexpr double most_shift = 0.03;
-/// Least ratio of the core's curl to that of another vortex.
+/// Minimum ratio of the core's curl to that of another vortex.
 constexpr double least_lead = 1.2;
-/// Number of flows that are tried. One of about 20 can be found by hand.
+/// Maximum number of flows that are tried. About one in 20 has a core that can be found by hand.
 constexpr int most_flows = 1000;
 
 double curl_of(const field::RankineVortex& vortex) { return 2 * std::abs(vortex.speed) / vortex.radius; }
 
 vec3 across(vec3 way, vec3 axis) { return way - glm::dot(way, axis) * axis; }
 
-/// Distance from the core's axis at which the whole flow across it is zero, at one place of the axis (m).
+/// Distance from the core's axis at which the whole flow perpendicular to the axis is zero, at one point of
+/// the axis (m).
 double shift_at(const field::VortexFlow& flow, vec3 place) {
     const auto& core = flow.vortices[0];
     return glm::length(across(flow(place).value, core.axis)) * core.radius / std::abs(core.speed);
 }
 
-/// Seed of a flow that can be found. If all tries fail, that of the last.
+/// Seed of a flow whose core can be found. If all tries fail, the last seed tried.
 std::uint64_t seed_of_flow(double extent, std::uint64_t seed) {
     constexpr std::uint64_t stream = 3;
     Random random = random_stream(seed, stream);

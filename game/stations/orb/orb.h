@@ -11,38 +11,39 @@
 
 namespace thaum::game {
 
-/// The orb's flow about its middle, with the axes of the world.
+/// The orb's flow around its middle, with the axes of the world.
 field::VortexFlow flow_of(const Orb& orb);
 
 /// The hidden core: the part of the first vortex's axis that lies in the orb (m, world).
 struct HiddenCore {
-    vec3 middle{};  ///< nearest place of the axis to the orb's middle
+    vec3 middle{};  ///< point of the axis nearest to the orb's middle (m, world)
     vec3 axis{};    ///< unit
-    double half{};  ///< half of the core's length
+    double half{};  ///< half of the core's length (m)
 };
 HiddenCore core_of(const Orb& orb);
-/// The part of the first vortex's axis that lies in a ball about `middle`, where the flow has its origin.
+/// The part of the first vortex's axis that lies in a ball around `middle`, which is the origin of the flow.
 HiddenCore core_within(const field::VortexFlow& flow, vec3 middle, double radius);
 
-/// Distance of a place from the core (m, world).
+/// Distance of a position from the core (m, world).
 double distance_from(const HiddenCore& core, vec3 place);
 
-/// Whether a hand can find the core of a flow that fills a box of this extent (m): from every side its device reaches a
-/// long part of it, but not at rest, it turns faster than the other vortices, and they hardly move the place round which the flow turns.
+/// Whether a hand can find the core of a flow that fills a box of this extent (m). From every side the device
+/// must reach a long part of the core, but not with the hand at rest. The core must turn faster than the
+/// other vortices, and these must hardly displace the point around which the flow turns.
 bool can_be_found(const field::VortexFlow& flow, double extent);
 
-/// Creates the orb of a new match and gives each wizard the curves of the rules. `seed` decides the flow. Does nothing if
-/// the match has no orb.
+/// Creates the orb of a new match and gives each wizard the strength curves of the rules. `seed` determines
+/// the flow. Does nothing if the match has no orb.
 void spawn_orb(MatchContext& context, std::uint64_t seed);
 
-/// The part of an orb that the next round takes over.
+/// The data of an orb that the next round takes over.
 struct OrbMemory {
     std::uint64_t seed{};
     std::array<WornModes, players> modes{};
 };
-/// The memory of the orb that there is; std::nullopt if there is none.
+/// This data of the present orb; std::nullopt if there is no orb.
 std::optional<OrbMemory> orb_memory(const ecs::World& world);
-/// Creates the orb of the next round, with another flow. Wizards keep their modes and curves.
+/// Creates the orb of the next round, with another flow. Wizards keep their active modes and curves.
 void spawn_next_orb(MatchContext& context, const OrbMemory& memory);
 
 /// Pose of a scrying hand's device frame (world). `yaw`: AtStation::yaw.

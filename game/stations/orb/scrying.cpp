@@ -13,7 +13,7 @@ namespace {
 
 using input::Button;
 
-/// The wizard who scries, and the tick of play.
+/// The wizard who scries, and the present tick of play.
 struct Scryer {
     ecs::Entity wizard;
     std::uint32_t player{};
@@ -33,7 +33,7 @@ void tell(MatchContext& context, const Scryer& scryer, EventKind kind, vec3 plac
 
 // ---- modes ------------------------------------------------------------------------------------------------
 
-/// Puts a mode on or off and records it, and the mode whose place it took.
+/// Switches a mode on or off and records this, and also the mode that it replaces.
 void change_mode(MatchContext& context, const Scryer& scryer, vec3 place, std::uint32_t mode,
                  WornModes& modes) {
     const auto before = modes.worn;
@@ -44,7 +44,7 @@ void change_mode(MatchContext& context, const Scryer& scryer, vec3 place, std::u
     tell(context, scryer, EventKind::mode_worn, place, mode, on ? 1 : 0);
 }
 
-/// Replaces the mode that was put on last by its neighbour.
+/// Replaces the newest active mode by the next or previous inactive one.
 void step_mode(MatchContext& context, const Scryer& scryer, vec3 place, int step, WornModes& modes) {
     const auto next = neighbour_of_last(modes, context.data.orb->modes.size(), step);
     if (next == no_mode) return;
@@ -52,7 +52,7 @@ void step_mode(MatchContext& context, const Scryer& scryer, vec3 place, int step
     change_mode(context, scryer, place, next, modes);
 }
 
-/// Changes modes by the keys of wands. With Trace held these keys cast spells.
+/// Changes modes by the keys of wands. While Trace is held, these keys cast spells.
 void choose_modes(MatchContext& context, const Scryer& scryer, vec3 place, const Controls& controls,
                   WornModes& modes) {
     if ((controls.held & bit(Button::trace)) != 0) return;
@@ -66,7 +66,7 @@ void choose_modes(MatchContext& context, const Scryer& scryer, vec3 place, const
 
 // ---- curves -----------------------------------------------------------------------------------------------
 
-/// Draws the curve of the mode that was put on last, as far as the hand has moved since the last call. The first
+/// Draws the strength curve of the newest active mode along the hand's motion since the last call. The first
 /// millimetres draw nothing, so that a key chord changes no curve.
 void draw(const MatchContext& context, const Scryer& scryer, const DrawnStroke* stroke, WornModes& modes,
           Scrying& scrying) {
@@ -142,7 +142,7 @@ void follow(MatchContext& context, const Scryer& scryer, const Controls& control
 
 // ---- the probe --------------------------------------------------------------------------------------------
 
-/// Lets the orb tell: the wizard learns the orders of recipes and gains health.
+/// Gives the orb's reward: the wizard learns the orders of recipes and gains health.
 void scry(MatchContext& context, const Scryer& scryer, vec3 place, WornModes& modes) {
     auto& health = context.world.get<Health>(scryer.wizard);
     const double cap = context.data.wizard.health_cap;

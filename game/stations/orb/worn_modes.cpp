@@ -10,8 +10,8 @@
 namespace thaum::game {
 namespace {
 
-/// Source of the filters of a mode: the flow about the orb's middle. The spacing is that of the differences that some
-/// filters take.
+/// Source of the filters of a mode: the flow about the orb's middle. `spacing` in it is the step of finite
+/// differences that some filters use.
 field::FilterSource source_of(const field::VortexFlow& flow, double radius) {
     constexpr int samples = 64;
     return {.field = haptics::any_field(field::field_of<field::Vector>(flow)),
@@ -27,7 +27,7 @@ field::Placement placement_in(const HandFrame& frame, const Orb& orb) {
             .scale = 1 / frame.metres_per_metre};
 }
 
-/// Adds the primitives of one mode.
+/// Adds the haptic primitives of one mode.
 void add_mode(const OrbMode& mode, const field::TransferFunction& strength, const field::FilterSource& source,
               const field::Placement& placement, const haptics::ModeInput& input,
               haptics::PrimitiveSet& set) {

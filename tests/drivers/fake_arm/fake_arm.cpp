@@ -1,8 +1,8 @@
-// A driver of simulated arms, for tests. It stands outside the product: a test program that contains this file
-// has the driver.
+// A driver of simulated arms, for tests. It is not part of the product: a test program has the driver if it
+// is linked with this file.
 //
-// $FAKE_ARMS holds a script for each arm, with semicolons between them. A script is a list of words with commas
-// between them:
+// $FAKE_ARMS holds a script for each arm, with semicolons between them. A script is a list of words with
+// commas between them:
 //
 //     name=MODEL        model of the arm (Fake);  its serial number is A0, A1, ...
 //     peak=N            peak force of 3.3 N, or that many N
@@ -46,7 +46,7 @@ std::vector<std::string> scripts() {
     return all;
 }
 
-/// State of an arm that outlives the program's use of it.
+/// State of an arm that continues when a program stops using the arm.
 struct Plugged {
     bool went_wrong = false, came_back = false;
     std::uint64_t refused = 0;
@@ -92,7 +92,7 @@ public:
         return facts;
     }
 
-    /// Moves the arm by one tick under the force that it was told last.
+    /// Moves the arm by one tick under the last force that was written.
     ArmFault read(ArmReading& reading) noexcept override {
         const auto place = place_at(script_.path, static_cast<double>(ticks_));
         move(place.target);
@@ -158,7 +158,7 @@ private:
         return at != 0 && now >= at;
     }
 
-    /// Whether the arm vanished and has not come back.
+    /// Whether the arm has vanished and not come back yet.
     bool is_missing() {
         if (!plugged_.went_wrong || plugged_.came_back) return false;
         if (plugged_.refused++ < script_.number("back")) return true;
@@ -181,11 +181,11 @@ private:
     Script script_{};
     haptics::SimulatedDevice device_{};
     haptics::SimulatedState state_{};
-    std::mutex mutex_{};  ///< the engine's watchdog writes beside a read that hangs
-    vec3 told_{};         ///< force of the last write (N)
+    std::mutex mutex_{};  ///< needed because the engine's watchdog writes while a read hangs
+    vec3 told_{};         ///< last written force (N)
     std::uint64_t ticks_ = 0;
     std::uint64_t felt_at_ = 0;   ///< tick of the first force; 0: none yet
-    FakeHdLive* live_ = nullptr;  ///< never unmapped: a tick that hung may return late
+    FakeHdLive* live_ = nullptr;  ///< never unmapped, because a tick that hung may return late
 };
 
 std::vector<std::string> find_fakes() {

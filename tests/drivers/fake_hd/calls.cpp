@@ -1,6 +1,6 @@
-// A make-believe libHD.so: the functions of OpenHaptics that drivers call, with two simulated arms in simulated
-// hands. It enforces the documented rules, counts broken ones, and goes wrong when told to (script.h). It
-// shares no code with the driver that it tests.
+// A fake libHD.so: the functions of OpenHaptics that drivers call, with two simulated arms in simulated
+// hands. The library checks the documented rules, counts violations, and simulates the faults that a script
+// asks for (script.h). It shares no code with the driver under test.
 // NOLINTBEGIN(readability-identifier-naming): the names are OpenHaptics'.
 #include <algorithm>
 #include <chrono>
@@ -13,7 +13,7 @@ namespace {
 using namespace thaum;
 using namespace thaum::fake_hd;
 
-/// Error code with which hdInitDevice refuses a device of this name; 0 if it opens the device.
+/// Error code with which hdInitDevice refuses a device of this name; 0: it opens the device.
 unsigned int refusal(const Script& script, const char* name) {
     if (script.has("no_licence")) return invalid_licence;
     const bool by_name = script.has("no_null_name");
@@ -23,13 +23,13 @@ unsigned int refusal(const Script& script, const char* name) {
     return script.has("busy") ? already_initiated : 0U;
 }
 
-/// The handle that hdInitDevice gives for the first arm.
+/// The handle that hdInitDevice returns for the first arm.
 unsigned int handle_of(const Library& l) {
     const auto how = l.script.of("handle");
     return how == "zero" ? 0U : how == "other" ? 12345U : first_handle;
 }
 
-/// Index of the arm that a name opens. Every name but that of the second arm opens the first.
+/// Index of the arm that a name opens: the second arm for its own name, the first for any other.
 std::size_t arm_named(const char* name) {
     const auto second = read_second_script();
     const auto called = second.has("name") ? second.of("name") : "Right";
@@ -43,8 +43,8 @@ Device* device_of(Library& l, unsigned int handle) {
     return nullptr;
 }
 
-/// An exported function must not call another one: two of these libraries may be loaded, and the first one's
-/// would answer.
+/// An exported function must not call another one: two of these libraries may be loaded, and then the call
+/// would reach the first library.
 FakeHdReport report_of(std::size_t arm) {
     auto& l = library();
     const Lock lock(l.mutex);
@@ -57,7 +57,7 @@ FakeHdReport report_of(std::size_t arm) {
     return report;
 }
 
-/// Runs or drops a synchronous task as the script's word `sync` says. Returns true if the caller must not
+/// Runs or drops a synchronous task as the script's option `sync` says. Returns true if the caller must not
 /// run the task itself. The old library has no synchronous tasks.
 [[maybe_unused]] bool synchronous_goes_wrong(Library& l, Callback run, void* context) {
     if (l.script.is("sync", "never")) return true;
@@ -120,7 +120,8 @@ FAKE_HD_CALL void hdMakeCurrentDevice(unsigned int handle) {
     const Lock lock(l.mutex);
     const auto* d = device_of(l, handle);
     if (d == nullptr) return broken(l, fake_hd_wrong_value, bad_handle);
-    // The current device is one for all threads. Changing it beside the library's own thread misleads that one.
+    // The current device is shared by all threads. Changing it while the library's own thread runs would
+    // mislead that thread.
     if (l.running && !on_own_thread(l)) broken(l, fake_hd_wrong_thread, invalid_operation);
     l.current = static_cast<std::size_t>(d - l.devices.data());
 }
@@ -333,5 +334,5 @@ FAKE_HD_CALL void hdUpdateCalibration(unsigned int style) {
     if (may(l)) current(l).updated = true;
 }
 
-}  // extern "C"
+}  // end of extern "C"
 // NOLINTEND(readability-identifier-naming)

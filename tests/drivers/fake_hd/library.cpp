@@ -10,7 +10,7 @@
 namespace thaum::fake_hd {
 namespace {
 
-/// Numbers of a Touch.
+/// Specification of a Touch device.
 haptics::DeviceSpec touch_spec() {
     haptics::DeviceSpec spec;
     spec.name = "Touch";
@@ -54,7 +54,7 @@ FakeHdLive* map_live(const std::string& file) {
 
 std::array<double, 3> numbers_of(vec3 v) { return {v.x, v.y, v.z}; }
 
-/// Ticks by which the script is timed.
+/// Number of ticks by which the script's times are counted.
 std::uint64_t script_ticks(const Device& d) {
     if (!d.script.has("felt")) return d.ticks;
     return d.felt_at == 0 ? 0 : d.ticks - d.felt_at;
@@ -105,7 +105,7 @@ void take_device(Library& l, Device& d) {
 }
 
 void let_go(Device& d) {
-    // The last force may have been told after the last tick.
+    // The last force may have been set after the last tick, so it is recorded here.
     record(d, exerted(d));
     write_record(d);
     d.report.left = numbers_of(exerted(d));

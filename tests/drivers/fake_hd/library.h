@@ -1,4 +1,5 @@
-// The make-believe library itself: two simulated arms in simulated hands, the rules that it enforces, and its clock.
+// The fake library itself: two simulated arms in simulated hands, the rules that the library checks, and its
+// clock.
 #pragma once
 #include <atomic>
 #include <map>
@@ -16,8 +17,9 @@ namespace thaum::fake_hd {
 using Callback = unsigned int (*)(void*);
 
 constexpr unsigned int first_handle = 7, second_handle = 8, no_handle = 0xffffffff;
-constexpr double max_force = 3.3;     // N
-constexpr double absurd_force = 100;  // N: a force in mN or a stiffness for N/m was meant
+constexpr double max_force = 3.3;  // N
+// Force so large that mN, or N/m for a stiffness, must have been used by mistake (N)
+constexpr double absurd_force = 100;
 
 enum Error : unsigned int {
     invalid_enum = 0x0100,
@@ -50,11 +52,11 @@ struct Device {
     haptics::SimulatedDevice device{};
     haptics::SimulatedState arm{};
     bool initiated = false, frame = false, force_output = false, clamping = false, updated = false;
-    vec3 told{};     ///< force of the last frame that ended (N)
+    vec3 told{};     ///< force of the last completed frame (N)
     vec3 setting{};  ///< force set in the open frame (N)
     std::uint64_t ticks = 0;
-    FakeHdReport report{};       ///< force, greatest force, position and force at the end
-    FakeHdLive* live = nullptr;  ///< mapped file, which is never unmapped
+    FakeHdReport report{};       ///< what tests may ask: force, largest force, position, last force
+    FakeHdLive* live = nullptr;  ///< mapped file, never unmapped
     std::vector<std::array<double, 6>> recorded{};
     int buttons = 0;
     bool went_wrong = false, came_back = false;
@@ -63,62 +65,62 @@ struct Device {
 };
 
 struct Library {
-    std::mutex mutex{};               // guards the members down to `calls`; not locked while a task runs
-    Script script = read_script();    // script of the first arm and of the library
-    std::array<Device, 2> devices{};  // the second is there if $FAKE_HD_SECOND is set
+    std::mutex mutex{};               // protects the members down to `calls`; not locked while a task runs
+    Script script = read_script();    // script of the first arm, and options of the library
+    std::array<Device, 2> devices{};  // the second arm exists if $FAKE_HD_SECOND is set
     std::size_t current = 0;          // index of the current device
     std::vector<unsigned int> errors{};
     std::vector<Task> tasks{};
-    Task newest_ticks{};  // asynchronous task that was scheduled last
+    Task newest_ticks{};  // the asynchronous task scheduled last
     unsigned long next_task = 1;
-    FakeHdReport report{};                         // its ticks, broken rules, calls after the end and stops
-    std::map<std::string, std::uint64_t> calls{};  // number of calls of each function that misbehaves
+    FakeHdReport report{};  // the library's ticks, violations, calls after the end, and stops
+    std::map<std::string, std::uint64_t> calls{};  // number of calls of each function with a scripted fault
 
     std::jthread thread{}, second_thread{};
     std::atomic<bool> running{false};
     std::atomic<std::thread::id> own_thread{};
 };
 
-/// The state of the library. It is never destroyed, because threads of a program that gave up may still use
-/// it.
+/// The state of the library. It is never destroyed, because threads that a program has abandoned may still
+/// use it.
 Library& library();
 
 using Lock = std::unique_lock<std::mutex>;
 
-// Call these with the mutex locked.
+// The functions below need the mutex to be locked.
 
 void push(Library& l, unsigned int code);
-/// Counts a broken rule and adds an error with this code to the error stack.
+/// Counts a violation and adds an error with this code to the error stack.
 void broken(Library& l, FakeHdRule rule, unsigned int code);
 bool on_own_thread(const Library& l);
-/// Whether state of the current device may be asked for or set now.
+/// Whether the caller may read or set the state of the current device now.
 bool may(Library& l);
 
 Device& current(Library& l);
-/// A program takes the device.
+/// To be called when a program opens the device.
 void take_device(Library& l, Device& d);
-/// The program frees the device.
+/// To be called when the program closes the device.
 void let_go(Device& d);
 /// Force that the arm exerts now (N).
 vec3 exerted(const Device& d);
-/// Moves every arm that a program has by 1 ms.
+/// Moves every opened arm by 1 ms.
 void move_arms(Library& l);
 void update_live(Device& d);
-/// Whether it is time to go wrong in that way. Once is enough for an arm that comes back.
+/// Whether the scripted fault `word` is due now. For an arm that comes back, each fault happens once.
 bool goes_wrong(Device& d, const char* word);
-/// Whether an arm that went wrong is not there.
+/// Whether a fault has made the arm unavailable.
 bool is_missing(Device& d);
 
-// Call these with the mutex unlocked.
+// The functions below need the mutex to be unlocked.
 
 unsigned long schedule(Library& l, Callback run, void* context, unsigned short priority, bool synchronous);
 void start_threads(Library& l);
 void stop_threads(Library& l);
-/// Runs every task once. `synchronous_only` leaves out tasks of hdScheduleAsynchronous.
+/// Runs every task once. `synchronous_only` skips tasks of hdScheduleAsynchronous.
 void run_tasks(Library& l, bool synchronous_only);
 /// Calls the last task of hdScheduleAsynchronous once more, even if the program has already ended it.
 void call_ticks(Library& l);
-/// Repeats call_ticks on a thread of its own.
+/// Repeats call_ticks in a thread of its own.
 void call_after_end(Library& l);
 
 }  // namespace thaum::fake_hd

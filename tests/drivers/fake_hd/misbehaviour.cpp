@@ -10,7 +10,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// `well` after one of the script's faults for numbers.
+/// The value `well`, changed by a scripted fault for numbers.
 double spoilt(const std::string& how, double well) {
     if (how == "nan") return std::nan("");
     if (how == "inf") return infinite;
@@ -19,7 +19,7 @@ double spoilt(const std::string& how, double well) {
     return how == "zero" ? 0 : well;
 }
 
-/// Calls the tick task from within a function that the same task has called.
+/// Calls the tick task again, inside a library function that this task has called.
 void call_back(Library& l) {
     thread_local bool within = false;
     if (within) return;
@@ -46,7 +46,7 @@ unsigned int misbehave(Library& l, const char* call) {
     }
     if (how == "crashes") std::raise(SIGSEGV);
     if (how == "interrupts") return std::raise(SIGTERM), 0U;
-    if (how == "returns_late") return 0;  // hdScheduleAsynchronous handles this fault itself
+    if (how == "returns_late") return 0;  // hdScheduleAsynchronous simulates this fault itself
     if (how == "calls_back") return call_back(l), 0U;
     if (how == "slow") return std::this_thread::sleep_for(std::chrono::seconds(2)), 0U;
     const auto code = static_cast<unsigned int>(std::strtoul(how.c_str(), nullptr, 16));

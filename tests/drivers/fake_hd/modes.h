@@ -1,5 +1,5 @@
-// tests/drivers/fake_hd/modes.h: every fault of the fake library that tests try, and the required result
-// for a program that holds a force of 1 N meanwhile. script.h explains the words.
+// tests/drivers/fake_hd/modes.h: every fault of the fake library that tests try, and the required result for
+// a program that holds a force of 1 N meanwhile. script.h explains the options.
 #pragma once
 #include <array>
 #include <string>
@@ -8,7 +8,7 @@
 namespace thaum::fake_hd {
 
 enum class Ending {
-    plays,    ///< the program plays on
+    plays,    ///< the program continues to play
     lost,     ///< the program reports in one line that the arm is lost or faulty
     refused,  ///< the program reports in one line that there is no usable arm
 };
@@ -22,10 +22,10 @@ struct Mode {
 struct CallRow {
     const char* call;
     Ending fails, blocks;
-    const char* with = "";  ///< further words of the script without which the function is not called
+    const char* with = "";  ///< further options of the script, without which the function is not called
 };
 
-/// Functions that fail or block from the first call on.
+/// Functions that fail or block from their first call on.
 inline constexpr auto calls_that_never_work = [] {
     using enum Ending;
     return std::to_array<CallRow>({
@@ -77,7 +77,7 @@ inline std::vector<Mode> modes_of_calls() {
     return modes;
 }
 
-/// Faults in measured values, texts, limits and ticks, whichever function returns them.
+/// Faults in measured values, texts, limits and ticks, independent of the function that returns them.
 inline std::vector<Mode> modes_of_answers() {
     using enum Ending;
     std::vector<Mode> modes;

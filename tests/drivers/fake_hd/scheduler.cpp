@@ -12,7 +12,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr auto ms = std::chrono::milliseconds(1);
 
-/// Closes a frame that a task has left open, and counts the broken rule.
+/// Closes a frame that a task has left open, and counts the violation.
 void close_frame(Library& l) {
     if (l.script.is("callback", "two_threads")) return;
     for (auto& d : l.devices) {
@@ -22,7 +22,7 @@ void close_frame(Library& l) {
     }
 }
 
-/// Returns true if an asynchronous task is due in this tick, as the script's word `callback` says.
+/// Returns whether an asynchronous task is due in this tick, according to the script's option `callback`.
 bool comes(Library& l) {
     if (l.script.is("callback", "never")) return false;
     return !l.script.is("callback", "once") || l.calls["once"]++ == 0;
@@ -64,7 +64,7 @@ void run_thread(Library& l) {
     }
 }
 
-/// Calls the tick task from a second thread, without regard to the first one.
+/// Calls the tick task from a second thread, independently of the first.
 void run_second_thread(Library& l) {
     while (l.running) {
         call_ticks(l);

@@ -49,7 +49,7 @@ namespace thaum::fake_hd {
 
 struct Place {
     double ms{};
-    // Position (m).
+    // target position of the simulated hand (m)
     vec3 target{};
     int buttons{};
 };
@@ -60,15 +60,15 @@ struct Script {
 
     bool has(const char* word) const { return words.contains(word); }
     bool is(const char* word, const char* value) const;
-    /// Number after a word; 0 if the script lacks the word.
+    /// Number given for an option; 0 if the script lacks it.
     std::uint64_t number(const char* word) const;
-    /// Value after a word; empty if the script lacks the word.
+    /// Value given for an option; empty if the script lacks it.
     std::string of(const char* word) const;
 };
 
-/// Parses words with commas between them.
+/// Parses options separated by commas.
 Script script_of(const std::string& text);
-/// Script in $FAKE_HD, and that of the second arm in $FAKE_HD_SECOND.
+/// Reads the script in $FAKE_HD, and that of the second arm in $FAKE_HD_SECOND.
 Script read_script();
 Script read_second_script();
 Place place_at(const std::vector<Place>& path, double ms);

@@ -1,1 +1,1 @@
-// Nothing: a precompiled header belongs to a target, and a target has a source.
+// Empty on purpose: in CMake a precompiled header belongs to a target, and the target needs a source file.

@@ -1,5 +1,5 @@
-// The headers that most sources include, compiled once (thaum_headers_of in tools/cmake/targets.cmake): the standard
-// library's, GLM's, and those of the engine's ground floor. A header that changes every day does not belong here,
+// The headers that most sources include, compiled once (thaum_headers_of in tools/cmake/targets.cmake): those
+// of the standard library, of GLM and of engine/core. A header that changes every day does not belong here,
 // because everything is compiled again after a change.
 #pragma once
 #include <algorithm>

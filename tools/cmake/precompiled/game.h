@@ -1,4 +1,5 @@
-// The engine's precompiled headers, and the headers of the game's lowest floors, which most sources of the game include.
+// The engine's precompiled headers, and those headers of the game's lowest libraries that most sources of the
+// game include.
 #pragma once
 #include "engine.h"
 
