@@ -26,6 +26,10 @@ if(NOT THAUM_SANITIZE)
         set_tests_properties(structure.hardened PROPERTIES TIMEOUT ${longest_test})
     endif()
 
+    # Every type and function of the engine's public headers has a doc comment (8 s of a processor).
+    add_test(NAME structure.api_pages COMMAND ${timed} ${PROJECT_SOURCE_DIR}/tools/api.sh ${PROJECT_BINARY_DIR}/api)
+    set_tests_properties(structure.api_pages PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT ${longest_test})
+
     # Components with padding are refused by both compilers.
     add_test(NAME structure.padding COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/structure/padding.sh ${PROJECT_SOURCE_DIR}/engine
         ${CMAKE_CURRENT_SOURCE_DIR}/structure/padding.cpp)

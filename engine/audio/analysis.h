@@ -22,19 +22,23 @@ struct Spectrogram {
     /// Column by column. The powers of a column add up to about the mean square of the samples at that time.
     std::vector<double> power;
 
+    /// Power at one time and frequency.
     double at(std::size_t column, std::size_t row) const { return power[column * rows + row]; }
 };
 
 /// Ends of the rows of a spectrogram (Hz).
 inline constexpr double lowest_row_hz = 40, highest_row_hz = 16'000;
 
+/// Power of a sound at `columns` times and `rows` frequencies, from lowest_row_hz to highest_row_hz in equal steps of pitch.
 Spectrogram spectrogram_of(std::span<const float> samples, std::size_t columns, std::size_t rows);
 
 /// Shape of a sound in time and frequency, without its loudness: for each quarter of the audible part, the level of
 /// each band below the loudest (dB), then the length of the audible part.
 inline constexpr std::size_t signature_bands = 24, signature_quarters = 4;
+/// Levels by quarter and band, then the length (s).
 using Signature = std::array<double, signature_bands * signature_quarters + 1>;
 
+/// Signature of a sound at 48 kHz.
 Signature signature_of(std::span<const float> samples);
 
 /// Root mean square of the differences between the numbers of two signatures.

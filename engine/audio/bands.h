@@ -17,6 +17,7 @@ namespace thaum::audio {
 
 inline constexpr std::size_t most_bands = 4;
 
+/// A part of the frequencies.
 struct Band {
     double low_hz{};   ///< lower end, at least 10 (Hz)
     double high_hz{};  ///< upper end, at most 1200 (Hz)

@@ -28,6 +28,7 @@ struct ChannelTone {
     double hz{};         ///< frequency (Hz)
 };
 
+/// One sine wave for each channel of a device.
 class ChannelTones {
 public:
     static constexpr double lowest_hz = 5, highest_hz = 1000;
@@ -42,6 +43,7 @@ public:
     /// Makes the next block: channels() * frame_samples values within -1 to 1.
     void mix(std::span<float> block);
 
+    /// Number of channels.
     std::size_t channels() const { return channels_; }
     /// Whether the next block is silent from its first sample on, unless a wave is set.
     bool is_silent() const;

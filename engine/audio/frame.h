@@ -51,6 +51,7 @@ struct VoiceList {
     std::uint32_t count{};
     std::uint32_t left_out{};
 
+    /// Adds a voice; counts it in `left_out` if there is no room.
     void add(const Voice& voice) {
         if (count < N)
             voices[count++] = voice;
@@ -61,6 +62,7 @@ struct VoiceList {
     const Voice* end() const { return voices.data() + count; }
 };
 
+/// All that is heard at one moment.
 struct AudioFrame {
     std::uint32_t listener_count{1};  ///< 1 or 2
     std::array<Listener, most_listeners> listeners{};

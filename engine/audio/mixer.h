@@ -67,6 +67,7 @@ double fader_gain(double fader);
 /// others run before its first mixer is made.
 void prepare_openal();
 
+/// Mixes the frame's voices into blocks of samples.
 class Mixer {
 public:
     /// Copies the samples of the bank. The error is one line: no OpenAL, or one without loopback devices.
@@ -89,6 +90,7 @@ public:
     /// Ends all voices at once. Call it before playing again after a pause in which nobody heard the mixer.
     void silence();
 
+    /// What was mixed so far, and what was faulty.
     const MixReport& report() const;
 
 private:

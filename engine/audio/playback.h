@@ -31,6 +31,7 @@ struct PlaybackReport {
     std::uint64_t times_lost{};
 };
 
+/// Plays frames on a sound device, from a thread of its own.
 class Playback {
 public:
     static constexpr double retry_s = 2;  ///< time between two tries to open a device
@@ -41,27 +42,30 @@ public:
 
     Playback(Mixer mixer, std::unique_ptr<SoundDevice> device);
 
-    // Queues a frame; called by the simulation thread. Returns false if the queue is full: the device is not
-    // fed at the moment.
+    /// Queues a frame; called by the simulation thread. Returns false if the queue is full: the device is not
+    /// fed at the moment.
     bool hear(const AudioFrame& frame) { return frames_.push(frame); }
 
-    // Queues a voice that begins, such as a sound of the menu; called by the main thread. Returns false if
-    // the queue is full.
+    /// Queues a voice that begins, such as a sound of the menu; called by the main thread. Returns false if
+    /// the queue is full.
     bool hear(const Voice& voice) { return voices_.push(voice); }
+    /// Takes effect with the next block.
     void set(const MixSettings& settings);
 
-    // Whether a device plays; if not, frames need not be made. Any thread may ask.
+    /// Whether a device plays; if not, frames need not be made. Any thread may ask.
     bool plays() const { return plays_; }
     /// One line: what plays, or why nothing does; empty until the first try to open a device. A report that
     /// is read afterwards is at least as recent.
     std::string status() const;
+    /// Counts since the start.
     PlaybackReport report() const;
     /// Lets `step` return as soon as a blocking call of the device returns, without calling the device again.
     void abandon() { abandoned_ = true; }
 
-    // Does what is due at the time `now_s` and returns the time until the next step (s). Called by the thread
-    // that feeds the device.
+    /// Does what is due at the time `now_s` and returns the time until the next step (s). Called by the thread
+    /// that feeds the device.
     double step(double now_s);
+    /// Closes the device. The last call of all.
     void close();
 
 private:

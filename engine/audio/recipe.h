@@ -55,6 +55,7 @@ struct Tone {
     std::vector<Partial> partials;
 };
 
+/// Which frequencies of noise pass.
 enum class NoiseFilter : std::uint8_t { low, band, high };
 
 /// White noise through two equal filters in a row. Its strength does not depend on the width of the band.
@@ -97,8 +98,10 @@ struct Score {
     std::vector<Note> notes;
 };
 
+/// One layer of a sound.
 using Part = std::variant<Tone, Noise, Grains, Score>;
 
+/// A sound as a data file describes it.
 struct Recipe {
     std::string name;
     std::string description;

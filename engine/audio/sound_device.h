@@ -24,6 +24,7 @@ public:
     virtual void write(std::span<const float> block) = 0;
     /// False once the device is gone, such as headphones that were pulled out.
     virtual bool is_connected() = 0;
+    /// Stops and closes the device.
     virtual void close() = 0;
 };
 

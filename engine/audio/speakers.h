@@ -16,6 +16,7 @@
 
 namespace thaum::audio {
 
+/// A sound device with the thread that plays on it.
 class Speakers {
 public:
     static constexpr double most_wait_s = 1.5;
@@ -35,6 +36,7 @@ public:
     bool plays() const;
     /// One line: that sound plays, or why not; empty until the first try to open a device. Any thread may ask.
     std::string status() const;
+    /// Counts since the start. Any thread may ask.
     PlaybackReport report() const;
 
 private:

@@ -10,6 +10,7 @@
 
 namespace thaum::audio {
 
+/// How samples are written.
 enum class WavFormat : std::uint8_t {
     whole_16,  ///< 16-bit integers, which every program reads
     float_32,  ///< the mixer's own 32-bit floats, bit for bit

@@ -17,12 +17,15 @@ namespace thaum {
 
 static_assert(std::endian::native == std::endian::little, "files are little-endian, written as they lie");
 
+/// Bytes of a file, a message or a state.
 using Bytes = std::vector<std::byte>;
 
+/// Appends values to a vector of bytes, little-endian and without padding.
 class ByteWriter {
 public:
     explicit ByteWriter(Bytes& out) : out_(out) {}
 
+    /// Writes the bytes of one number, truth value or enumerator.
     template <class T>
     requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) void put(T value) {
         put_bytes(std::as_bytes(std::span(&value, 1)));
@@ -50,16 +53,22 @@ private:
     Bytes& out_;
 };
 
+/// Reads what a ByteWriter wrote. Bytes may come from anywhere: a read beyond the end, or of an impossible value, makes
+/// `ok()` false and all later reads return zeros.
 class ByteReader {
 public:
     explicit ByteReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
 
+    /// Whether every read so far succeeded.
     bool ok() const { return ok_; }
+    /// Number of bytes that were not read yet.
     std::size_t left() const { return bytes_.size() - at_; }
     /// Makes the read fail, because a value that was read is impossible.
     void reject() { ok_ = false; }
+    /// Number of bytes that were read.
     std::size_t position() const { return at_; }
 
+    /// Reads one number, truth value or enumerator.
     template <class T>
     requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) T get() {
         if constexpr (std::is_same_v<T, bool>) {
@@ -85,11 +94,13 @@ public:
         return result;
     }
 
+    /// Reads a length of 32 bits, then as many characters.
     std::string get_string() {
         const auto chars = get_bytes(get<std::uint32_t>());
         return {reinterpret_cast<const char*>(chars.data()), chars.size()};
     }
 
+    /// Reads an unsigned integer in LEB128.
     std::uint64_t get_varint() {
         std::uint64_t value = 0;
         for (unsigned shift = 0; shift < 64; shift += 7) {

@@ -17,6 +17,7 @@
 
 namespace thaum {
 
+/// Values that a number of a file may have, both ends included. By default every finite one.
 struct Range {
     double low = -std::numeric_limits<double>::max();
     double high = std::numeric_limits<double>::max();
@@ -30,6 +31,7 @@ public:
     /// `name` is used in messages. The file must have an integer `version` equal to the given one.
     static Expected<Config> parse(std::string_view toml, std::string name, std::int64_t version);
 
+    /// The table that holds all others.
     ConfigTable root() const;
     /// Replaces the value of an existing key. The path has the form "shot.damage"; the value is written as in
     /// TOML.
@@ -56,13 +58,18 @@ private:
 /// One table of a Config. After a fault, reads return the fallback or the low end of the range.
 class ConfigTable {
 public:
+    /// Whether the table has this key.
     bool has(std::string_view key) const;
 
+    /// Reads a number. A missing key is a fault unless there is a `fallback`; so in all reads below.
     double number(std::string_view key, Range range) const;
     double number(std::string_view key, Range range, double fallback) const;
+    /// Reads a whole number.
     std::int64_t integer(std::string_view key, Range range) const;
     std::int64_t integer(std::string_view key, Range range, std::int64_t fallback) const;
+    /// Reads true or false.
     bool boolean(std::string_view key, bool fallback) const;
+    /// Reads a text.
     std::string string(std::string_view key) const;
     std::string string(std::string_view key, std::string fallback) const;
     /// Reads an array of three numbers, each within the range.

@@ -26,6 +26,7 @@ class Expected;
 struct CodeLine {
     const char* file;
     int line;
+    /// The line of code that calls the function of which this is a default argument.
     static constexpr CodeLine here(const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
         return {file, line};
     }
@@ -81,6 +82,7 @@ public:
             std::destroy_at(&error_);
     }
 
+    /// Whether there is a value and no error.
     bool has_value() const { return holds_; }
     explicit operator bool() const { return holds_; }
     T& operator*() & { return value(); }
@@ -88,9 +90,11 @@ public:
     T&& operator*() && { return std::move(value()); }
     T* operator->() { return &value(); }
     const T* operator->() const { return &value(); }
+    /// The value. To ask for one that is not there is a defect of the caller, whose line the message names.
     T& value(CodeLine asking = CodeLine::here()) & { return check_value(asking), value_; }
     const T& value(CodeLine asking = CodeLine::here()) const& { return check_value(asking), value_; }
     T&& value(CodeLine asking = CodeLine::here()) && { return check_value(asking), std::move(value_); }
+    /// The value, or `other` if there is an error.
     T value_or(T other) const& { return holds_ ? value_ : std::move(other); }
     T value_or(T other) && { return holds_ ? std::move(value_) : std::move(other); }
     Error& error() & { return check_error(), error_; }
@@ -125,8 +129,10 @@ public:
     Expected() = default;
     Expected(Error error) : error_(std::move(error)), holds_(false) {}
 
+    /// Whether it is a success.
     bool has_value() const { return holds_; }
     explicit operator bool() const { return holds_; }
+    /// The error. It is a defect of the caller to ask for one that is not there.
     Error& error() & { return checked(), error_; }
     const Error& error() const& { return checked(), error_; }
     Error&& error() && { return checked(), std::move(error_); }
@@ -138,6 +144,7 @@ private:
     bool holds_ = true;
 };
 
+/// Makes an error of one line.
 inline Error fail(std::string message) { return {std::move(message)}; }
 
 /// Name, without folder and extension, of a data file that is left out because of its faults.

@@ -75,6 +75,7 @@ Expected<void> check_output(const std::filesystem::path& path);
 /// Writes a temporary file beside the target, then renames it over the target. The target is always either
 /// the old or the new file, complete. Inputs and recordings are never replaced (write_rule.h).
 Expected<void> write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
+/// The same for characters.
 Expected<void> write_text_file(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace thaum

@@ -12,6 +12,7 @@
 
 namespace thaum {
 
+/// Tells which of some files changed since it was last asked.
 class FileWatch {
 public:
     /// A file that is missing is watched too, since it may appear later.

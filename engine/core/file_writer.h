@@ -14,6 +14,7 @@
 
 namespace thaum {
 
+/// Writes a file under a temporary name beside its target, and renames it when it is whole.
 class FileWriter {
 public:
     /// Starts a file. The error names the path: it cannot be created, or an existing file must not be
@@ -28,6 +29,7 @@ public:
 
     /// Appends bytes. After a failure (a full disk) writes nothing more; `close` reports the failure.
     void write(std::span<const std::byte> bytes);
+    /// The same for characters.
     void write(std::string_view text);
     /// Replaces the first bytes of what was written, such as a header with a length that is known only at the end.
     void replace_start(std::span<const std::byte> bytes);

@@ -14,8 +14,10 @@
 
 namespace thaum {
 
+/// Threads that execute functions beside the caller.
 class Jobs {
 public:
+    /// Stands for one submitted job, to wait for its end.
     class Ticket {
     public:
         Ticket() = default;

@@ -23,6 +23,7 @@ struct JsonMember;
 /// itself, which are not deeply nested.
 class Json {
 public:
+    /// What a value is. Whole numbers that need a sign are `integer`.
     enum class Kind : std::uint8_t { null, boolean, integer, unsigned_integer, real, string, array, object };
 
     Json() noexcept = default;  ///< null
@@ -49,7 +50,9 @@ public:
 
     /// An array: array({1, "two"}).
     static Json array(std::initializer_list<Json> elements = {});
+    /// An array of these elements.
     static Json array(std::vector<Json> elements);
+    /// An empty object.
     static Json object();
     /// Makes an object. Where members have the same key, the first gives the place and the last the value.
     static Json object(std::vector<JsonMember> members);
@@ -59,7 +62,10 @@ public:
     /// Adds a member to an object, or replaces its value. Null becomes an object.
     void set(std::string_view key, Json value);
 
+    /// What the value is.
     Kind kind() const { return kind_; }
+    ///@{
+    /// Whether the value is of this kind; `is_number` is true of all three kinds of numbers.
     bool is_null() const { return kind_ == Kind::null; }
     bool is_boolean() const { return kind_ == Kind::boolean; }
     bool is_number() const { return is_integer() || kind_ == Kind::real; }
@@ -69,7 +75,10 @@ public:
     bool is_string() const { return kind_ == Kind::string; }
     bool is_array() const { return kind_ == Kind::array; }
     bool is_object() const { return kind_ == Kind::object; }
+    ///@}
 
+    ///@{
+    /// The value as one of its kind, or false, 0, "" or nothing if it is of another kind.
     bool boolean() const;
     double number() const;                   ///< value of any number
     std::int64_t integer() const;            ///< a whole number; one that is too large wraps around
@@ -77,6 +86,7 @@ public:
     const std::string& string() const;
     std::span<const Json> elements() const;
     std::span<const JsonMember> members() const;
+    ///@}
     /// The value of a member; null if this is no object or has no such member.
     const Json* find(std::string_view key) const;
 

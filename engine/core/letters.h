@@ -8,6 +8,7 @@ namespace thaum {
 /// The lower-case form of an ASCII capital; other characters are returned unchanged.
 constexpr char lower_case(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
+/// Whether the character is one of 0 to 9.
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// A text without blanks, tabs and carriage returns at its ends.

@@ -11,6 +11,8 @@
 
 namespace thaum {
 
+///@{
+/// Vectors, rotations and matrices of the simulation.
 using vec2 = glm::dvec2;
 using vec3 = glm::dvec3;
 using quat = glm::dquat;
@@ -20,6 +22,7 @@ using fvec3 = glm::vec3;
 using fvec4 = glm::vec4;
 using fquat = glm::quat;
 using fmat4 = glm::mat4;
+///@}
 
 inline constexpr double pi = 3.14159265358979323846;
 inline constexpr double radians_per_degree = pi / 180.0;
@@ -32,6 +35,7 @@ inline vec3 limited(vec3 v, double most) {
 
 namespace det {
 
+///@{
 /// Sine, cosine and tangent (rad). The error is within 1 ulp (tan: 3) for every finite angle, however large.
 /// The result is NaN if x is not finite. core/sin_cos.h computes sine and cosine together. Bullet uses these
 /// functions, too (physics/bullet_maths.h).
@@ -69,6 +73,7 @@ inline vec3 perpendicular_to(vec3 unit) {
     return glm::normalize(glm::cross(unit, std::abs(unit.y) < 0.9 ? vec3(0, 1, 0) : vec3(1, 0, 0)));
 }
 
+/// Whether all three coordinates are numbers.
 inline bool is_finite(vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 }  // namespace thaum

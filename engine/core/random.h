@@ -8,9 +8,11 @@
 
 namespace thaum {
 
+/// State of one generator.
 struct Random {
     std::uint64_t state{};
 
+    /// Returns 64 random bits.
     std::uint64_t next() {
         state += 0x9e3779b97f4a7c15ULL;
         std::uint64_t z = state;

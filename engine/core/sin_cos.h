@@ -3,6 +3,7 @@
 
 namespace thaum::det {
 
+/// Sine and cosine of one angle.
 struct SinCos {
     double sine;
     double cosine;

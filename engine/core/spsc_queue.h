@@ -7,6 +7,7 @@
 
 namespace thaum {
 
+/// Queue of at most N values for one writing and one reading thread.
 template <class T, std::size_t N>
 class SpscQueue {
 public:
@@ -28,6 +29,7 @@ public:
     }
     /// Removes the oldest value. The queue must not be empty.
     void pop() { begin_.store(begin_.load(std::memory_order_relaxed) + 1, std::memory_order_release); }
+    /// Number of values that wait; for the reader.
     std::size_t size() const {
         return static_cast<std::size_t>(end_.load(std::memory_order_acquire) -
                                         begin_.load(std::memory_order_relaxed));

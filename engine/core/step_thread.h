@@ -38,6 +38,7 @@ public:
     StepThread(const StepThread&) = delete;
     StepThread& operator=(const StepThread&) = delete;
 
+    /// The work, which its thread uses at the same time.
     Work& work() { return state_->work; }
     const Work& work() const { return state_->work; }
     /// Why the system refused the thread; empty: it runs.

@@ -43,7 +43,9 @@ public:
 
     /// Reports a fault at the current row.
     void report(std::string_view what);
+    /// Whether there has been no fault.
     bool good() const { return !fault_.has_value(); }
+    /// The first fault. It is a defect of the caller to ask if there is none.
     Error fault() const { return fail(*fault_); }
 
 private:

@@ -26,6 +26,7 @@ public:
     TextPart(float value) : kind_(Kind::single), single_(value) {}
     TextPart(double value) : kind_(Kind::number), number_(value) {}
 
+    /// Appends the part as text.
     void append_to(std::string& out) const;
 
 private:
@@ -41,6 +42,7 @@ private:
     };
 };
 
+/// Appends one part as text.
 inline void append_text(std::string& out, const TextPart& part) { part.append_to(out); }
 
 /// Appends the parts to each other.

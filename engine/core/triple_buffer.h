@@ -9,13 +9,15 @@
 
 namespace thaum {
 
+/// Three values of which one writing thread publishes the newest to one reading thread.
 template <class T>
 class TripleBuffer {
 public:
     explicit TripleBuffer(const T& start) : values_{start, start, start} {}
 
-    // The value that the writer may fill. Called by the writer.
+    /// The value that the writer may fill. Called by the writer.
     T& to_fill() { return values_[back_]; }
+    /// Hands the filled value to the reader.
     void publish() { back_ = middle_.exchange(back_ | fresh, std::memory_order_acq_rel) & index; }
 
     // Called by the reader.
@@ -25,6 +27,7 @@ public:
         front_ = middle_.exchange(front_, std::memory_order_acq_rel) & index;
         return true;
     }
+    /// The value that `take` took last.
     const T& newest() const { return values_[front_]; }
 
 private:

@@ -5,6 +5,7 @@
 
 namespace thaum {
 
+/// Time or duration in ticks.
 using Tick = std::uint64_t;
 
 inline constexpr double tick_seconds = 0.001;
@@ -12,6 +13,7 @@ inline constexpr Tick ticks_per_second = 1000;
 inline constexpr Tick hash_interval = 128;       ///< interval between state hashes in the log (ticks)
 inline constexpr Tick keyframe_interval = 2048;  ///< interval between canonical rebuilds of physics (ticks)
 
+/// Converts ticks to seconds.
 constexpr double seconds(Tick ticks) { return static_cast<double>(ticks) * tick_seconds; }
 
 /// Converts a duration (s, >= 0) to the nearest number of ticks.

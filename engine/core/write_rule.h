@@ -15,6 +15,7 @@ namespace thaum {
 /// First bytes of every recorded match (.thaumlog).
 inline constexpr std::string_view recording_magic = "THAUMLOG";
 
+/// Whether the file exists and begins with `recording_magic`.
 bool begins_like_recording(const std::filesystem::path& path);
 
 /// Declares a file that a reader has opened. From now on no writer replaces it, unless this run had written it. Two names

@@ -12,6 +12,7 @@ namespace thaum::ecs {
 
 class World;
 
+/// Changes of a World that wait until they are applied.
 class Commands {
 public:
     /// Reserves room for the commands of a busy tick, so that the first such tick of a match allocates
@@ -24,12 +25,14 @@ public:
         std::uint32_t number{};
     };
 
+    /// Asks for a new entity with these components.
     template <Component... Cs>
     Pending create(const Cs&... components) {
         const Pending pending = create_empty();
         (add(pending, components), ...);
         return pending;
     }
+    /// Asks for one component more for the entity.
     template <Component C>
     void add(Pending pending, const C& component) {
         put_add({pending.number, pending_generation}, detail::type_number<C>, C::name, &component,
@@ -39,10 +42,12 @@ public:
     void add(Entity entity, const C& component = {}) {
         put_add(entity, detail::type_number<C>, C::name, &component, Tag<C> ? 0 : sizeof(C));
     }
+    /// Asks for one component less.
     template <Component C>
     void remove(Entity entity) {
         put(Kind::remove, entity, detail::type_number<C>, {});
     }
+    /// Asks for the end of the entity.
     void destroy(Entity entity) { put(Kind::destroy, entity, 0, {}); }
     bool empty() const { return bytes_.empty(); }
 

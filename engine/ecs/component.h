@@ -48,12 +48,16 @@ inline constexpr std::size_t max_components = 128;
 struct Mask {
     std::array<std::uint64_t, max_components / 64> words{};
 
+    /// Adds a number to the set.
     void set(std::uint32_t id) { words[id / 64] |= std::uint64_t{1} << (id % 64); }
     void clear(std::uint32_t id) { words[id / 64] &= ~(std::uint64_t{1} << (id % 64)); }
+    /// Whether the number is in the set.
     bool test(std::uint32_t id) const { return ((words[id / 64] >> (id % 64)) & 1U) != 0; }
+    /// Whether all numbers of `o` are in the set.
     bool contains(const Mask& o) const {
         return (words[0] & o.words[0]) == o.words[0] && (words[1] & o.words[1]) == o.words[1];
     }
+    /// Whether the sets have a number in common.
     bool intersects(const Mask& o) const { return ((words[0] & o.words[0]) | (words[1] & o.words[1])) != 0; }
     Mask& operator|=(const Mask& o) {
         for (std::size_t i = 0; i < words.size(); ++i) words[i] |= o.words[i];
@@ -278,6 +282,7 @@ ComponentInfo component_info() {
     return info;
 }
 
+/// Describes a blob.
 template <Blob T>
 ComponentInfo blob_info() {
     using Element = typename T::Element;

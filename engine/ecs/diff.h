@@ -9,6 +9,7 @@
 
 namespace thaum::ecs {
 
+/// One value, component or entity in which two snapshots differ.
 struct Difference {
     std::string component;   ///< component or blob; empty if the entity exists on one side only
     std::uint32_t entity{};  ///< number of the entity; `none` for a blob

@@ -4,6 +4,7 @@
 
 namespace thaum::ecs {
 
+/// Handle of an entity: its number, and how often that number was used before.
 struct Entity {
     std::uint32_t index = 0xffffffffU;
     std::uint32_t generation = 0;

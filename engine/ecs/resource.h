@@ -18,9 +18,11 @@
 
 namespace thaum::ecs {
 
+/// Owner of the value of one resource of a World.
 template <ResourceType R>
 class Resource {
 public:
+    /// Type of the value.
     using Value = typename R::Value;
 
     /// Declares the resource in the World, which must outlive it, and constructs the value from the

@@ -15,6 +15,7 @@
 
 namespace thaum::ecs {
 
+/// A function that runs at its own period, and what it needs of the World.
 struct System {
     std::string_view name;
     Tick period = 1;  ///< interval between runs, > 0 (ticks)
@@ -25,6 +26,7 @@ struct System {
     std::function<void(World&, Tick)> run{};
 };
 
+/// How often a system ran, and how long.
 struct SystemCount {
     std::uint64_t calls = 0;
     /// Number of times that the system was due, but a component that it needs had no entity.
@@ -32,16 +34,21 @@ struct SystemCount {
     std::int64_t time_ns = 0;  ///< time spent in `run`, counted only while `timing` is set (ns)
 };
 
+/// Systems in the order in which they run.
 class Schedule {
 public:
+    /// Adds a system after all others.
     void add(System system);
     /// Runs the systems that are due at this tick. With `skip_idle` false, every due system runs, even
     /// without entities; the results must be the same.
     void run(World& world, Tick tick);
 
     std::size_t size() const { return systems_.size(); }
+    /// System number `i`, in the order of their addition.
     const System& system(std::size_t i) const { return systems_[i]; }
+    /// Counts of system number `i`.
     const SystemCount& counted(std::size_t i) const { return counts_[i]; }
+    /// Sets all counts to 0.
     void reset_counts();
 
     bool skip_idle = true;

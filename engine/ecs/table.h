@@ -45,8 +45,10 @@ struct DestroyOnly {
         object->~T();
     }
 };
+/// Owner of an object in TableMemory.
 template <class T>
 using Pooled = std::unique_ptr<T, DestroyOnly>;
+/// Makes an object in `memory`, which its constructor takes for what it contains.
 template <class T>
 Pooled<T> make_pooled(TableMemory& memory) {
     return Pooled<T>(new (memory.allocate(sizeof(T), alignof(T))) T(memory));
@@ -76,11 +78,13 @@ private:
     std::size_t allocated_ = 0;  ///< size of an array from the system; 0: it is in TableMemory (bytes)
 };
 
+/// The array of one data component of a table.
 struct Column {
     std::uint32_t component{};
     std::uint32_t size{};  ///< size of one row (bytes)
     RawArray array;
 
+    /// Cell of the component in this row.
     std::byte* cell(std::uint32_t row) const { return array.data() + std::size_t{row} * size; }
 };
 
@@ -92,7 +96,9 @@ struct TagColumn {
     std::uint32_t component{};
     std::pmr::vector<std::uint64_t> words;
 
+    /// Whether the row has the tag.
     bool test(std::uint32_t row) const { return ((words[row / 64] >> (row % 64)) & 1U) != 0; }
+    /// Gives the tag to the row.
     void set(std::uint32_t row) { words[row / 64] |= std::uint64_t{1} << (row % 64); }
     void clear(std::uint32_t row) { words[row / 64] &= ~(std::uint64_t{1} << (row % 64)); }
 };
@@ -130,6 +136,7 @@ constexpr std::uint64_t edge_key(std::uint32_t table, std::uint32_t component, b
     return (std::uint64_t{table} << 32U) | (component << 1U) | (more ? 1U : 0U);
 }
 
+/// All entities that have the same set of data components.
 struct Table {
     Mask mask;  ///< set of data components
     TableMemory* memory;
@@ -154,13 +161,16 @@ struct Table {
         tag_of.fill(no_tag);
     }
 
+    /// Entity of each row.
     Entity* entities() const { return reinterpret_cast<Entity*>(entity_array.data()); }
+    /// Array of a data component; null if the table has no such column.
     template <class C>
     C* cells_of(std::uint32_t component) const {
         return reinterpret_cast<C*>(cells[component]);
     }
     /// Adds a column, once per component, to a table without rows.
     void add_column(std::uint32_t component, std::uint32_t size);
+    /// Makes room for this many rows in every array.
     void reserve(std::uint32_t rows_wanted);
     void grow() { reserve(capacity == 0 ? 16 : capacity * 2); }
     /// Appends a row with uninitialised cells and no tags.
@@ -183,6 +193,7 @@ struct Table {
         std::uint32_t to_row{}, last{};
         Entity filler;  ///< entity that is in the old row now
     };
+    /// Moves the row of `entity` along the edge.
     Moved move(std::uint32_t row, Entity entity, const TableEdge& edge);
     /// Moves only the cells that both tables have. If `to` has one column less, the caller fills the hole in
     /// that column, since only the caller may know its type.
@@ -211,10 +222,13 @@ private:
     }
 };
 
+///@{
 /// Words of 16 and 32 bytes. They go through vector registers.
 using Word16 = std::uint64_t __attribute__((vector_size(16)));
 using Word32 = std::uint64_t __attribute__((vector_size(32)));
+///@}
 
+/// Reads a word from bytes of any alignment.
 template <class Word>
 [[gnu::always_inline]] inline Word load(const std::byte* from) {
     Word word;
@@ -222,6 +236,7 @@ template <class Word>
     return word;
 }
 
+/// Writes a word to bytes of any alignment.
 template <class Word>
 [[gnu::always_inline]] inline void store(std::byte* to, const Word& word) {
     std::memcpy(to, &word, sizeof word);

@@ -77,11 +77,13 @@ struct Arguments<Terms<Kept...>, T, Left...>
 
 }  // namespace detail
 
+/// The entities of a World that match all terms (World::view).
 template <class... Terms>
 class View {
 public:
     View(const World& world, World::Query& query) : world_(world), query_(query) {}
 
+    /// Calls f([entity,] component, ...) for each of them, in the order of tables and rows.
     template <class F>
     void each(F&& f) const {
         const Lock lock(world_);

@@ -25,8 +25,10 @@
 
 namespace thaum::ecs {
 
+/// Iterates over entities (ecs/view.h).
 template <class... Terms>
 class View;
+/// Holds what is no state (ecs/resource.h).
 template <ResourceType R>
 class Resource;
 
@@ -46,11 +48,13 @@ struct Access {
     Mask writes;
     std::string_view system;
 
+    /// Whether the system declared that it reads the component, or that it writes it.
     bool allows(std::uint32_t number, bool write) const {
         return writes.test(number) || (!write && reads.test(number));
     }
 };
 
+/// Entities, their components, and blobs.
 class World {
 public:
     World();
@@ -61,20 +65,23 @@ public:
     /// of the snapshot format.
     template <Declarable C>
     void declare();
-    /// Reserves memory for `count` entities, or for `rows` rows of one set of components. The main loop then
-    /// need not allocate.
+    /// Reserves memory for `count` entities. The main loop then need not allocate.
     void reserve_entities(std::uint32_t count) { records_.reserve(count); }
+    /// The same for `rows` rows of one set of components.
     template <Component... Cs>
     void reserve(std::uint32_t rows) {
         tables_[pack_of<Cs...>().table]->reserve(rows);
     }
 
+    /// Creates an entity with these components.
     template <Component... Cs>
     Entity create(Cs... components);
+    /// Destroys a living entity.
     void destroy(Entity entity);
     /// Destroys every entity in the order of their numbers, calls the hooks, and empties every blob. The
     /// history goes on: generations and free entity numbers are kept.
     void clear();
+    /// Whether the entity exists and was not destroyed since the handle was taken.
     bool alive(Entity entity) const {
         // Compares bytes, since counting the records would need a division by their size.
         const auto bytes = records_.size() * sizeof(Record);
@@ -89,12 +96,16 @@ public:
         return lives ? Entity{index, records_[index].generation} : no_entity;
     }
 
+    /// Adds a component that the entity lacks.
     template <Component C>
     void add(Entity entity, const C& component = {});
+    /// Removes a component that the entity has.
     template <Component C>
     void remove(Entity entity);
+    /// Whether a living entity has the component.
     template <Component C>
     bool has(Entity entity) const;
+    /// A component that a living entity has.
     template <Component C>
     C& get(Entity entity);
     template <Component C>
@@ -131,11 +142,13 @@ public:
     template <class... Terms>
     View<Terms...> view() const;
 
+    /// Sets the hook for added components of this type; one without a call removes it.
     template <Component C>
     void on_add(Hook hook) {
         added_[id<C>()] = hook;
         forget_packs();  // because packs record whether there is a hook
     }
+    /// The same for components that are about to be removed.
     template <Component C>
     void on_remove(Hook hook) {
         removed_[id<C>()] = hook;
@@ -144,18 +157,22 @@ public:
 
     /// Changes requested during iteration. `apply_commands` makes them, in the order of the requests.
     Commands& commands() { return commands_; }
+    /// Makes the requested changes.
     void apply_commands();
 
-    // Untyped access for the schedule, snapshots and tools.
+    /// Untyped access for the schedule, snapshots and tools.
     template <Accessible A>
     std::uint32_t id() const;
+    /// Set of their numbers.
     template <Accessible... As>
     Mask mask() const {
         Mask m;
         (m.set(id<As>()), ...);
         return m;
     }
+    /// Descriptions of components and blobs, by their numbers.
     std::span<const ComponentInfo> components() const { return infos_; }
+    /// All tables, in the order of their creation.
     std::span<const Pooled<Table>> tables() const { return tables_; }
     /// Number of entities that have a component. A resource is always there and counts as 1.
     std::uint32_t count(std::uint32_t number) const { return counts_[number]; }

@@ -67,9 +67,12 @@ Edit edit(const VoxelView& body, const Tool& tool, const Dab& dab, CarvingHistor
 /// Undoes or redoes a step. Returns a box around all changed voxels, empty if there is no such step. An open
 /// step is ended first.
 VoxelBox undo(CarvingHistory& history, const VoxelView& body);
+/// Does the step again that was undone last. Returns the voxels that changed.
 VoxelBox redo(CarvingHistory& history, const VoxelView& body);
 
+/// Whether there is a step to undo.
 inline bool can_undo(const CarvingHistory& history) { return history.done > 0; }
+/// Whether there is a step to do again.
 inline bool can_redo(const CarvingHistory& history) {
     return history.done + (history.open ? 1 : 0) < history.steps.size();
 }

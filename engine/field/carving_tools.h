@@ -40,7 +40,9 @@
 
 namespace thaum::field {
 
+/// Whether voxels get a constant or their own filtered values.
 enum class Method : std::uint8_t { constant, filter };
+/// Shape within which an operation acts.
 enum class ExtentShape : std::uint8_t { sphere, box, gaussian, plate, stamp };
 
 /// Weights of a stamp from 0 to 1, x fastest. They fill the box of the extent's half edges.
@@ -65,6 +67,7 @@ struct Properties {
     bool operator==(const Properties&) const = default;
 };
 
+/// One change that a tool makes to one property of voxels.
 struct Operation {
     Method method{};
     Extent extent{};
@@ -76,6 +79,7 @@ struct Operation {
     bool surface_only = false;  ///< true: change only voxels beside the body's surface
 };
 
+/// What a tool changes, in this order.
 struct Tool {
     std::string name;
     std::vector<Operation> operations{};
@@ -87,6 +91,7 @@ inline constexpr std::size_t most_tool_bytes = std::size_t{1} << 20U;
 
 /// Reads a tool. The error names file, line and fault. If two operations change one property, it names both.
 Expected<Tool> read_tool(const Config& config, const Materials& materials);
+/// The same for a file.
 Expected<Tool> load_tool(const std::filesystem::path& path, const Materials& materials);
 
 /// A stamp of the body in the box: weight 0 for empty voxels, 1 for solid ones.

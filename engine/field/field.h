@@ -40,8 +40,10 @@ struct Vector {
     std::array<vec3, 3> gradient{};  ///< gradient of each component (1/m)
 };
 
+/// Divergence at a place.
 inline double divergence(const Vector& v) { return v.gradient[0].x + v.gradient[1].y + v.gradient[2].z; }
 
+/// Curl at a place.
 inline vec3 curl(const Vector& v) {
     return {v.gradient[2].y - v.gradient[1].z, v.gradient[0].z - v.gradient[2].x,
             v.gradient[1].x - v.gradient[0].y};
@@ -61,7 +63,9 @@ struct Field {
     Sample operator()(vec3 place) const { return read(what, place); }
 };
 
+/// Field of one value.
 using ScalarField = Field<Scalar>;
+/// Field of three components.
 using VectorField = Field<Vector>;
 
 /// Makes a field from any object that maps a place to a Sample when called. It ends where the object's member function
@@ -76,6 +80,7 @@ Field<Sample> field_of(const Source& source) {
     return field;
 }
 
+/// How values between samples are found.
 enum class Kernel : std::uint8_t { linear, catmull_rom };
 
 /// Samples in memory. Sample (i, j, k) is first[i stride[0] + j stride[1] + k stride[2]]. Its place is origin

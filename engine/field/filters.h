@@ -40,11 +40,13 @@
 
 namespace thaum::field {
 
+/// What a filter does (table above).
 enum class FilterKind : std::uint8_t { magnitude, gradient, curl, divergence, scale, clamp, smooth };
 
 /// Names of all kinds, in their order.
 std::span<const std::string_view> filter_names();
 
+/// One step from a field to another.
 struct Filter {
     FilterKind kind{};
     double a{}, b{};  ///< parameters as in the table above; unused ones are ignored
@@ -61,6 +63,7 @@ struct AnyField {
     const Placement*
         placement{};  ///< placement of the field in the frame of the caller; null: they are the same frame
 
+    /// Whether the result has three components.
     bool is_vector() const { return vector.read != nullptr; }
 };
 

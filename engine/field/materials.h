@@ -21,6 +21,7 @@
 
 namespace thaum::field {
 
+/// What voxels are made of, as a data file describes it.
 struct Material {
     std::string name;
     double stiffness{};  ///< stiffness of the wall that a hand feels (N/m)
@@ -38,6 +39,7 @@ inline constexpr std::int64_t materials_file_version = 1;
 /// name.
 Expected<Materials> read_materials(const Config& config);
 
+/// Index of a material by its name, if there is one.
 std::optional<std::uint8_t> material_index(const Materials& materials, std::string_view name);
 
 /// Reads three whole numbers from 0 to 255.

@@ -52,6 +52,7 @@ struct ReadChoice {
 /// samples than the file can hold allocates no memory.
 Expected<Volume> read_nrrd(const std::filesystem::path& path, const ReadChoice& choice = {});
 
+/// How samples are written.
 enum class Packing : std::uint8_t { raw, gzip };
 
 /// Writes a volume as one file, with its placement, name and units. The scale becomes part of the spacing.

@@ -16,6 +16,7 @@
 
 namespace thaum::field {
 
+/// How a line is traced.
 struct StreamlineSettings {
     double length = 1;        ///< length of the line (m)
     bool upstream = false;    ///< true: follows the line against the field
@@ -28,6 +29,7 @@ struct StreamlineSettings {
     vec3 low{-std::numeric_limits<double>::infinity()}, high{std::numeric_limits<double>::infinity()};
 };
 
+/// One point of a line.
 struct StreamPoint {
     vec3 place{};    ///< (m)
     vec3 along{};    ///< direction of the line (unit)

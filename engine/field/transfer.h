@@ -25,6 +25,7 @@ namespace thaum::field {
 
 inline constexpr std::size_t most_transfer_points = 32;
 
+/// A piecewise linear function of one value.
 struct TransferFunction {
     std::array<vec2, most_transfer_points> points{};  ///< points (x, y), sorted by x; unused entries are zero
     std::uint64_t count{};                            ///< number of points in use; 0: the function is 0

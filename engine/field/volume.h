@@ -63,6 +63,7 @@ struct Rounding {
     std::size_t beyond{};  ///< number of finite samples that are too large for a float
 };
 
+/// Samples in three dimensions, as a file holds them.
 struct Volume {
     std::array<int, 3> count{};                 ///< samples along each axis
     vec3 spacing{1e-3};                         ///< distance between samples along each axis, > 0 (m)
@@ -104,6 +105,7 @@ void lie_as(Volume& volume, const Volume& other);
 struct SampleRange {
     float low{}, high{};
 };
+/// Least and greatest finite sample.
 SampleRange range_of(const Volume& volume);
 
 /// Number of samples that are not finite: NaN, or too large for a float.

@@ -29,6 +29,7 @@
 
 namespace thaum::field {
 
+/// Colour of a voxel.
 struct Rgb8 {
     std::uint8_t r{}, g{}, b{};
 
@@ -85,17 +86,20 @@ struct VoxelView {
     std::span<std::uint8_t> material{};  ///< index into a table of materials (field/materials.h)
     Bricks* bricks{};
 
+    /// Index of a voxel in the arrays.
     std::size_t at(int i, int j, int k) const {
         return static_cast<std::size_t>(i) +
                static_cast<std::size_t>(count[0]) *
                    (static_cast<std::size_t>(j) +
                     static_cast<std::size_t>(count[1]) * static_cast<std::size_t>(k));
     }
+    /// The box of all voxels.
     VoxelBox all() const { return {{}, count}; }
     /// The density at any place of the body's frame. Valid as long as the arrays.
     Grid density_grid(Kernel kernel = Kernel::catmull_rom) const;
     /// Place of voxel (0, 0, 0) (m).
     vec3 first_place() const;
+    /// Volume of one voxel (m^3).
     double voxel_volume() const { return spacing.x * spacing.y * spacing.z; }
 };
 
@@ -111,6 +115,7 @@ struct Voxels {
     Bricks bricks{};
     Placement placement{};  ///< placement of the body in its parent's frame
 
+    /// The arrays, for those who read and change them. Valid until the body is destroyed or moved.
     VoxelView view() { return {count, spacing, empty, full, surface, density, colour, material, &bricks}; }
     /// The density at any place of the body's frame. Valid until the body is destroyed or moved.
     Grid density_grid(Kernel kernel = Kernel::catmull_rom) const;

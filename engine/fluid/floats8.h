@@ -9,6 +9,7 @@
 
 namespace thaum::fluid {
 
+/// Eight floats of one vector register.
 using Floats8 = float __attribute__((vector_size(32)));
 inline constexpr Floats8 zero8{};
 
@@ -19,9 +20,12 @@ inline Floats8 load(const float* from) {
     return result;
 }
 
+/// Writes eight floats to any address.
 inline void store(float* to, const Floats8& values) { std::memcpy(to, &values, sizeof values); }
 
+/// The larger value in each lane.
 inline Floats8 larger(const Floats8& a, const Floats8& b) { return a > b ? a : b; }
+/// The smaller value in each lane.
 inline Floats8 smaller(const Floats8& a, const Floats8& b) { return a < b ? a : b; }
 
 /// Copies at least `count` values, rounded up to a multiple of eight.
@@ -32,9 +36,11 @@ inline void copy_by_8(const float* from, float* to, std::ptrdiff_t count) {
 /// Magnitudes of floats as integers that compare in the same order. NaNs compare as the largest.
 using Magnitudes8 = std::int32_t __attribute__((vector_size(32)));
 
+/// Magnitudes as integers of the same order.
 inline Magnitudes8 magnitudes_of(const Floats8& values) {
     return std::bit_cast<Magnitudes8>(values) & std::numeric_limits<std::int32_t>::max();
 }
+/// The larger one in each lane.
 inline Magnitudes8 larger_magnitudes(const Magnitudes8& a, const Magnitudes8& b) { return a > b ? a : b; }
 
 /// Whether a comparison holds in some lane.
@@ -44,6 +50,7 @@ inline bool any_of(const Magnitudes8& lanes) {
     return any != 0;
 }
 
+/// The largest of the eight, as a number again.
 inline double largest_of(const Magnitudes8& sizes) {
     std::int32_t most = 0;
     for (std::ptrdiff_t lane = 0; lane < 8; ++lane) most = sizes[lane] > most ? sizes[lane] : most;

@@ -26,6 +26,7 @@ using Cells = std::array<int, 3>;
 
 /// Kind of two opposite sides of the box.
 enum class Edge : std::uint8_t { periodic, free_slip, no_slip };
+/// Kind of the sides across x, y and z.
 using Edges = std::array<Edge, 3>;
 
 inline constexpr int cells_most = 256;  ///< largest number of cells along one axis
@@ -40,6 +41,7 @@ struct Lattice {
     std::ptrdiff_t first{};  ///< index of cell (0, 0, 0)
     std::size_t size{};      ///< length of an array, including ghosts
 
+    /// Index of the sample of a cell; ghosts have indices below 0 and from `cells` on.
     std::ptrdiff_t at(int i, int j, int k) const { return first + i + j * stride[1] + k * stride[2]; }
 };
 
@@ -55,6 +57,7 @@ inline Lattice make_lattice(Cells cells, double h, Edges edges) {
     return result;
 }
 
+/// Samples of a lattice, all 0.
 inline Samples make_samples(const Lattice& lattice) { return Samples(lattice.size, 0.0F); }
 
 /// Calls `visit` with the index of the first cell of each row along x, in one layer or in all layers.

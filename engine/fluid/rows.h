@@ -22,6 +22,7 @@ struct Rows {
     std::vector<std::ptrdiff_t> rows_near_sides{};
     bool complete{};  ///< true: every row is complete
 
+    /// The part of a row along x that is used.
     Row at(int j, int k) const {
         const auto across = static_cast<std::size_t>(lattice.cells[1]);
         return rows[static_cast<std::size_t>(k) * across + static_cast<std::size_t>(j)];

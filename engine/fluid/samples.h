@@ -16,8 +16,10 @@ namespace thaum::fluid {
 
 inline constexpr int ghosts = 3;
 
+/// Allocator of sample arrays, which keeps their beginnings apart in the cache.
 template <class T>
 struct SamplesAllocator {
+    /// What std::allocator_traits asks for.
     using value_type = T;
 
     static constexpr std::size_t line = 64, page = 4096;  ///< bytes

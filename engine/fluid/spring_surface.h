@@ -96,6 +96,7 @@ struct SpringSurface {
 constexpr std::size_t surface_row_stride(const SpringSurfaceSettings& s) {
     return (s.nodes + std::size_t{7}) / 4 * 4;
 }
+/// Index of a node in the arrays of a SpringSurfaceState.
 constexpr std::size_t surface_node_index(const SpringSurfaceSettings& s, std::size_t x, std::size_t z) {
     return (z + 1) * surface_row_stride(s) + x + 1;
 }

@@ -19,6 +19,7 @@
 
 namespace thaum::gesture {
 
+/// What the probability depends on.
 struct Evidence {
     double distance{};  ///< natural logarithm of the nearest gesture's distance
     /// Natural logarithm of the ratio of the runner-up's distance to the nearest one's, 0 to 2.
@@ -30,12 +31,14 @@ struct Evidence {
 /// nearest gesture's usual distance, > 0.
 Evidence evidence_of(float distance, float runner_up, float usual);
 
+/// Evidence of a stroke whose meaning is known.
 struct LabelledEvidence {
     Evidence evidence;
     bool meant{};  ///< true if the stroke was meant as the nearest gesture
     double weight = 1;
 };
 
+/// Turns distances into the probability that a stroke was meant as its nearest gesture.
 struct Calibration {
     /// Weights of 1, distance, margin and usual distance.
     std::array<double, 4> weights{};
@@ -43,6 +46,7 @@ struct Calibration {
     /// For each gesture, the distance from which on a stroke is not accepted as that gesture.
     std::vector<float> threshold;
 
+    /// Probability that the stroke was meant, 0 to 1.
     double probability(const Evidence& evidence) const;
 };
 

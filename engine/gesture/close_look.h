@@ -9,6 +9,7 @@
 
 namespace thaum::gesture {
 
+/// Search for the exact beginning and end of a spotted stroke, a step at a time.
 class CloseLook {
 public:
     /// The recogniser must outlive this object.
@@ -16,13 +17,18 @@ public:
 
     /// Begins with the points from `first` to `last` and the template that the windows chose.
     void begin(std::size_t first, std::size_t last, const RecogniserSpace::Survivor& match);
+    /// Gives the look up.
     void stop() { active_ = false; }
+    /// Whether a look has begun and not ended.
     bool is_active() const { return active_; }
     /// Does one step. Returns true when the look has ended; then the results below hold.
     bool step(ShapeSpace& points);
 
+    /// First point of the best part.
     std::size_t first() const { return first_; }
+    /// Last point of the best part.
     std::size_t last() const { return last_; }
+    /// Distance of that part from the template.
     float distance() const { return distance_; }
 
 private:

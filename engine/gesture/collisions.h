@@ -28,9 +28,11 @@ struct Mistaken {
     /// Share of the variations that are nearer to the other gesture than to any third one, accepted or not.
     double nearer{};
 
+    /// Whether that is too often.
     bool often() const { return taken > most_taken || nearer > most_nearer; }
 };
 
+/// Two gestures, and how often each is mistaken for the other.
 struct Pair {
     std::uint32_t a{}, b{};   ///< a < b
     Mistaken a_as_b, b_as_a;  ///< strokes of a that are recognised as b, and of b as a
@@ -38,7 +40,9 @@ struct Pair {
     /// sorts pairs that are never mistaken, and does not make them collide.
     double separation{};
 
+    /// Whether one of them is mistaken too often.
     bool collides() const { return a_as_b.often() || b_as_a.often(); }
+    /// The larger share of the two.
     double nearer() const { return std::max(a_as_b.nearer, b_as_a.nearer); }
 };
 

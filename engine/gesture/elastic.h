@@ -21,7 +21,9 @@ template <std::size_t points>
 struct alignas(32) EightOf {
     std::array<float, points * most_channels * lanes> values{};
 };
+/// Eight templates in the shape of the first comparison.
 using EightShapes = EightOf<shape_points>;
+/// Eight templates in the fine shape.
 using EightFineShapes = EightOf<fine_points>;
 
 /// Puts the values of eight templates in the lanes. A template may be given several times.

@@ -26,6 +26,7 @@ inline constexpr double stroke_viscosity = 3.5;
 /// Mean force below which a stroke is gentle, and above which it is harsh (N).
 inline constexpr double gentle_force = 1.0, harsh_force = 1.5;
 
+/// Figures that generated users draw.
 enum class Figure : std::uint8_t { circle, v, s, star };
 inline constexpr std::size_t figures = 4;
 
@@ -59,10 +60,13 @@ struct UserStyle {
     std::array<vec3, most_nodes> idea{};
 };
 
+/// Style of a new user.
 UserStyle random_style(Random& random);
 
+/// How hard a user draws.
 enum class Effort : std::uint8_t { gentle, normal, harsh };
 
+/// A stroke of a figure in a style.
 std::vector<StrokePoint> draw_figure(Figure figure, const UserStyle& style, Effort effort, Random& random);
 
 /// A stroke that is no figure: a tangle, a zigzag, a line, a spiral, an eight, or a part of a figure.
@@ -71,6 +75,7 @@ std::vector<StrokePoint> draw_scribble(const UserStyle& style, Random& random);
 /// The gestures that the game ships: three strokes of each figure by careful users.
 std::vector<Gesture> generated_templates(std::uint64_t seed);
 
+/// Size of a generated set.
 struct GeneratedSetSettings {
     std::size_t users = 20;
     std::size_t samples = 3;  ///< number of gentle strokes, and of harsh ones, of each figure by each user

@@ -32,6 +32,7 @@ struct GestureOptions {
     bool operator==(const GestureOptions&) const = default;
 };
 
+/// A gesture with its templates.
 struct Gesture {
     std::string name;
     GestureOptions options;

@@ -28,6 +28,7 @@ std::string fault_of_stroke(Points stroke);
 
 /// Reads a gesture. The error names file, line and fault, such as columns of different lengths.
 Expected<Gesture> read_gesture(const Config& config);
+/// Reads the file of a gesture.
 Expected<Gesture> load_gesture(const std::filesystem::path& path);
 
 /// Text that reads back to the same gesture, bit for bit.

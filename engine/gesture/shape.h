@@ -30,6 +30,7 @@ inline constexpr std::size_t planar_channels = 6;
 inline constexpr std::size_t solid_channels = 10;
 inline constexpr std::size_t most_channels = solid_channels;
 
+/// A stroke in the form in which strokes are compared.
 struct Shape {
     /// Number of channels: planar_channels or solid_channels.
     std::size_t channels{};
@@ -50,6 +51,7 @@ struct Shape {
 inline constexpr std::size_t fine_points = 32;
 using FineShape = std::array<float, fine_points * most_channels>;  ///< [point * channels + channel]
 
+/// Which features a fine shape has.
 struct FineKind {
     Channels channels{};
     bool even = true;  ///< false: keep the ratio of the axes' sizes, for a gesture that may be turned

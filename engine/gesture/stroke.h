@@ -13,12 +13,14 @@
 
 namespace thaum::gesture {
 
+/// A measured point of a stroke.
 struct StrokePoint {
     double t{};      ///< time (s)
     vec3 at{};       ///< position (any unit)
     double force{};  ///< force on the hand (any unit, mostly N); 0 where the device has none
 };
 
+/// Points of a stroke in the order of time.
 using Points = std::span<const StrokePoint>;
 
 /// A stroke with its labels, as data sets and template files hold it.
@@ -38,6 +40,7 @@ struct Channels {
     bool operator==(const Channels&) const = default;
 };
 
+/// Whether all its numbers are finite.
 inline bool is_finite(const StrokePoint& p) {
     return std::isfinite(p.t) && thaum::is_finite(p.at) && std::isfinite(p.force);
 }

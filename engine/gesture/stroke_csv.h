@@ -19,23 +19,27 @@ namespace thaum::gesture {
 inline constexpr std::size_t most_csv_points = 20'000'000;
 inline constexpr std::size_t most_csv_strokes = 200'000;
 
+/// Strokes of one file.
 struct StrokeSet {
     std::vector<Stroke> strokes;
     bool has_depth = false;  ///< true if some z differs from zero
     bool has_force = false;  ///< true if some force differs from zero
 };
 
+/// Continuous motion of one user.
 struct Session {
     std::string user;
     std::vector<StrokePoint> points;
 };
 
+/// Sessions of one file.
 struct SessionSet {
     std::vector<Session> sessions;
     bool has_depth = false;
     bool has_force = false;
 };
 
+/// A stroke that a user meant within a session.
 struct SessionLabel {
     std::string user;
     std::string gesture;
@@ -45,8 +49,11 @@ struct SessionLabel {
 
 /// Reads strokes. The error names file, line and fault.
 Expected<StrokeSet> read_strokes(std::string_view csv, std::string_view name);
+/// Reads a file of sessions. The error names file, line and fault.
 Expected<SessionSet> read_sessions(std::string_view csv, std::string_view name);
+/// Reads the labels of sessions. The error names file, line and fault.
 Expected<std::vector<SessionLabel>> read_labels(std::string_view csv, std::string_view name);
+///@}
 
 /// Strokes as CSV text that reads back to the same strokes.
 std::string to_csv(std::span<const Stroke> strokes);

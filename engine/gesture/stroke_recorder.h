@@ -6,6 +6,7 @@
 
 namespace thaum::gesture {
 
+/// Collects the points of a stroke while its button is down.
 class StrokeRecorder {
 public:
     /// A press shorter than `least_seconds` counts as accidental and gives no stroke.

@@ -11,6 +11,7 @@ namespace thaum::haptics {
 /// Largest latency that a device model may have (ticks).
 inline constexpr int most_latency = 8;
 
+/// What a force feedback device can do.
 struct DeviceSpec {
     std::string name{};
     int sensed{};               ///< measured degrees of freedom: 3, 6 or 7 (the seventh is a gripper)

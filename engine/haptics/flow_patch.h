@@ -21,6 +21,7 @@ namespace thaum::haptics {
 inline constexpr int flow_nodes = 4;  ///< number of nodes along each axis
 inline constexpr std::size_t flow_substances = 3;
 
+/// The fluid at one place.
 struct FlowNode {
     fvec3 velocity{};   ///< velocity of the flow (m/s)
     float viscosity{};  ///< viscosity of the mixture (Pa s)

@@ -76,6 +76,7 @@ struct FluidModes {
     double viscosity{1}, flow{1}, resistance{1}, surface{1}, wall{1}, inertia{1}, recoil{1};
 };
 
+/// Name of a mode, and where its strength stands.
 struct FluidMode {
     std::string_view name;
     double FluidModes::*strength;
@@ -97,6 +98,7 @@ struct BowlFrame {
     double newtons_per_newton{};  ///< s_f: device force per world force, >= 0
 };
 
+/// Drag of a ladle.
 struct LadleDrag {
     double viscous{};  ///< coefficient of (1) and (2), >= 0 (m)
     double form{};     ///< coefficient of (3), >= 0 (m^3/s)
@@ -133,6 +135,7 @@ struct BowlWall {
     double damping{};        ///< damping, >= 0 (N s/m); only the share that the device can render
 };
 
+/// Mass of the fluid that a ladle carries along.
 struct LadleMass {
     double mass{};       ///< mass (kg); 0: none
     double stiffness{};  ///< stiffness of the spring that ties it to the hand, > 0 (N/m)
@@ -178,6 +181,7 @@ struct FluidTouchState {
 };
 static_assert(sizeof(FluidTouchState) == 5 * sizeof(vec3) + 5 * sizeof(double) + 2 * sizeof(std::uint32_t));
 
+/// The tip in the fluid.
 struct FluidTip {
     vec3 position{}, velocity{};  ///< position and velocity of the tip (m, m/s)
     std::uint32_t model_age{};    ///< age of the model (ticks)
@@ -211,6 +215,7 @@ vec3 full_drag(const FluidTouch& touch, vec3 place, vec3 velocity, double immers
 /// (N, device frame). For a ladle that throws something in.
 vec3 recoil_peak(const FluidTouch& touch, vec3 impulse, std::uint32_t length);
 
+/// A place of the device frame in the bowl's frame (m).
 vec3 to_bowl(const BowlFrame& frame, vec3 device);
 
 /// Nearest place in the bowl. A place inside, a place that is not finite, and any place without a wall is

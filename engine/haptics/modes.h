@@ -67,8 +67,10 @@ struct ModeSettings {
 };
 
 /// Fields that modes read.
+/// Kind of field that a mode reads.
 enum class FieldKind : std::uint32_t { scalar, vector };
 
+/// Wraps a field for modes, which take either kind.
 inline field::AnyField any_field(field::ScalarField field) { return {.scalar = field}; }
 inline field::AnyField any_field(field::VectorField field) { return {.vector = field}; }
 
@@ -134,6 +136,7 @@ struct Direction {
     vec3 unit{1, 0, 0};
     double length{};
 };
+/// Splits a vector so.
 Direction direction_of(vec3 v) noexcept;
 
 /// Direction towards the core of a vortex, and length of (curl V) x V (paper 001, eq. 2, whose minus would point away).

@@ -17,6 +17,7 @@
 
 namespace thaum::haptics {
 
+/// The equation of motion of a coupling.
 struct Oscillator {
     double decay{};  ///< damping / (2 mass), >= 0 (1/s)
     /// Stiffness / mass, the square of the undamped angular frequency, >= 0 (1/s^2).

@@ -29,6 +29,7 @@ struct SteadyForce {
 /// A fifth pulse replaces the oldest, which is a switch.
 inline constexpr std::size_t pulses_at_once = 4;
 
+/// A pulse that has begun.
 struct PlayingPulse {
     vec3 peak{};
     std::uint32_t length{};

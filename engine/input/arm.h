@@ -49,12 +49,14 @@ std::array<std::uint32_t, 3> box_um(const ArmFacts& facts);
 /// and serial number, in upper or lower case.
 bool is_called(const ArmFacts& facts, std::string_view word);
 
+/// Whether an arm can be felt.
 enum class ArmPresence : std::uint8_t {
     present,
     lost,   ///< the arm does not answer, or its ticks have stopped
     fault,  ///< the arm reports a fault
 };
 
+/// State of an arm, for the user.
 struct ArmStatus {
     ArmPresence state{};
     std::string text{};        ///< one line: what is wrong, then what to do; empty while present

@@ -30,6 +30,7 @@ struct PlaybackReport {
     PoseFaults poses{};
 };
 
+/// Plays recorded forces on a real arm.
 class ArmPlayback {
 public:
     /// Capacity of the queue of forces: 16 s, enough for any delay of the thread that fills it.
@@ -42,8 +43,8 @@ public:
     /// Runs one tick on the arm's thread. No lock, no allocation. Returns the force (N, device frame).
     vec3 step(const ArmReading& reading);
 
-    // Queues the force of the next tick (N, device frame); called by the one thread that supplies forces.
-    // `jumps`: the force does not continue the last one. Returns false if the queue is full.
+    /// Queues the force of the next tick (N, device frame); called by the one thread that supplies forces.
+    /// `jumps`: the force does not continue the last one. Returns false if the queue is full.
     bool push(vec3 force, bool jumps) { return forces_.push({force, jumps}); }
     /// Number of forces in the queue.
     std::size_t waiting() const { return forces_.size(); }
@@ -51,8 +52,9 @@ public:
     /// switch.
     void end() { ended_ = true; }
 
-    // Ends all force from the next tick on, permanently. Any thread may call it.
+    /// Ends all force from the next tick on, permanently. Any thread may call it.
     void stop() { stopped_ = true; }
+    /// What the arm did so far.
     PlaybackReport report() const;
 
 private:

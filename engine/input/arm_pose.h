@@ -16,12 +16,14 @@ struct PoseFaults {
     std::uint64_t unusable{};   ///< poses that are not finite numbers
 };
 
+/// The last valid pose of an arm, which stands in while measurements are missing.
 class ArmPose {
 public:
-    // Takes the reading of a tick; called by the arm's thread.
+    /// Takes the reading of a tick; called by the arm's thread.
     void note(const ArmReading& reading);
     /// Whether there is a valid pose.
     bool known() const { return known_; }
+    /// The last valid measurement.
     const ArmReading& last() const { return last_; }
     /// Ticks since the pose was measured.
     std::uint32_t age() const { return age_; }

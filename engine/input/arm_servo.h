@@ -55,6 +55,7 @@ struct ArmFaults {
     std::uint64_t differing{};
 };
 
+/// Runs the servo step in an arm's thread and passes samples to the simulation.
 class ArmServo {
 public:
     /// Returns the function that the arm's driver calls in each tick.
@@ -62,11 +63,12 @@ public:
     /// Runs one tick on the arm's thread. No lock, no allocation. Returns the force (N, device frame).
     vec3 step(const ArmReading& reading);
 
-    // Starts a new simulation, whose epochs begin at 1 again; called by the simulation thread. No tick may
-    // run meanwhile.
+    /// Starts a new simulation, whose epochs begin at 1 again; called by the simulation thread. No tick may
+    /// run meanwhile.
     void begin_match() { epochs_before_ = epoch_; }
     /// Order to fill as ArmState describes, before `publish`.
     ArmOrder& order() { return orders_.to_fill(); }
+    /// Hands the filled order to the arm.
     void publish();
     /// Takes the next sample, with counts as in arm::Count. model_age is 0 if no sample can be used. A positive
     /// `skips` means that samples of this epoch were lost or the model is forgotten; then the simulation must
@@ -149,6 +151,7 @@ void rest_hand(ArmState& arm, bool held, vec3 reach);
 
 /// Position of the hand, and of the arm's tip (m, device frame).
 vec3 hand_of(const ArmState& arm);
+/// Position of the arm's tip (m, device frame).
 vec3 position_of(const ArmState& arm);
 
 }  // namespace thaum::input

@@ -72,6 +72,7 @@ inline constexpr std::array<Action, 4> toggle_actions{Action::fire, Action::trac
 /// Codes of mouse buttons, gamepad buttons and gamepad axes. The window layer converts its own codes to
 /// these.
 enum class MouseButton : std::uint8_t { left, right, middle, fourth, fifth };
+/// Buttons of a game pad, by their names on an Xbox pad.
 enum class PadButton : std::uint8_t {
     a,
     b,
@@ -95,6 +96,7 @@ inline constexpr std::size_t pad_axes = 6;
 
 /// A physical control, or one direction of it.
 struct Control {
+    /// Kind of control.
     enum class Source : std::uint8_t { key, mouse_button, wheel, pad_button, pad_axis };
     Source source{};
     int code{};       ///< code of the key, button or axis; 0 for the wheel
@@ -113,6 +115,7 @@ struct Bindings {
     std::array<bool, actions> toggled{};
     bool operator==(const Bindings&) const = default;
 
+    /// Controls that are bound to an action.
     std::vector<Control>& of(Action action) { return controls[static_cast<std::size_t>(action)]; }
     const std::vector<Control>& of(Action action) const { return controls[static_cast<std::size_t>(action)]; }
 };

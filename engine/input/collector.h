@@ -18,15 +18,17 @@ class HandsCollector {
 public:
     explicit HandsCollector(Bindings bindings);
 
-    // Events, reported by the main thread. Unbound codes are ignored, so every event may go to every
-    // collector.
+    /// Events, reported by the main thread. Unbound codes are ignored, so every event may go to every
+    /// collector.
     void key(int code, bool pressed);
+    /// A mouse button went down or up.
     void mouse_button(int code, bool pressed);
     /// Adds mouse counts, positive to the right and down (as on a screen). Fractions are kept until they make
     /// a whole count.
     void mouse_move(double right, double down);
     /// Adds wheel steps; away from the user is positive.
     void wheel(double steps);
+    /// Takes the state of a game pad.
     void pad(const PadState& state);
     /// Releases all held controls, because their release will not be reported.
     void focus_lost();

@@ -94,6 +94,7 @@ enum class Button : std::uint32_t {
     quit = 1U << 18U,
 };
 
+/// Bit of a button in DeviceSample::buttons.
 constexpr std::uint32_t bit(Button button) { return static_cast<std::uint32_t>(button); }
 
 /// Input of one device in one tick.
@@ -115,7 +116,9 @@ struct DeviceSample {
     std::uint16_t skips{};
     bool operator==(const DeviceSample&) const = default;
 
+    /// Whether the button is down.
     bool down(Button button) const { return (buttons & bit(button)) != 0; }
+    /// Marks the button as down.
     void press(Button button) { buttons |= bit(button); }
 };
 

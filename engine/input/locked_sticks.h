@@ -7,6 +7,7 @@
 
 namespace thaum::input {
 
+/// A stick that this user may not open.
 struct LockedStick {
     std::string name{};
     std::string path{};

@@ -85,6 +85,7 @@ struct HashRecord {
     bool operator==(const HashRecord&) const = default;
 };
 
+/// Who made a mark.
 enum class MarkKind : std::uint8_t { user, keyframe };
 
 /// A tick that was marked in order to find it again.
@@ -169,12 +170,15 @@ public:
     LogReader& operator=(LogReader&&) noexcept;
     ~LogReader();
 
+    /// What the match was started with.
     const LogHeader& header() const;
     /// Version of the log's format.
     std::uint32_t format() const;
     /// Number of ticks that can be read.
     Tick ticks() const;
+    /// How the log ends.
     LogEnding ending() const;
+    /// Whether the log was closed as it should be.
     bool ended_cleanly() const { return ending() == LogEnding::clean; }
     /// One line with the path if the ending is not clean, such as "F: cut off after tick 4096 (part of a
     /// block)" or "F: tick 4096: block damaged (payload)".
@@ -184,6 +188,7 @@ public:
 
     /// All hashes by ascending tick, including those of the end block.
     const std::vector<HashRecord>& hashes() const;
+    /// The hash of a tick, if one was recorded.
     std::optional<HashRecord> hash_at(Tick tick) const;
     /// All marks, in the order in which they were made.
     const std::vector<Mark>& marks() const;

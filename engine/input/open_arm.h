@@ -47,6 +47,7 @@ std::vector<ArmPlace> arm_places();
 /// own clean-up may hang as well.
 bool arms_hang();
 
+/// An arm that was opened, with the thread that calls its driver.
 class OpenArm {
 public:
     OpenArm(const OpenArm&) = delete;
@@ -54,12 +55,14 @@ public:
     /// Ends the arm's force and its thread. The step function is never called again.
     ~OpenArm();
 
+    /// What the driver knows of the arm.
     const ArmFacts& facts() const;
 
     /// Begins to call `tick` at 1 kHz. May be called once.
     Expected<void> start(ArmTick tick);
     /// Any thread may call this. After `lost` or `fault` there are no more ticks.
     ArmStatus status() const;
+    /// How long ticks took, and when they came.
     TickReport times() const;
     /// Whether the system schedules the arm's thread before ordinary ones (SCHED_FIFO); false before the
     /// first tick.

@@ -15,6 +15,7 @@
 
 namespace thaum::input {
 
+/// Asks for each control of an unknown joystick in turn.
 class PadAssignment {
 public:
     /// `stick` must be at rest: no part of it is pressed or moved.
@@ -25,6 +26,7 @@ public:
     std::string_view asks() const;
     /// Number of the current question, from 0, and the number of all questions.
     std::size_t number() const { return number_; }
+    /// Number of questions.
     static std::size_t count();
 
     /// Takes the state of the joystick. Returns whether the current question was answered.

@@ -13,6 +13,7 @@
 
 namespace thaum::input {
 
+/// Which controls of a model are which buttons of a game pad.
 struct PadMapping {
     std::string model{};     ///< the joystick's model: 32 hexadecimal digits in lower case
     std::string words{};     ///< the line in the form that SDL reads

@@ -28,7 +28,7 @@ public:
     /// Current states of the pads. The first call waits until the search for pads has ended.
     const Pads& poll();
 
-    // Joysticks found by the last `poll` that cannot be used as pads.
+    /// Joysticks found by the last `poll` that cannot be used as pads.
     const std::vector<Stick>& sticks() const;
     /// Names of pads that cannot be used because all places of Pads are taken.
     const std::vector<std::string>& left_over() const;

@@ -21,6 +21,7 @@ struct StickResponse {
 /// A push of a stick or trigger, limited to -1..1. NaN or infinity from a faulty driver counts as 0.
 double checked_push(double push);
 
+/// Deflection of a stick, positive to the right and up.
 struct StickPosition {
     double x{}, y{};  ///< -1..1
 };

@@ -34,29 +34,31 @@ struct TactileReport {
     std::uint64_t times_lost{};
 };
 
+/// Plays frames on a jacket or pad, from a thread of its own.
 class TactilePlayback {
 public:
     static constexpr double retry_s = 2;           ///< time between two tries to open an output
     static constexpr double longest_life_s = 0.5;  ///< longest time to live that is accepted (s)
 
-    // Queues a frame; called by the thread that makes frames. Returns false if the queue is full: the output
-    // is not fed at the moment.
+    /// Queues a frame; called by the thread that makes frames. Returns false if the queue is full: the output
+    /// is not fed at the moment.
     bool feel(const tactile::TactileFrame& frame);
 
-    // Merges a frame with those that are queued; any thread may call it. Only the newest such frame is used.
+    /// Merges a frame with those that are queued; any thread may call it. Only the newest such frame is used.
     void try_out(const tactile::TactileFrame& frame);
     /// Takes another output at the next step; null: none. The former output is closed.
     void use(std::unique_ptr<TactileOutput> output);
     /// One line: which output plays, or why none does. Empty if there is none.
     std::string status() const;
+    /// Counts since the start.
     TactileReport report() const;
     /// Whether frames are passed to an output.
     bool is_open() const { return open_; }
     /// Lets `step` return as soon as a blocking call of the output returns, without calling the output again.
     void abandon() { abandoned_ = true; }
 
-    // Does what is due at the time `now_s` and returns the time until the next step (s). Called by the
-    // output's thread.
+    /// Does what is due at the time `now_s` and returns the time until the next step (s). Called by the
+    /// output's thread.
     double step(double now_s);
     /// Silences and closes the output.
     void close();

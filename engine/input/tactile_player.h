@@ -13,6 +13,7 @@
 
 namespace thaum::input {
 
+/// A TactilePlayback with its thread.
 class TactilePlayer {
 public:
     static constexpr double most_wait_s = 1.5;
@@ -28,6 +29,7 @@ public:
     void use(std::unique_ptr<TactileOutput> output);
     /// One line: which output plays, or why none does. Empty if there is none. Any thread may ask.
     std::string status() const;
+    /// Counts since the start. Any thread may ask.
     TactileReport report() const;
     /// Whether frames are passed to an output. Any thread may ask.
     bool is_open() const;

@@ -13,10 +13,12 @@ namespace thaum::input {
 /// Histogram of durations in whole microseconds. One thread adds; any thread may read.
 class TimeCounts {
 public:
+    /// Counts one duration.
     void add(std::int64_t ns);
     /// Duration that a share (0 to 1) of all durations does not exceed (us). A duration beyond the range
     /// counts as the longest one. Returns 0 if there is none yet.
     double at(double share) const;
+    /// Longest duration (us).
     double worst() const { return static_cast<double>(worst_ns_.load(std::memory_order_relaxed)) * 1e-3; }
 
 private:
@@ -50,6 +52,7 @@ public:
     void ends(std::int64_t now_ns);
     /// Start of the newest tick (ns); 0: none.
     std::int64_t newest_ns() const { return began_ns_.load(std::memory_order_relaxed); }
+    /// Summary of all ticks so far.
     TickReport report() const;
 
 private:

@@ -21,12 +21,13 @@
 
 namespace thaum::render {
 
-// Aligned, so that std::atomic<Size> is lock-free with every compiler.
+/// Aligned, so that std::atomic<Size> is lock-free with every compiler.
 struct alignas(8) Size {
     int width{}, height{};  ///< size (px)
     bool operator==(const Size&) const = default;
 };
 
+/// What a window is opened with.
 struct WindowSpec {
     std::string title = "Thaum";
     Size size{1280, 720};  ///< size on the desktop, ignored in full screen (px)
@@ -51,6 +52,7 @@ struct WindowEvents {
     std::function<void(Size)> resize;
 };
 
+/// The window, with its events.
 class Window {
 public:
     /// Opens the window; only one may exist at a time. Errors: no display, no OpenGL 3.3.
@@ -66,20 +68,27 @@ public:
     void wake();
     /// Hides the cursor and reports unbounded motion, unaccelerated if the system supports it.
     void capture_cursor(bool capture);
+    /// Changes between full screen and a window of the former size.
     void set_fullscreen(bool fullscreen);
+    /// Changes the title of the window.
     void set_title(const std::string& title);
 
     // Called on any thread.
     Size size() const;
     bool minimised() const;  ///< the window is minimised, so drawing may be skipped
+    /// Whether the window gets the keyboard's events.
     bool focused() const;
+    /// Whether the user asked to close the window.
     bool should_close() const;
     void cancel_close();  ///< makes should_close() false again
 
     // Called on the render thread.
+    ///@{
+    /// Makes the context the one of the calling thread, or releases it; shows what was drawn.
     void make_current();
     void release_current();
     void present();
+    ///@}
 
     struct State;  // state of the window, defined in window.cpp
 
@@ -88,6 +97,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
+/// A context with a framebuffer and no window.
 class Offscreen {
 public:
     /// Creates a context, which is not current on return. Error: no EGL, or EGL without OpenGL 3.3.
@@ -97,9 +107,12 @@ public:
     ~Offscreen();
 
     Size size() const;
+    ///@{
+    /// Makes the context the one of the calling thread, or releases it; shows what was drawn.
     void make_current();
     void release_current();
     void present();
+    ///@}
 
 private:
     struct State;

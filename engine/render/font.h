@@ -22,6 +22,7 @@ struct Glyph {
     std::vector<std::uint8_t> coverage;
 };
 
+/// A character and its place in a line.
 struct PlacedGlyph {
     char32_t character{};
     int x{}, y{};  ///< top-left pixel, from the top-left corner of the line's box (px)
@@ -33,6 +34,7 @@ struct Line {
     int width{}, height{};
 };
 
+/// Letters of one typeface at any size.
 class Font {
 public:
     /// Loads DejaVu Sans Bold from the usual system folders. The error names the package to install.
@@ -46,6 +48,7 @@ public:
     /// Lays out one line. `size` is the em, 4 to 400 (px). Characters missing from the face become its empty
     /// box.
     Line lay_out(std::u32string_view line, int size);
+    /// Picture of a character, which is drawn on first use.
     const Glyph& glyph(char32_t character, int size);
     /// Size of the box of UTF-8 text (px). '\n' starts a new line.
     fvec2 measure(std::string_view text, float size);

@@ -16,6 +16,7 @@
 
 namespace thaum::render {
 
+/// A corner of a triangle.
 struct Vertex {
     fvec3 position;
     fvec3 normal;  ///< normal of the surface (unit)
@@ -57,17 +58,22 @@ struct Bounds {
     fvec3 centre{0};
     float radius{};
 };
+/// Box and sphere that enclose a mesh.
 Bounds bounds(const MeshData& mesh);
 
 // Functions that combine meshes.
 
+/// Matrix that moves by a vector.
 fmat4 translated(fvec3 by);
 fmat4 rotated(fvec3 axis, float angle);  ///< Matrix of a rotation about a unit axis by an angle (rad).
+/// Matrix that scales along the three axes.
 fmat4 scaled(fvec3 by);
 /// Applies an invertible matrix; normals use the inverse transpose. A mirroring matrix also reverses the
 /// winding, so that the outside stays outside.
 MeshData transformed(MeshData mesh, const fmat4& by);
+/// Adds a part to a mesh, moved by a matrix.
 void append(MeshData& to, const MeshData& part, const fmat4& placed = fmat4(1));
+/// Gives all vertices one colour.
 MeshData painted(MeshData mesh, fvec3 colour);
 /// Gives each triangle its own vertices and normal.
 MeshData flat_shaded(const MeshData& mesh);
@@ -76,9 +82,11 @@ MeshData flat_shaded(const MeshData& mesh);
 
 /// A box. `bevel` (m) is from 0 (12 triangles) to the smallest half size (44 triangles, softly shaded edges).
 MeshData box(fvec3 half, fvec3 colour, float bevel = 0);
+/// A cylinder about the y axis.
 MeshData cylinder(float radius, float height, int segments, fvec3 colour);
 /// A cone, or a frustum if the top radius is not 0.
 MeshData cone(float bottom_radius, float top_radius, float height, int segments, fvec3 colour);
+/// A sphere of `segments` parts around.
 MeshData sphere(float radius, int segments, fvec3 colour);
 /// A capsule. `height` is the height of the cylinder between the two half spheres, as in Bullet.
 MeshData capsule(float radius, float height, int segments, fvec3 colour);

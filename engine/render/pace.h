@@ -10,6 +10,7 @@ namespace thaum::render {
 /// returns `now`, so that no burst of pictures follows a stall.
 std::int64_t next_deadline(std::int64_t previous, std::int64_t now, std::int64_t period);
 
+/// Waits between pictures so that they come at an even rate.
 class Pacer {
 public:
     /// A rate of 0 never waits.

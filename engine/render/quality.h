@@ -18,6 +18,7 @@
 
 namespace thaum::render {
 
+/// How much a picture may cost.
 enum class Quality : std::uint8_t { low, medium, high };
 inline constexpr std::size_t qualities = 3;
 inline constexpr std::array<std::string_view, qualities> quality_names{"low", "medium", "high"};

@@ -37,6 +37,7 @@ struct DrawStatistics {
     std::size_t meshes_sent{};  ///< meshes of Frame::changes whose triangles were sent
 };
 
+/// Draws frames with OpenGL.
 class Renderer {
 public:
     /// Loads the shaders; `assets` is the folder that holds shaders/. A context must be current, and must
@@ -68,6 +69,7 @@ public:
 
     /// Draws into the context's framebuffer; the caller presents it. A frame of size zero draws nothing.
     void draw(const Frame& frame);
+    /// What the last frame cost.
     const DrawStatistics& statistics() const;
     /// Name of the device that draws (GL_RENDERER), for first_quality.
     std::string device() const;

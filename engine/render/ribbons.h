@@ -19,6 +19,7 @@ namespace thaum::render {
 /// Colours at 256 speeds from the slowest to the fastest, linear light.
 using SpeedColours = std::array<fvec3, 256>;
 
+/// Width and colours of a ribbon.
 struct RibbonLook {
     float width = 0.004F;             ///< width of the ribbon (m)
     const SpeedColours* colours{};    ///< colours by speed; null: white
@@ -31,6 +32,7 @@ struct RibbonLook {
 /// to a point over a length equal to its width.
 MeshData ribbon(std::span<const field::StreamPoint> line, const RibbonLook& look);
 
+/// Ribbons along the streamlines of a field, traced again only where something changed.
 class Ribbons {
 public:
     /// Traces the ribbons of all seeds that are new or have moved; traces all ribbons if `version` differs

@@ -47,6 +47,7 @@ struct ScanEntry {
     float opacity{};  ///< share of the light behind it that a layer of thickness Scan::unit hides, 0 to 1
 };
 
+/// Look of the voxels with one material index.
 struct ScanMaterial {
     fvec3 colour{1};    ///< factor of the colour
     float opacity = 1;  ///< factor of the absorption; a surface below 0.5 is invisible
@@ -55,8 +56,10 @@ struct ScanMaterial {
 /// Entries at the densities 0, 1/255, ..., 1. Between them colour and absorption are linear.
 using ScanTable = std::array<ScanEntry, 256>;
 
+/// Whether one sees through a volume or only its surface.
 enum class ScanLook : std::uint8_t { translucent, surface };
 
+/// A volume as it is drawn from its samples.
 struct Scan {
     ScanId id{};
     /// Version of all samples, colours and materials. They are examined only if it differs from the last

@@ -24,6 +24,7 @@ namespace thaum::render {
 /// Handle of a mesh, returned by Renderer::upload.
 using MeshId = std::uint32_t;
 
+/// From where a view is seen.
 struct Camera {
     fvec3 position{0, 1.7F, 0};
     fquat orientation{1, 0, 0, 0};  ///< rotation from camera axes to world axes
@@ -42,6 +43,7 @@ struct Instance {
     float sun = 1;  ///< share of the sunlight that reaches it; ignored where a shadow map decides
 };
 
+/// A light at a place.
 struct PointLight {
     fvec3 position{0};
     fvec3 colour{1};
@@ -52,12 +54,14 @@ struct PointLight {
 /// the first four.
 inline constexpr std::size_t max_lights = 8;
 
+/// The light that casts shadows.
 struct Sun {
     /// Direction from the ground to the sun (unit).
     fvec3 direction = glm::normalize(fvec3(-0.55F, 0.32F, -0.78F));
     fvec3 colour = 1.0F * render::colour(0xFFCBA4);
 };
 
+/// Colours behind everything.
 struct Sky {
     fvec3 zenith = render::colour(0x231B45);
     fvec3 horizon = render::colour(0x8A5C8C);
@@ -84,10 +88,12 @@ struct Environment {
     Ambient ambient;
 };
 
+/// A part of the window.
 struct Rect {
     int x{}, y{}, width{}, height{};  ///< position and size (px)
 };
 
+/// How the window is divided between two players.
 enum class Split : std::uint8_t { none, side_by_side, top_bottom };
 
 /// Viewports of the two players. They are adjacent, cover the window and do not overlap. Split::none returns
@@ -125,12 +131,14 @@ struct Casters {
 // The overlay: flat shapes and text over the views, drawn in order with alpha blending. Slanted edges are
 // smoothed. Lengths are in px.
 
+/// A filled rectangle.
 struct RectItem {
     fvec2 low, high;  ///< top-left and bottom-right corner
     fvec4 colour{1};
     float corner{};  ///< radius of rounded corners
 };
 
+/// A filled triangle.
 struct TriangleItem {
     fvec2 a, b, c;
     fvec4 colour{1};
@@ -145,12 +153,14 @@ struct ArcItem {
     fvec4 colour{1};
 };
 
+/// A straight line.
 struct LineItem {
     fvec2 from, to;
     float width = 1;
     fvec4 colour{1};
 };
 
+/// Which side of a text stands at its position.
 enum class Align : std::uint8_t { left, centre, right };
 
 /// UTF-8 text; '\n' starts a new line. `position` is the top of the text's box (Font::measure) at its left,
@@ -163,8 +173,10 @@ struct TextItem {
     Align align = Align::left;
 };
 
+/// One shape or text of the overlay.
 using OverlayItem = std::variant<RectItem, TriangleItem, ArcItem, LineItem, TextItem>;
 
+/// What is drawn over the views, in this order.
 struct Overlay {
     std::vector<OverlayItem> items;
 };

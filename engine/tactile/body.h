@@ -28,6 +28,7 @@ const std::vector<std::string_view>& part_names();
 enum class Region : std::uint8_t { torso, shoulder_left, shoulder_right, arm_left, arm_right, whole };
 inline constexpr std::size_t region_count = 6;
 
+/// Region to which a part belongs.
 Region region_of(Part part);
 
 /// One place on the skin.
@@ -42,6 +43,7 @@ struct Transform {
     vec3 shift{};  ///< translation (m, body frame)
 };
 
+/// Where each part of a body is.
 struct Pose {
     std::array<Transform, part_count> parts{};
 };

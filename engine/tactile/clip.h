@@ -19,12 +19,14 @@ inline constexpr std::size_t clip_cells =
 inline constexpr Tick clip_frame_ticks = 20;
 inline constexpr std::size_t most_clip_frames = 3000;  ///< largest number of frames: one minute
 
+/// Strengths at one moment.
 struct ClipFrame {
     std::array<std::uint8_t, clip_cells> strength{};  ///< 0 to 100
 
     bool operator==(const ClipFrame&) const = default;
 };
 
+/// A recorded course of strengths over a grid of places.
 struct Clip {
     std::string name;
     std::vector<ClipFrame> frames;  ///< strengths; at most most_clip_frames

@@ -57,6 +57,7 @@ struct Envelope {
     double decay{};
     bool smooth{};  ///< true: smooth curves; false: straight lines
 
+    /// Duration of the whole envelope (ms).
     double length() const { return attack + hold + decay; }
     /// Strength at a time since the beginning (ms), 0 to 1.
     double at(double ms) const;
@@ -73,6 +74,7 @@ struct Envelope {
 ///     clip       as recorded in a .tact file; envelope and places are not used
 enum class Pattern : std::uint8_t { single, spread, sweep, heartbeat, clip };
 
+/// Something felt on the body, as a data file describes it.
 struct Effect {
     std::string name{};
     std::string description{};  ///< plain description for a table of effects

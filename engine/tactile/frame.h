@@ -17,6 +17,7 @@ namespace thaum::tactile {
 inline constexpr Tick frame_ticks = 8;
 inline constexpr std::size_t frame_capacity = 64;  ///< largest number of actuators
 
+/// Amplitudes of all actuators from one moment on.
 struct TactileFrame {
     Tick tick{};  ///< tick at which the frame begins
     /// Number of ticks after which an output must be silent if there is no newer frame.
@@ -25,6 +26,7 @@ struct TactileFrame {
     std::array<float, frame_capacity> amplitude{};   ///< 0 to 1
     std::array<float, frame_capacity> carrier_hz{};  ///< frequency (Hz); meaningless where the amplitude is 0
 
+    /// Whether all amplitudes are 0.
     bool is_silent() const;
 };
 static_assert(sizeof(TactileFrame) == 3 * 8 + 2 * 4 * frame_capacity,

@@ -18,6 +18,7 @@
 
 namespace thaum::tactile {
 
+/// A ribbed surface.
 struct Grating {
     double amplitude{};   ///< A, >= 0 (m)
     double wavelength{};  ///< L, > 0 (m)

@@ -14,6 +14,7 @@ namespace thaum::tactile {
 
 inline constexpr std::size_t most_actuators = 64;
 
+/// One motor or shaker of a device.
 struct Actuator {
     std::string name{};
     BodyPoint place{};

@@ -26,6 +26,7 @@ inline constexpr std::size_t most_playing = 64;
 
 /// The place at which an effect is felt. An effect with places of its own ignores it.
 struct Where {
+    /// How the place is found.
     enum class Kind : std::uint8_t { own, on_part, touched, from } kind{};
     BodyPoint point{};
     vec3 direction{};
@@ -41,6 +42,7 @@ struct Where {
     static Where from(vec3 direction, double height = 1.15) { return {Kind::from, {}, direction, height}; }
 };
 
+/// Limits of what is felt at once.
 struct MixerSettings {
     double sum_limit{1.5};  ///< largest sum of amplitudes squared; one actuator at full strength has 1
     Tick gap{40};           ///< least time between two beginnings at one actuator (ticks)
@@ -52,6 +54,7 @@ struct MixerSettings {
 struct Faders {
     std::array<double, purpose_count> values{1, 1, 1, 0, 1, 1, 1, 1, 1, 1};
 
+    /// Fader of one purpose.
     double& of(Purpose purpose) { return values[static_cast<std::size_t>(purpose)]; }
     double of(Purpose purpose) const { return values[static_cast<std::size_t>(purpose)]; }
     bool operator==(const Faders&) const = default;
@@ -70,12 +73,14 @@ struct MixerCounts {
     std::uint64_t not_driven{};  ///< calls of `drive` for which there was no free place
 };
 
+/// Turns running effects into frames for the actuators of one layout.
 class TactileMixer {
 public:
     /// Keeps references to both arguments `layout` and `bank`. The mixer takes about 170 KB, so allocate it
     /// on the heap.
     TactileMixer(const Layout& layout, const EffectBank& bank, const MixerSettings& settings = {});
 
+    /// Takes effect with the next frame.
     void set_faders(const Faders& faders);
     /// A pose that is not finite is counted and ignored.
     void set_pose(const Pose& pose);
@@ -89,7 +94,9 @@ public:
     /// The frame that begins at `now`. Call it once every frame_ticks.
     const TactileFrame& mix(Tick now);
 
+    /// Number of effects that run.
     std::size_t playing() const { return count_; }
+    /// Counts since the start.
     const MixerCounts& counts() const { return counts_; }
 
 private:

@@ -24,10 +24,13 @@
 
 namespace thaum::gesture {
 
+/// Whose strokes are templates for whose.
 enum class Protocol : std::uint8_t { user_dependent, leave_user_out, random };
 
+/// Protocol of a name, if there is one.
 std::optional<Protocol> protocol_of(std::string_view name);
 
+/// What is tried, and how.
 struct EvaluationSettings {
     Method method = Method::standard;
     Protocol protocol = Protocol::leave_user_out;
@@ -50,15 +53,18 @@ struct Trial {
     Evidence evidence{};
     double probability{};  ///< probability that the stroke was meant as `answer`
 
+    /// Whether the stroke is of a known gesture and was read as that.
     bool right() const { return known && answer == truth; }
 };
 
+/// Trials of about the same shown probability.
 struct ReliabilityBin {
     std::size_t count{};
     double confidence{};  ///< mean probability
     double right{};       ///< share of right answers
 };
 
+/// How well strokes of no gesture are refused.
 struct OpenSet {
     /// Share of known strokes that are accepted as the right gesture, at the chosen thresholds.
     double correct_accepts{};
@@ -67,6 +73,7 @@ struct OpenSet {
     double best_correct_accepts{};
 };
 
+/// Results of all trials.
 struct Evaluation {
     std::vector<std::string> gestures;
     std::vector<Trial> trials;
@@ -84,6 +91,7 @@ struct GestureIndex {
     std::vector<std::string> gestures, users;
     std::vector<std::uint32_t> gesture_of, user_of;  ///< gesture and user of each stroke
 };
+/// Finds all gestures and users of a set.
 GestureIndex index_of(std::span<const Stroke> strokes);
 
 /// How often a method is sure of its answer, and how often it is right then.
@@ -92,6 +100,7 @@ struct Certainty {
     double told{};
     double right{};  ///< share of the sure answers that are right; 0 if there are none
 };
+/// Counts the trials whose probability is at least this.
 Certainty certainty_of(const Evaluation& evaluation, double least_probability);
 
 /// Templates of one fold.

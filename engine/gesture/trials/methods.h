@@ -16,21 +16,27 @@ namespace thaum::gesture {
 /// (prefix.h).
 enum class Method : std::uint8_t { dot, tdnn, directions, elastic, standard, early };
 
+/// Their names, in their order.
 std::span<const std::string_view> method_names();
+/// Method of a name, if there is one.
 std::optional<Method> method_of(std::string_view name);
 
+/// What a method says of a stroke.
 struct Answer {
     std::uint32_t gesture = 0xffffffff;  ///< 0xffffffff for a stroke without a shape
     Evidence evidence{};
     double probability{};  ///< probability by the method's own calibration, 0 to 1; 1 if the method has none
 };
 
+/// A trained method.
 class Classifier {
 public:
     virtual ~Classifier() = default;
+    /// Reads one stroke.
     virtual Answer classify(Points stroke) = 0;
 };
 
+/// How a method is trained.
 struct MethodSettings {
     Channels channels{};
     std::uint64_t seed = 1;

@@ -16,6 +16,7 @@ namespace thaum::gesture {
 /// Hyperbolic tangent with the same bits on every processor; the error is below 1e-15.
 double det_tanh(double x);
 
+/// Weights of a network with one hidden layer.
 struct Network {
     std::size_t inputs{}, hidden{}, outputs{};
     std::vector<double> first;   ///< hidden rows of `inputs` weights and a bias
@@ -24,11 +25,13 @@ struct Network {
     bool operator==(const Network&) const = default;
 };
 
+/// One input with its right output.
 struct TrainingSample {
     std::vector<double> input;
     std::size_t output{};  ///< number of the right output
 };
 
+/// How a network is trained.
 struct TrainingSettings {
     std::uint64_t seed = 1;
     std::size_t epochs = 60;
@@ -37,6 +40,7 @@ struct TrainingSettings {
     double enough = 1e-3;  ///< mean squared error of an epoch at which training ends early
 };
 
+/// Result of a training.
 struct Training {
     Network network;
     std::size_t epochs{};  ///< number of epochs that were run
@@ -54,6 +58,7 @@ void run_network(const Network& network, std::span<const double> input, std::spa
 void add_slope(const Network& network, const TrainingSample& sample, std::vector<double>& first,
                std::vector<double>& second);
 
+/// Trains a network by gradient descent.
 Training train(Network network, std::span<const TrainingSample> samples, const TrainingSettings& settings);
 
 }  // namespace thaum::gesture

@@ -18,6 +18,7 @@
 
 namespace thaum::gesture {
 
+/// How that is measured.
 struct SpottingSettings {
     std::size_t templates = 1;  ///< number of templates of each gesture
     std::size_t repeats = 3;    ///< number of rounds, each with other random templates
@@ -37,6 +38,7 @@ struct SpottingScore {
     double delay{};                          ///< median time from the end of the label to the report (s)
 };
 
+/// How well gestures are found in sessions.
 struct Spotting {
     SpottingScore best;    ///< thresholds with the best F1 on other users
     SpottingScore at_six;  ///< thresholds with at most 6 false reports an hour on other users

@@ -21,6 +21,7 @@
 
 namespace thaum::gesture {
 
+/// What a network gets of a stroke.
 enum class NetworkKind : std::uint8_t { tdnn, directions };
 
 inline constexpr std::size_t grid_side = 5;
@@ -28,6 +29,7 @@ inline constexpr std::size_t window_transitions = 8;
 inline constexpr std::size_t hidden_nodes = 24;
 inline constexpr std::size_t direction_vectors = 16;
 
+/// A network that reads strokes.
 struct StrokeNetwork {
     NetworkKind kind{};
     Network network;

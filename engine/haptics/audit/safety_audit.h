@@ -22,6 +22,7 @@
 
 namespace thaum::haptics {
 
+/// What a commanded force must keep.
 enum class SafetyRule : std::uint32_t {
     finite,
     cap,     ///< length at most the cap, to the bit, or on the way down to a lowered one
@@ -39,8 +40,10 @@ enum class SafetyRule : std::uint32_t {
 };
 inline constexpr std::size_t safety_rules = 11;
 
+/// Name of a rule, for messages.
 const char* name(SafetyRule rule);
 
+/// Checks each commanded force against all rules of safety.
 class SafetyAudit {
 public:
     SafetyAudit();
@@ -51,6 +54,7 @@ public:
     std::uint64_t violations() const;
     /// Ticks in which a rule was broken. A tick that breaks several rules counts for each.
     std::uint64_t violations(SafetyRule rule) const { return counts_[static_cast<std::size_t>(rule)]; }
+    /// Number of ticks that were checked.
     std::uint64_t ticks() const { return now_; }
     /// Root of the mean square over the last 10 s (N); time before the start counts as zero.
     double warmth() const;

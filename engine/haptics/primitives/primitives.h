@@ -40,6 +40,7 @@ inline constexpr std::size_t primitive_capacity = 16;
 /// overflows.
 inline constexpr double primitive_limit = 1e6;
 
+/// Why a primitive was refused.
 enum class PrimitiveFault : std::uint8_t { none, full, not_finite, out_of_range, negative, not_unit };
 
 /// Returns the fault of a primitive. Fields that its kind does not use may have any value.
@@ -57,11 +58,13 @@ public:
     void weaken(std::size_t first, double share) noexcept {
         for (std::size_t i = first; i < count_; ++i) items_[i].strength *= share;
     }
+    /// The primitives in the order of their addition.
     std::span<const Primitive> items() const noexcept { return {items_.data(), count_}; }
 
     /// Whether some primitives were chosen by where the proxy was in the last tick, as modes choose them. The servo lets
     /// the proxy of such a set settle (haptics/primitives/settling.h).
     bool by_proxy() const noexcept { return by_proxy_ != 0; }
+    /// Marks the set so.
     void set_by_proxy() noexcept { by_proxy_ = 1; }
 
 private:

@@ -49,6 +49,7 @@
 
 namespace thaum::haptics {
 
+/// Shape of a surface, with the meaning of its parameters.
 enum class SurfaceKind : std::uint32_t {
     plane,     ///< a: a point on it, b: unit normal; everything behind it is solid
     triangle,  ///< a, b, c: corners, counter-clockwise seen from the side that can be touched
@@ -168,6 +169,7 @@ struct SurfaceTip {
     vec3 velocity{};  ///< velocity (m/s), for damping only
 };
 
+/// Result of one tick of contact.
 struct ContactResult {
     vec3 force{};  ///< force on the hand, always finite (N)
     vec3 proxy{};  ///< position of the proxy (m); at the tip if nothing is touched
@@ -191,6 +193,7 @@ struct Relief {
     double height{};  ///< height above the surface (m)
     vec3 slope{};     ///< gradient of the height
 };
+/// Height and slope of a texture at a place on the surface (m).
 Relief relief_at(const Texture& texture, const BumpMap& bumps, vec3 place) noexcept;
 
 }  // namespace thaum::haptics

@@ -16,6 +16,7 @@
 
 namespace thaum::haptics {
 
+/// A ball.
 struct Ball {
     vec3 centre{};    ///< place of the centre (m)
     double radius{};  ///< distance of the surface from the centre or axis (m)

@@ -24,6 +24,7 @@
 
 namespace thaum::haptics {
 
+/// An isosurface of a field.
 struct LevelSurface {
     field::ScalarField field{};
     double level{};
@@ -34,12 +35,14 @@ struct LevelSurface {
     vec3 motion{};  ///< motion of the tip in a tick (m)
 };
 
+/// One plane of an isosurface near the tip.
 struct ContactPlane {
     vec3 place{};       ///< place on the surface (m)
     vec3 normal{};      ///< unit vector out of the solid
     double gradient{};  ///< length of the field's gradient there (1/m)
 };
 
+/// Planes by which an isosurface is felt in this tick.
 struct LevelContact {
     std::array<ContactPlane, 3>
         planes{};  ///< the first `count` are in use; the first one is nearest to the proxy

@@ -54,6 +54,7 @@ struct MaterialFeel {
     double stiffness{1};  ///< factor of S and of the strength of walls, >= 0
     double viscosity{1};  ///< factor of R, >= 0
 };
+/// What each material index feels like.
 using MaterialTable = std::array<MaterialFeel, 256>;
 
 /// A plane that guides the hand, such as the plane of a cut.
@@ -96,6 +97,7 @@ struct DensityWall {
 inline constexpr std::size_t most_guides = 3;
 inline constexpr std::size_t most_walls_felt = 2;
 
+/// How a volume feels.
 struct VolumeFeel {
     field::ScalarField density{};
     MaterialField material{};                      ///< empty: index 0 everywhere

@@ -10,6 +10,7 @@
 
 namespace thaum::render {
 
+/// A colour in CIELAB.
 struct Lab {
     double l{}, a{}, b{};
 };
@@ -17,6 +18,7 @@ struct Lab {
 /// Converts linear light with the sRGB primaries to CIELAB.
 Lab lab_of(double red, double green, double blue);
 
+/// How different two pictures look.
 struct PictureDistance {
     double mean{};  ///< mean over all pixels (dE*ab)
     /// Greatest mean of any tile of 16 x 16 pixels, which shows a small missing object (dE*ab).
