@@ -29,19 +29,22 @@ struct Spectrogram {
 /// Ends of the rows of a spectrogram (Hz).
 inline constexpr double lowest_row_hz = 40, highest_row_hz = 16'000;
 
-/// Power of a sound at `columns` times and `rows` frequencies, from lowest_row_hz to highest_row_hz in equal steps of pitch.
+/// Power of a sound at `columns` times and `rows` frequencies, from lowest_row_hz to
+/// highest_row_hz in equal steps of pitch.
 Spectrogram spectrogram_of(std::span<const float> samples, std::size_t columns, std::size_t rows);
 
-/// Shape of a sound in time and frequency, without its loudness: for each quarter of the audible part, the level of
-/// each band below the loudest (dB), then the length of the audible part.
+/// Shape of a sound in time and frequency, without its loudness. First, for each quarter of the audible part,
+/// the level of each band above a floor, which is 24 dB below the loudest band (dB, at least 0). Then the
+/// length of the audible part, as 12 times its binary logarithm in s, so that twice the length counts as 12
+/// dB.
 inline constexpr std::size_t signature_bands = 24, signature_quarters = 4;
-/// Levels by quarter and band, then the length (s).
+/// Levels by quarter and band, then the number for the length.
 using Signature = std::array<double, signature_bands * signature_quarters + 1>;
 
 /// Signature of a sound at 48 kHz.
 Signature signature_of(std::span<const float> samples);
 
-/// Root mean square of the differences between the numbers of two signatures.
+/// Root mean square of the differences between the numbers of two signatures (dB).
 double distance(const Signature& a, const Signature& b);
 
 }  // namespace thaum::audio

@@ -62,7 +62,7 @@ private:
     double power_{};
 };
 
-/// Every eighth sample, after a low-pass filter at 5 kHz: higher tones would be aliased to low ones.
+/// Every eighth sample, after a filter that damps tones above 5 kHz, which would be aliased to low ones.
 std::vector<double> thinned(const Sound& sound) {
     const auto size = sound.samples.size();
     const auto sample_at = [&](std::size_t i) {
@@ -82,9 +82,8 @@ std::vector<double> thinned(const Sound& sound) {
 /// Writes the mean power of each block of one band.
 void follow_band(const std::vector<double>& samples, const Band& band, std::size_t number, BandCourse& out) {
     BandPower power(band);
-    // A loop sounds as if it had always been playing: its filters begin in the state that they have at its
-    // end.
-    // Samples to filter before a loop: 2 s, longer than any filter rings.
+    // A loop sounds as if it had always been playing, so its filters begin in the state that they have at its
+    // end. For this at least 2 s are filtered beforehand, longer than any filter rings.
     constexpr std::size_t least_before = 12'000;
     for (std::size_t i = 0, before = samples.size(); out.loops && i < std::max(before, least_before); ++i)
         power.take(samples[i % before]);

@@ -17,7 +17,7 @@ namespace thaum::audio {
 
 inline constexpr std::size_t most_bands = 4;
 
-/// A part of the frequencies.
+/// A range of frequencies.
 struct Band {
     double low_hz{};   ///< lower end, at least 10 (Hz)
     double high_hz{};  ///< upper end, at most 1200 (Hz)
@@ -28,7 +28,8 @@ using BandLevels = std::array<float, most_bands>;
 
 /// Levels of the bands of one sound over time.
 struct BandCourse {
-    /// One entry for each block of frame_samples samples, and some more for the ringing after the sound's end.
+    /// One entry for each block of frame_samples samples, and some more for the ringing after the end of the
+    /// sound.
     std::vector<BandLevels> levels{};
     double samples{};  ///< length of the sound (samples)
     bool loops{};
@@ -38,7 +39,8 @@ struct BandCourse {
 
     /// Levels at a time since the start (samples, >= 0); a sound that has ended has zeros.
     BandLevels at(double sample) const;
-    /// Whether all levels are 0 from this time since the start on (samples).
+    /// Whether the sound and the ringing of its filters are over at a time since the start (samples). Also
+    /// true before the start; never true afterwards for a looping sound.
     bool has_ended(double sample) const;
 };
 

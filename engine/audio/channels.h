@@ -1,11 +1,12 @@
-// audio/channels.h: sine waves on the channels of a sound device, for speakers and shakers that are worn on the body.
+// audio/channels.h: sine waves on the channels of a sound device, for speakers and
+// shakers that are worn on the body.
 //
 //     ChannelTones tones(8);
 //     tones.set(3, {.amplitude = 0.5, .hz = 80});
 //     tones.mix(block);       // 384 samples for each channel, a value for each channel in turn
 //
-// An amplitude moves to its new value along a straight line over the next block (8 ms), and the phase of a wave goes on
-// when its frequency changes. So nothing clicks.
+// An amplitude moves to its new value along a straight line over the next block (8 ms), and the phase of a
+// wave goes on when its frequency changes. So nothing clicks.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -36,7 +37,9 @@ public:
     /// `channels`: 1 to most_channels.
     explicit ChannelTones(std::size_t channels) : channels_(channels) {}
 
-    /// Changes the wave of a channel within the next block. Values that are NaN or too large are clipped.
+    /// Changes the wave of a channel within the next block. The amplitude is clipped to 0 to 1; NaN counts as
+    /// 0. The frequency is clipped to lowest_hz to highest_hz; one that is not above 0, or NaN, changes
+    /// nothing.
     void set(std::size_t channel, const ChannelTone& tone);
     /// Fades all waves out within the next block.
     void silence();

@@ -2,8 +2,8 @@
 //
 //     simulation -> AudioFrame every 8 ms -> Mixer -> samples -> Speakers, or a WAV file
 //
-// A frame lists the sounds that begin in it and those that last. A frame holds no samples and no pointers, so it
-// can be passed between threads, and equal frames give equal samples.
+// A frame lists the sounds that begin in it and those that last. A frame holds no samples and no pointers, so
+// it can be passed between threads, and equal frames give equal samples.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -62,7 +62,7 @@ struct VoiceList {
     const Voice* end() const { return voices.data() + count; }
 };
 
-/// All that is heard at one moment.
+/// Listeners and voices of one frame of 8 ms.
 struct AudioFrame {
     std::uint32_t listener_count{1};  ///< 1 or 2
     std::array<Listener, most_listeners> listeners{};

@@ -3,12 +3,12 @@
 //     Mixer mixer = *Mixer::create(bank, settings);
 //     mixer.play(frame, block);     // every 8 ms: 384 samples for each of two channels, interleaved
 //
-// Each listener has a loopback device of OpenAL, which renders into memory: OpenAL has one listener for each context.
-// OpenAL pans, resamples and filters. This class decides which voices are heard and how loud, adds the listeners, and
-// limits the sum. No clock and no thread is involved, so equal calls give equal samples.
+// Each listener has a loopback device of OpenAL, which renders into memory: OpenAL has one listener for each
+// context. OpenAL pans, resamples and filters. This class decides which voices are heard and how loud, adds
+// the listeners, and limits the sum. No clock and no thread is involved, so equal calls give equal samples.
 //
-// Loudness of a voice with a place: gain * fader * distance_gain. A sound straight to one side has that gain on that
-// side; one in front has 0.6 of it on both. A voice at the ear has 0.71 of it on both.
+// Loudness of a voice with a place: gain * fader * distance_gain. A sound straight to one side has that gain
+// on that side; one in front has 0.6 of it on both. A voice at the ear has 0.71 of it on both.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -49,15 +49,16 @@ struct MixReport {
     std::uint32_t voices{};                ///< voices of the last block, of all listeners together
     std::uint64_t begun{};                 ///< voices that got a source
     std::uint64_t stolen{};                ///< voices that lost their source to louder ones
-    /// Audible voices without a source, summed over blocks, and voices for which a frame had no room.
+    /// Audible voices without a source, summed over blocks, and voices for which a frame or most_begins had
+    /// no room.
     std::uint64_t left_out{};
     std::uint64_t limited_blocks{};  ///< blocks in which the limiter made the sum quieter
     std::uint64_t bad_values{};      ///< invalid values that were replaced
     bool hrtf{};                     ///< true while the first listener is heard through HRTF
 };
 
-/// Share of a sound's loudness that is left at a distance: 1 up to near_m, 0 from reach_m on, between them the inverse
-/// law shifted so that it ends at 0.
+/// Share of a sound's loudness that is left at a distance: 1 up to near_m, 0 from reach_m on, between them
+/// the inverse law shifted so that it ends at 0.
 double distance_gain(double distance_m, double near_m, double reach_m);
 
 /// Gain of a fader; values outside 0 to 1 are clipped.
@@ -90,7 +91,7 @@ public:
     /// Ends all voices at once. Call it before playing again after a pause in which nobody heard the mixer.
     void silence();
 
-    /// What was mixed so far, and what was faulty.
+    /// Counts of what was mixed so far, and of faulty input.
     const MixReport& report() const;
 
 private:

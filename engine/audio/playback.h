@@ -31,7 +31,7 @@ struct PlaybackReport {
     std::uint64_t times_lost{};
 };
 
-/// Plays frames on a sound device, from a thread of its own.
+/// Plays frames on a sound device. The thread that feeds the device calls `step`.
 class Playback {
 public:
     static constexpr double retry_s = 2;  ///< time between two tries to open a device
@@ -49,7 +49,7 @@ public:
     /// Queues a voice that begins, such as a sound of the menu; called by the main thread. Returns false if
     /// the queue is full.
     bool hear(const Voice& voice) { return voices_.push(voice); }
-    /// Takes effect with the next block.
+    /// Changes faders and ears from the next step on; called by the main thread.
     void set(const MixSettings& settings);
 
     /// Whether a device plays; if not, frames need not be made. Any thread may ask.
@@ -57,15 +57,15 @@ public:
     /// One line: what plays, or why nothing does; empty until the first try to open a device. A report that
     /// is read afterwards is at least as recent.
     std::string status() const;
-    /// Counts since the start.
+    /// Counts since the start. Any thread may ask.
     PlaybackReport report() const;
     /// Lets `step` return as soon as a blocking call of the device returns, without calling the device again.
     void abandon() { abandoned_ = true; }
 
-    /// Does what is due at the time `now_s` and returns the time until the next step (s). Called by the thread
-    /// that feeds the device.
+    /// Does what is due at the time `now_s` and returns the time until the next step (s). Called by
+    /// the thread that feeds the device.
     double step(double now_s);
-    /// Closes the device. The last call of all.
+    /// Closes the device. The last call of the thread that feeds it.
     void close();
 
 private:

@@ -4,9 +4,9 @@
 // block, 2 ms until this thread looks, 8 ms while the block before is played, and 2 ms in the limiter: 28 ms,
 // plus the delay of the device itself. A device that had gaps gets one block more, which makes 36 ms.
 //
-// Without a device nothing is heard, and the thread tries again every two seconds. A device may block its caller for
-// ever, so the destructor waits for the thread for `most_wait_s` only (core/step_thread.h). A thread that is left
-// behind calls OpenAL no more: the program may be ending.
+// Without a device nothing is heard, and the thread tries again every two seconds. A device may block its
+// caller for ever, so the destructor waits for the thread for `most_wait_s` only (core/step_thread.h). A
+// thread that is left behind calls OpenAL no more: the program may be ending.
 #pragma once
 #include <memory>
 #include <string>
@@ -34,7 +34,8 @@ public:
     void set(const MixSettings& settings);
     /// Whether a device plays; if not, frames need not be made. Any thread may ask.
     bool plays() const;
-    /// One line: that sound plays, or why not; empty until the first try to open a device. Any thread may ask.
+    /// One line: that sound plays, or why not; empty until the first try to
+    /// open a device. Any thread may ask.
     std::string status() const;
     /// Counts since the start. Any thread may ask.
     PlaybackReport report() const;

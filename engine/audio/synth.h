@@ -1,4 +1,5 @@
-// audio/synth.h: makes sounds from recipes. Equal recipes give equal samples, bit for bit, on every processor.
+// audio/synth.h: makes sounds from recipes. Equal recipes give equal
+// samples, bit for bit, on every processor.
 #pragma once
 #include <filesystem>
 

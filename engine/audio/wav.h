@@ -10,7 +10,7 @@
 
 namespace thaum::audio {
 
-/// How samples are written.
+/// Number format of the samples in a file.
 enum class WavFormat : std::uint8_t {
     whole_16,  ///< 16-bit integers, which every program reads
     float_32,  ///< the mixer's own 32-bit floats, bit for bit
@@ -25,7 +25,8 @@ public:
 
     /// Appends samples, in stereo left and right in turn. Values outside -1 to 1 are clipped, NaN becomes 0.
     void write(std::span<const float> samples);
-    /// Completes the header and the file. The error names the path: FileWriter's, or more than 4 GB of samples.
+    /// Completes the header and the file. The error names the path:
+    /// FileWriter's, or more than 4 GB of samples.
     Expected<void> close();
     /// Length of what was written (s).
     double seconds() const;

@@ -53,22 +53,23 @@ private:
     Bytes& out_;
 };
 
-/// Reads what a ByteWriter wrote. Bytes may come from anywhere: a read beyond the end, or of an impossible value, makes
-/// `ok()` false and all later reads return zeros.
+/// Reads what a ByteWriter wrote. Bytes may come from anywhere: a read beyond the end, or of an impossible
+/// value, makes `ok()` false and all later reads return zeros.
 class ByteReader {
 public:
     explicit ByteReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
 
-    /// Whether every read so far succeeded.
+    /// Whether every read so far succeeded and nothing was rejected.
     bool ok() const { return ok_; }
-    /// Number of bytes that were not read yet.
+    /// Number of bytes that have not been read yet.
     std::size_t left() const { return bytes_.size() - at_; }
     /// Makes the read fail, because a value that was read is impossible.
     void reject() { ok_ = false; }
     /// Number of bytes that were read.
     std::size_t position() const { return at_; }
 
-    /// Reads one number, truth value or enumerator.
+    /// Reads one number, truth value or enumerator. The caller must check that an enumerator is one of its
+    /// type.
     template <class T>
     requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) T get() {
         if constexpr (std::is_same_v<T, bool>) {
@@ -100,7 +101,7 @@ public:
         return {reinterpret_cast<const char*>(chars.data()), chars.size()};
     }
 
-    /// Reads an unsigned integer in LEB128.
+    /// Reads an unsigned integer in LEB128. Fails if it has more than 64 bits.
     std::uint64_t get_varint() {
         std::uint64_t value = 0;
         for (unsigned shift = 0; shift < 64; shift += 7) {

@@ -1,4 +1,5 @@
-// core/colour.h: colours in data files. People write them as sRGB, "#RRGGBB"; pictures compute with linear light.
+// core/colour.h: colours in data files. People write them as sRGB, "#RRGGBB";
+// pictures compute with linear light.
 #pragma once
 #include "core/config.h"
 #include "core/maths.h"

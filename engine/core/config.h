@@ -1,8 +1,8 @@
 // core/config.h: strict reading of TOML data files.
 //
 // A reader must ask for every key of a file, and every value must be in its range. A Config keeps all faults
-// with file, line and key, and `check` returns them. A reader asks for all values as if the file were correct,
-// then checks once at the end.
+// with file, line and key, and `check` returns them. A reader asks for all values as if the file were
+// correct, then checks once at the end.
 #pragma once
 #include <limits>
 #include <memory>
@@ -39,8 +39,8 @@ public:
     /// Reports a fault found by the caller, such as two entries that contradict each other. Nothing is
     /// reported if a value of the file is wrong: the caller then worked with a fallback value.
     void report(std::string_view message) const;
-    /// Returns all faults of the reads so far, and the keys that no reader asked for: the first one as the message of the
-    /// error, the others in Error::more.
+    /// Returns all faults of the reads so far, and the keys that no reader asked for: the first one as the
+    /// message of the error, the others in Error::more.
     Expected<void> check() const;
     /// Whether no fault has been found so far. Keys that nobody asked for do not count.
     bool is_sound() const;
@@ -61,7 +61,8 @@ public:
     /// Whether the table has this key.
     bool has(std::string_view key) const;
 
-    /// Reads a number. A missing key is a fault unless there is a `fallback`; so in all reads below.
+    /// Reads a number. A missing key is a fault unless there is a `fallback`; the same holds for the
+    /// other reads of values.
     double number(std::string_view key, Range range) const;
     double number(std::string_view key, Range range, double fallback) const;
     /// Reads a whole number.
@@ -83,7 +84,8 @@ public:
     std::size_t choice(std::string_view key, const std::vector<std::string_view>& names,
                        std::size_t fallback) const;
 
-    /// Reads a colour "#RRGGBB" as 0xRRGGBB. std::nullopt if the key has no text: older files write colours in other ways.
+    /// Reads a colour "#RRGGBB" as 0xRRGGBB. std::nullopt if the key has no text: older
+    /// files write colours in other ways.
     std::optional<std::uint32_t> hex_colour(std::string_view key) const;
 
     /// Returns a sub-table, which is empty if the key is missing.

@@ -26,7 +26,7 @@ class Expected;
 struct CodeLine {
     const char* file;
     int line;
-    /// The line of code that calls the function of which this is a default argument.
+    /// As a default argument: the line of code that calls the function.
     static constexpr CodeLine here(const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
         return {file, line};
     }
@@ -35,17 +35,18 @@ struct CodeLine {
 /// Prints "file:line: message" of the error to standard error and aborts.
 [[noreturn]] void no_value(const Error& error, CodeLine asking);
 
-/// ValueFor<U, T> holds if the value of an Expected<T> can be made from a U. For errors and for another Expected it does not:
-/// they have constructors of their own.
+/// ValueFor<U, T> holds if the value of an Expected<T> can be made from a U. For errors and for another
+/// Expected it does not: they have constructors of their own.
 template <class U, class T>
 concept ValueFor = std::is_constructible_v<T, U> && std::is_convertible_v<U, T> &&
                    !std::is_same_v<std::remove_cvref_t<U>, Expected<T>> &&
                    !std::is_same_v<std::remove_cvref_t<U>, Error>;
 
-/// Expected<T> holds either a value or an Error. It is the return type of functions that may fail. Faults from outside
-/// (files, devices, options) are Errors; our own mistakes, such as asking for a value that is not there, are assertions
-/// (core/assert.h), which print the error that is there instead. It is the part of C++23's std::expected that we use, under
-/// the same names, and no more, because it is compiled for two hundred types. `value` names the line that asks.
+/// Expected<T> holds either a value or an Error. It is the return type of functions that may fail. Faults
+/// from outside (files, devices, options) are Errors; our own mistakes, such as asking for a value that is
+/// not there, are assertions (core/assert.h), which print the error that is there instead. It is the part of
+/// C++23's std::expected that we use, under the same names, and no more, because it is compiled for two
+/// hundred types. `value` names the line that asks.
 template <class T>
 class [[nodiscard]] Expected {
 public:
@@ -129,7 +130,7 @@ public:
     Expected() = default;
     Expected(Error error) : error_(std::move(error)), holds_(false) {}
 
-    /// Whether it is a success.
+    /// Whether there is no error.
     bool has_value() const { return holds_; }
     explicit operator bool() const { return holds_; }
     /// The error. It is a defect of the caller to ask for one that is not there.

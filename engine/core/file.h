@@ -41,8 +41,8 @@ std::string near_file(std::string_view name, const std::filesystem::path& folder
 /// written.
 bool write_all(int fd, std::span<const std::byte> bytes);
 
-/// Waits until the bytes of an open file are on the disk. On failure returns false with errno set. An interruption is no
-/// failure, nor is a file system without a disk.
+/// Waits until the bytes of an open file are on the disk. On failure returns false with errno set. An
+/// interruption is no failure, nor is a file system without a disk.
 bool flush_to_disk(int fd);
 
 /// Opens a placeholder for each of standard input, output and error that is closed. Otherwise a file that is
@@ -75,7 +75,7 @@ Expected<void> check_output(const std::filesystem::path& path);
 /// Writes a temporary file beside the target, then renames it over the target. The target is always either
 /// the old or the new file, complete. Inputs and recordings are never replaced (write_rule.h).
 Expected<void> write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
-/// The same for characters.
+/// Writes a text as `write_file` writes bytes.
 Expected<void> write_text_file(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace thaum

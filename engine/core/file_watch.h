@@ -12,7 +12,7 @@
 
 namespace thaum {
 
-/// Tells which of some files changed since it was last asked.
+/// Watches some files, and reports those that have changed.
 class FileWatch {
 public:
     /// A file that is missing is watched too, since it may appear later.
@@ -25,7 +25,7 @@ public:
 private:
     /// Metadata that distinguishes one content of a file from the next without reading it.
     struct Stamp {
-        /// Device, inode, type and size; all 0 if the file does not exist.
+        /// Device, inode, type with permissions, and size; all 0 if the file does not exist.
         std::uint64_t device{}, number{}, mode{}, size{};
         std::int64_t written_s{}, written_ns{};
         bool operator==(const Stamp&) const = default;

@@ -14,7 +14,7 @@
 
 namespace thaum {
 
-/// Writes a file under a temporary name beside its target, and renames it when it is whole.
+/// Writes a file under a temporary name beside its target; `close` renames it to the target.
 class FileWriter {
 public:
     /// Starts a file. The error names the path: it cannot be created, or an existing file must not be
@@ -29,16 +29,18 @@ public:
 
     /// Appends bytes. After a failure (a full disk) writes nothing more; `close` reports the failure.
     void write(std::span<const std::byte> bytes);
-    /// The same for characters.
+    /// Appends characters in the same way.
     void write(std::string_view text);
-    /// Replaces the first bytes of what was written, such as a header with a length that is known only at the end.
+    /// Replaces the first bytes of what was written, such as a header with a
+    /// length that is known only at the end.
     void replace_start(std::span<const std::byte> bytes);
     /// Hands all bytes to the system.
     void flush();
     /// False after a failure. Bytes that were not flushed may still fail.
     bool is_whole() const { return fault_ == 0; }
-    /// Flushes the bytes to the disk, still under the temporary name. Several files that belong together are all
-    /// finished first and then closed, so that a full disk replaces none of them. The error names the path.
+    /// Flushes the bytes to the disk, still under the temporary name. Several files that belong
+    /// together are all finished first and then closed, so that a full disk replaces none of
+    /// them. The error names the path.
     Expected<void> finish();
     /// Finishes the file and renames it to its target. The error names the path.
     Expected<void> close();

@@ -9,9 +9,9 @@
 
 namespace thaum {
 
-/// Unpacks gzip data, which may have several members. The error says what is wrong: not gzip, cut off,
-/// damaged, or larger than `limit` bytes unpacked. Memory stays below about twice the limit, whatever the data
-/// claim.
+/// Unpacks gzip data, which may have several members. The error says what is wrong: not gzip,
+/// cut off, damaged, or larger than `limit` bytes unpacked. Memory stays below about twice
+/// the limit, whatever the data claim.
 Expected<std::string> unpack_gzip(std::span<const std::byte> packed, std::size_t limit);
 
 /// The first bytes of unpacked gzip data.

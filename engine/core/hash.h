@@ -7,7 +7,7 @@
 
 namespace thaum {
 
-/// Hash of bytes. Different seeds give unrelated hashes.
+/// XXH3 hash of bytes (64 bits), the same on every machine. Different seeds give unrelated hashes.
 std::uint64_t hash_bytes(std::span<const std::byte> bytes, std::uint64_t seed = 0);
 
 /// Combines two hashes or small numbers. The order of the arguments matters.

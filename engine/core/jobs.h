@@ -14,10 +14,10 @@
 
 namespace thaum {
 
-/// Threads that execute functions beside the caller.
+/// Threads that execute submitted jobs while their caller continues.
 class Jobs {
 public:
-    /// Stands for one submitted job, to wait for its end.
+    /// Handle of one submitted job, to wait for its end.
     class Ticket {
     public:
         Ticket() = default;

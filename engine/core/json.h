@@ -23,7 +23,8 @@ struct JsonMember;
 /// itself, which are not deeply nested.
 class Json {
 public:
-    /// What a value is. Whole numbers that need a sign are `integer`.
+    /// Kind of a value. A whole number is `unsigned_integer` if it was read without a sign or made from an
+    /// unsigned type, otherwise `integer`.
     enum class Kind : std::uint8_t { null, boolean, integer, unsigned_integer, real, string, array, object };
 
     Json() noexcept = default;  ///< null
@@ -62,9 +63,9 @@ public:
     /// Adds a member to an object, or replaces its value. Null becomes an object.
     void set(std::string_view key, Json value);
 
-    /// What the value is.
+    /// Kind of the value.
     Kind kind() const { return kind_; }
-    ///@{
+    /// @{
     /// Whether the value is of this kind; `is_number` is true of all three kinds of numbers.
     bool is_null() const { return kind_ == Kind::null; }
     bool is_boolean() const { return kind_ == Kind::boolean; }
@@ -75,10 +76,10 @@ public:
     bool is_string() const { return kind_ == Kind::string; }
     bool is_array() const { return kind_ == Kind::array; }
     bool is_object() const { return kind_ == Kind::object; }
-    ///@}
+    /// @}
 
-    ///@{
-    /// The value as one of its kind, or false, 0, "" or nothing if it is of another kind.
+    /// @{
+    /// The content of the value; false, 0, "" or no elements if the value is of another kind.
     bool boolean() const;
     double number() const;                   ///< value of any number
     std::int64_t integer() const;            ///< a whole number; one that is too large wraps around
@@ -86,7 +87,7 @@ public:
     const std::string& string() const;
     std::span<const Json> elements() const;
     std::span<const JsonMember> members() const;
-    ///@}
+    /// @}
     /// The value of a member; null if this is no object or has no such member.
     const Json* find(std::string_view key) const;
 

@@ -11,8 +11,8 @@
 
 namespace thaum {
 
-///@{
-/// Vectors, rotations and matrices of the simulation.
+/// @{
+/// Vectors, rotations and matrices: of doubles for the simulation, and (f...) of floats for pictures.
 using vec2 = glm::dvec2;
 using vec3 = glm::dvec3;
 using quat = glm::dquat;
@@ -22,7 +22,7 @@ using fvec3 = glm::vec3;
 using fvec4 = glm::vec4;
 using fquat = glm::quat;
 using fmat4 = glm::mat4;
-///@}
+/// @}
 
 inline constexpr double pi = 3.14159265358979323846;
 inline constexpr double radians_per_degree = pi / 180.0;
@@ -35,7 +35,7 @@ inline vec3 limited(vec3 v, double most) {
 
 namespace det {
 
-///@{
+/// @{
 /// Sine, cosine and tangent (rad). The error is within 1 ulp (tan: 3) for every finite angle, however large.
 /// The result is NaN if x is not finite. core/sin_cos.h computes sine and cosine together. Bullet uses these
 /// functions, too (physics/bullet_maths.h).
@@ -45,7 +45,7 @@ double tan(double x);
 /// Angle of the point (x, y) (rad). The error is within 3 ulp. Zeros and infinities give the same results as
 /// in C.
 double atan2(double y, double x);
-/// Arc sine (rad). The error is within 4 ulp. The result is NaN outside [-1, 1].
+/// Arc sine and arc cosine (rad). The error is within 4 ulp. The result is NaN outside [-1, 1].
 double asin(double x);
 double acos(double x);
 /// Exponential function. The error is within 2 ulp. The result is 0 below -745.2 and infinity above 709.78.
@@ -73,7 +73,7 @@ inline vec3 perpendicular_to(vec3 unit) {
     return glm::normalize(glm::cross(unit, std::abs(unit.y) < 0.9 ? vec3(0, 1, 0) : vec3(1, 0, 0)));
 }
 
-/// Whether all three coordinates are numbers.
+/// Whether all three coordinates are finite.
 inline bool is_finite(vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 }  // namespace thaum

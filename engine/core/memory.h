@@ -27,8 +27,8 @@ void free_array(void* array, std::size_t bytes) noexcept;
 /// Allocator for a std::vector that may become large.
 template <class T>
 struct ArrayAllocator {
-    ///@{
-    /// What std::allocator_traits asks for.
+    /// @{
+    /// Members that std::allocator_traits requires.
     using value_type = T;
     ArrayAllocator() = default;
     template <class U>
@@ -36,7 +36,7 @@ struct ArrayAllocator {
     T* allocate(std::size_t n) { return static_cast<T*>(allocate_array(n * sizeof(T))); }
     void deallocate(T* array, std::size_t n) noexcept { free_array(array, n * sizeof(T)); }
     bool operator==(const ArrayAllocator&) const { return true; }
-    ///@}
+    /// @}
 };
 
 }  // namespace thaum

@@ -6,8 +6,8 @@
 
 namespace thaum {
 
-/// Replaces line breaks and tabs by blanks and escapes other control characters as `printable` does. The
-/// result has at most 1,000 bytes.
+/// Replaces line breaks and tabs by blanks and escapes the rest as `printable` does. What goes beyond 1,000
+/// bytes becomes "...".
 std::string in_one_line(std::string_view message);
 
 /// Escapes text from outside for display in a terminal. Control characters, bidirectional marks and bytes

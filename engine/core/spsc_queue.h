@@ -1,5 +1,5 @@
-// core/spsc_queue.h: a queue of fixed capacity from one thread to another. Neither thread ever waits. If the queue
-// is full, `push` drops the value and returns false.
+// core/spsc_queue.h: a queue of fixed capacity from one thread to another. Neither thread ever waits. If the
+// queue is full, `push` drops the value and returns false.
 #pragma once
 #include <array>
 #include <atomic>
@@ -29,7 +29,7 @@ public:
     }
     /// Removes the oldest value. The queue must not be empty.
     void pop() { begin_.store(begin_.load(std::memory_order_relaxed) + 1, std::memory_order_release); }
-    /// Number of values that wait; for the reader.
+    /// Number of values in the queue. The writer may add more at any time.
     std::size_t size() const {
         return static_cast<std::size_t>(end_.load(std::memory_order_acquire) -
                                         begin_.load(std::memory_order_relaxed));

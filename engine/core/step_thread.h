@@ -1,7 +1,7 @@
 // core/step_thread.h: a thread that runs a Work object step by step, and that its owner may abandon.
 //
-// The work may block its caller for ever, as a device can, so only this thread calls it. The owner's
-// destructor waits for the thread for a limited time. A thread that has not ended by then is abandoned with
+// The work may block its caller for ever, as a device can, so only this thread calls it. The destructor of
+// StepThread waits for the thread for a limited time. A thread that has not ended by then is abandoned with
 // all that it uses: its memory is kept until the program ends.
 #pragma once
 #include <chrono>
@@ -38,10 +38,10 @@ public:
     StepThread(const StepThread&) = delete;
     StepThread& operator=(const StepThread&) = delete;
 
-    /// The work, which its thread uses at the same time.
+    /// The work. Its thread uses it at the same time, so call only functions that are safe for that.
     Work& work() { return state_->work; }
     const Work& work() const { return state_->work; }
-    /// Why the system refused the thread; empty: it runs.
+    /// Why the system refused to start the thread; empty: it was started.
     const std::string& refused() const { return refused_; }
 
 private:
@@ -57,7 +57,7 @@ private:
         Work work;
         std::mutex mutex;  ///< guards the three members below
         bool stop = false;
-        bool left_behind = false;  ///< true: the owner no longer waits; set together with `stop`
+        bool left_behind = false;  ///< true: the owner no longer waits; set some time after `stop`
         bool ended = false;
         std::condition_variable changed;
     };

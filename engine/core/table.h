@@ -43,9 +43,9 @@ public:
 
     /// Reports a fault at the current row.
     void report(std::string_view what);
-    /// Whether there has been no fault.
+    /// Whether no fault has been found so far.
     bool good() const { return !fault_.has_value(); }
-    /// The first fault. It is a defect of the caller to ask if there is none.
+    /// The first fault. Must be called only if `good` is false.
     Error fault() const { return fail(*fault_); }
 
 private:

@@ -8,8 +8,9 @@
 
 namespace thaum {
 
-/// One part of a line of text: words, a character, a truth value or a number. Words must outlive the part. Integers are
-/// written in decimal, and floating-point numbers in the shortest form that reads back to the same value.
+/// One part of a line of text: words, a character, a truth value or a number. Words must outlive
+/// the part. Integers are written in decimal, and floating-point numbers in the shortest form
+/// that reads back to the same value.
 class TextPart {
 public:
     template <class Words>

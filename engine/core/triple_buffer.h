@@ -15,9 +15,9 @@ class TripleBuffer {
 public:
     explicit TripleBuffer(const T& start) : values_{start, start, start} {}
 
-    /// The value that the writer may fill. Called by the writer.
+    /// The value to fill next; it may hold anything that was published before. Called by the writer.
     T& to_fill() { return values_[back_]; }
-    /// Hands the filled value to the reader.
+    /// Hands the filled value to the reader. Called by the writer.
     void publish() { back_ = middle_.exchange(back_ | fresh, std::memory_order_acq_rel) & index; }
 
     // Called by the reader.
@@ -27,7 +27,7 @@ public:
         front_ = middle_.exchange(front_, std::memory_order_acq_rel) & index;
         return true;
     }
-    /// The value that `take` took last.
+    /// The value that `take` took last; the start value before the first one.
     const T& newest() const { return values_[front_]; }
 
 private:

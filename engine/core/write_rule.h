@@ -18,8 +18,8 @@ inline constexpr std::string_view recording_magic = "THAUMLOG";
 /// Whether the file exists and begins with `recording_magic`.
 bool begins_like_recording(const std::filesystem::path& path);
 
-/// Declares a file that a reader has opened. From now on no writer replaces it, unless this run had written it. Two names
-/// mean the same file if device and inode agree.
+/// Declares a file that a reader has opened. From now on no writer replaces it, unless this run had written
+/// it. Two names mean the same file if device and inode agree.
 void declare_read(const std::filesystem::path& path);
 
 /// Declares a file that a writer has completed.

@@ -25,14 +25,14 @@ public:
         std::uint32_t number{};
     };
 
-    /// Asks for a new entity with these components.
+    /// Requests a new entity with these components.
     template <Component... Cs>
     Pending create(const Cs&... components) {
         const Pending pending = create_empty();
         (add(pending, components), ...);
         return pending;
     }
-    /// Asks for one component more for the entity.
+    /// Requests that a component is added to an entity, which must lack it at that time.
     template <Component C>
     void add(Pending pending, const C& component) {
         put_add({pending.number, pending_generation}, detail::type_number<C>, C::name, &component,
@@ -42,12 +42,12 @@ public:
     void add(Entity entity, const C& component = {}) {
         put_add(entity, detail::type_number<C>, C::name, &component, Tag<C> ? 0 : sizeof(C));
     }
-    /// Asks for one component less.
+    /// Requests that a component is removed from an entity, which must have it at that time.
     template <Component C>
     void remove(Entity entity) {
         put(Kind::remove, entity, detail::type_number<C>, {});
     }
-    /// Asks for the end of the entity.
+    /// Requests that an entity is destroyed.
     void destroy(Entity entity) { put(Kind::destroy, entity, 0, {}); }
     bool empty() const { return bytes_.empty(); }
 

@@ -9,9 +9,9 @@
 //     };
 //
 // The names make snapshots self-describing; ecs/diff.h prints them. The absence of padding is checked where a
-// World declares the component, once in a program. Without padding, the bytes of a component are a function of
-// its value, so they can be hashed. An
-// empty struct with a name is a tag. A tag costs one bit per entity, and adding or removing it moves no data.
+// World declares the component, once in a program. Without padding, the bytes of a component are a function
+// of its value, so they can be hashed. An empty struct with a name is a tag. A tag costs one bit per entity,
+// and adding or removing it moves no data.
 //
 // State that is one large array of numbers, such as the samples of a fluid, is a blob. A World has one array
 // per blob, which no entity owns. Systems declare access to it as to a component:
@@ -82,8 +82,8 @@ namespace detail {
 struct AnyVisit {};
 }  // namespace detail
 
-/// A type that lists its own fields (ecs/fields.h). A type from a part that does not use components has a free
-/// function `visit_fields_of` instead; Described accepts both.
+/// A type that lists its own fields (ecs/fields.h). A type from a part that does not use components has a
+/// free function `visit_fields_of` instead; Described accepts both.
 template <class T>
 concept NamesFields = requires {
     typename T::ListedFields;
@@ -268,8 +268,8 @@ struct ComponentInfo {
     bool is_blob{};
 };
 
-/// Describes a component. A component with padding, with a field that it does not list, or with one that it lists
-/// twice, does not compile.
+/// Describes a component. A component with padding, with a field that it does not list, or with one that
+/// it lists twice, does not compile.
 template <Component T>
 ComponentInfo component_info() {
     ComponentInfo info{T::name, Tag<T> ? 0U : static_cast<std::uint32_t>(sizeof(T)), {}};

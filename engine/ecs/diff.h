@@ -19,9 +19,9 @@ struct Difference {
     std::string a, b;  ///< both values as text; "-" where there is none
 };
 
-/// Returns at most `limit` differences, sorted by entity, then component, then field, blobs last. Entities are
-/// matched by number and components by name. If only the order of iteration or the free list differs, one Difference has
-/// the field "order". The error says which snapshot cannot be read.
+/// Returns at most `limit` differences, sorted by entity, then component, then field, blobs last. Entities
+/// are matched by number and components by name. If only the order of iteration or the free list differs, one
+/// Difference has the field "order". The error says which snapshot cannot be read.
 Expected<std::vector<Difference>> diff(std::span<const std::byte> a, std::span<const std::byte> b,
                                        std::size_t limit = 100);
 

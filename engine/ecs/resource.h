@@ -1,5 +1,5 @@
-// ecs/resource.h: a value that systems share beside components, such as a physics engine. Systems declare access
-// to it as to a component:
+// ecs/resource.h: a value that systems share beside components, such as a physics engine. Systems
+// declare access to it as to a component:
 //
 //     struct Bodies {
 //         using Value = physics::Physics;

@@ -2,8 +2,8 @@
 // period.
 //
 // A system declares which components and resources (ecs/resource.h) it reads and writes. Every access is
-// checked against this while the system runs. It also declares which components it needs, and is skipped while
-// any of them has no entity. After each system the World's commands are applied.
+// checked against this while the system runs. It also declares which components it needs, and is skipped
+// while any of them has no entity. After each system the World's commands are applied.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -26,7 +26,7 @@ struct System {
     std::function<void(World&, Tick)> run{};
 };
 
-/// How often a system ran, and how long.
+/// Statistics of a system: how often it ran, and for how long.
 struct SystemCount {
     std::uint64_t calls = 0;
     /// Number of times that the system was due, but a component that it needs had no entity.

@@ -109,7 +109,8 @@ struct SnapshotAccess {
         world.memory_.release();
         world.tables_.push_back(make_pooled<Table>(world.memory_));
         world.free_ = none;
-        // The counts of resources, which follow, are kept.
+        // Sets only the counts of components to 0. The counts of resources come after
+        // them in the array and are kept.
         std::fill_n(world.counts_.begin(), world.infos_.size(), 0);
         for (auto& blob : world.blobs_) blob.clear();
         for (auto& query : world.queries_) query.reset();

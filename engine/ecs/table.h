@@ -48,7 +48,7 @@ struct DestroyOnly {
 /// Owner of an object in TableMemory.
 template <class T>
 using Pooled = std::unique_ptr<T, DestroyOnly>;
-/// Makes an object in `memory`, which its constructor takes for what it contains.
+/// Makes an object in `memory`. Its constructor gets `memory` too, for the arrays of the object.
 template <class T>
 Pooled<T> make_pooled(TableMemory& memory) {
     return Pooled<T>(new (memory.allocate(sizeof(T), alignof(T))) T(memory));
@@ -170,7 +170,7 @@ struct Table {
     }
     /// Adds a column, once per component, to a table without rows.
     void add_column(std::uint32_t component, std::uint32_t size);
-    /// Makes room for this many rows in every array.
+    /// Makes room for this many rows in total in every array.
     void reserve(std::uint32_t rows_wanted);
     void grow() { reserve(capacity == 0 ? 16 : capacity * 2); }
     /// Appends a row with uninitialised cells and no tags.
@@ -186,14 +186,14 @@ struct Table {
     /// Moves the last row into the place of `row`. Returns the entity that moved, or the removed entity if
     /// `row` was the last.
     Entity remove(std::uint32_t row);
-    /// Moves the entity's row to the end of the table at the other end of `edge`. The last row of this table
-    /// takes its place. `move_cells` moves the cells afterwards.
+    /// Result of `move`.
     struct Moved {
         /// the new row in the other table; the row of this table that no longer exists
         std::uint32_t to_row{}, last{};
         Entity filler;  ///< entity that is in the old row now
     };
-    /// Moves the row of `entity` along the edge.
+    /// Moves the entity's row to the end of the table at the other end of `edge`. The last row of this table
+    /// takes its place. `move_cells` moves the cells afterwards.
     Moved move(std::uint32_t row, Entity entity, const TableEdge& edge);
     /// Moves only the cells that both tables have. If `to` has one column less, the caller fills the hole in
     /// that column, since only the caller may know its type.
@@ -222,11 +222,11 @@ private:
     }
 };
 
-///@{
+/// @{
 /// Words of 16 and 32 bytes. They go through vector registers.
 using Word16 = std::uint64_t __attribute__((vector_size(16)));
 using Word32 = std::uint64_t __attribute__((vector_size(32)));
-///@}
+/// @}
 
 /// Reads a word from bytes of any alignment.
 template <class Word>

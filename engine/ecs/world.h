@@ -67,7 +67,7 @@ public:
     void declare();
     /// Reserves memory for `count` entities. The main loop then need not allocate.
     void reserve_entities(std::uint32_t count) { records_.reserve(count); }
-    /// The same for `rows` rows of one set of components.
+    /// Reserves memory for `rows` entities that have exactly this set of components.
     template <Component... Cs>
     void reserve(std::uint32_t rows) {
         tables_[pack_of<Cs...>().table]->reserve(rows);
@@ -148,7 +148,7 @@ public:
         added_[id<C>()] = hook;
         forget_packs();  // because packs record whether there is a hook
     }
-    /// The same for components that are about to be removed.
+    /// Sets the hook for components of this type that are about to be removed; one without a call removes it.
     template <Component C>
     void on_remove(Hook hook) {
         removed_[id<C>()] = hook;
@@ -160,10 +160,11 @@ public:
     /// Makes the requested changes.
     void apply_commands();
 
-    /// Untyped access for the schedule, snapshots and tools.
+    // Untyped access for the schedule, snapshots and tools.
+    /// Number of a component, blob or resource in this World.
     template <Accessible A>
     std::uint32_t id() const;
-    /// Set of their numbers.
+    /// Set of the numbers of these components, blobs and resources.
     template <Accessible... As>
     Mask mask() const {
         Mask m;

@@ -1,5 +1,5 @@
-// Four haptic primitives act on a proxy that a spring ties to the probe: one of each kind. Prints where the proxy
-// comes to rest and with which force each primitive holds it there (device frame).
+// Four haptic primitives act on a proxy that a spring ties to the probe: one of each kind. Prints where the
+// proxy comes to rest and with which force each primitive holds it there (device frame).
 #include <array>
 #include <iostream>
 

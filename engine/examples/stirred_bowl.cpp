@@ -1,5 +1,5 @@
-// stirred_bowl FILE: a bowl of 32^3 cells with a spoonful of ink, stirred for six seconds. Writes the density of the
-// ink as an NRRD volume (teem.sourceforge.net/nrrd), which ParaView and 3D Slicer open.
+// stirred_bowl FILE: a bowl of 32^3 cells with a spoonful of ink, stirred for six seconds. Writes the density
+// of the ink as an NRRD volume (teem.sourceforge.net/nrrd), which ParaView and 3D Slicer open.
 #include <iostream>
 
 #include "core/bytes.h"

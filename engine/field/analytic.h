@@ -36,7 +36,8 @@ struct Plane {
     Scalar operator()(vec3 place) const;
 };
 
-/// sin x cos y + sin y cos z + sin z cos x, with one period along each axis in `period`. Between -1.5 and 1.5.
+/// sin x cos y + sin y cos z + sin z cos x, with one period along each axis
+/// in `period`. Between -1.5 and 1.5.
 struct Gyroid {
     double period{1};  ///< length of a period along each axis (m)
     vec3 phase{};      ///< place where the value is 0 with the slope of a rising sine along each axis (m)

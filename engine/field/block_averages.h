@@ -1,10 +1,10 @@
 // field/block_averages.h: averages of blocks of a body's samples, from which surface normals are computed
 // that do not show the body's steps.
 //
-// Two kinds of body have steps that are larger than a sample: one whose samples lie farther apart along one axis, as
-// slices of a scan do, and one whose samples have few values, as a mask's. Blocks are as wide along each axis as the
-// widest spacing, or twice that if slices are twice as far apart as samples or there are few values. So their averages
-// are as far apart along all axes and have values in between.
+// Two kinds of body have steps that are larger than a sample: one whose samples lie farther apart along one
+// axis, as slices of a scan do, and one whose samples have few values, as a mask's. Blocks are as wide along
+// each axis as the widest spacing, or twice that if slices are twice as far apart as samples or there are few
+// values. So their averages are as far apart along all axes and have values in between.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -14,7 +14,8 @@
 
 namespace thaum::field {
 
-/// Averages of blocks of a grid's samples. The first block begins at the first sample; the last ones may hold fewer samples.
+/// Averages of blocks of a grid's samples. The first block begins at the first sample; the
+/// last ones may hold fewer samples.
 struct BlockAverages {
     std::array<int, 3> block{1, 1, 1};  ///< samples of a block along each axis
     std::array<int, 3> count{};         ///< number of blocks along each axis

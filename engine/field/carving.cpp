@@ -85,8 +85,8 @@ float next_density(const VoxelView& body, const Cast& cast, float now, double we
         const double next = d + weight * (target - d);
         return static_cast<float>(std::abs(next - target) <= close_enough * range ? target : next);
     }
-    // Bounds the density from both sides by the rim of the shape, so that applying the tool again changes
-    // nothing.
+    // The density must lie between two limits that depend on the weight at the rim of the tool's shape. A
+    // density within the limits is kept, so applying the tool again changes nothing.
     const double solid = (d - empty) / range, constant = cast.operation->density;
     const double low = constant * weight, high = constant + (1 - weight) * (1 - constant);
     if (solid >= low && solid <= high) return static_cast<float>(d);

@@ -31,7 +31,8 @@ BrickCopy& copy_at(CarvingHistory& history, std::uint64_t number) {
     return history.ring[static_cast<std::size_t>(number % history.capacity)];
 }
 
-/// A new copy at the end of the ring. The ring grows up to its capacity, so that unused memory is never touched.
+/// A new copy at the end of the ring. The ring grows up to its capacity, so
+/// that unused memory is never touched.
 BrickCopy& new_copy(CarvingHistory& history) {
     const std::uint64_t number = history.next++;
     if (number % history.capacity == history.ring.size()) history.ring.emplace_back();

@@ -4,12 +4,12 @@
 //     end_step(history, body)            the stroke ends
 //     undo(history, body)                the body as before the stroke
 //
-// A step holds a copy of each brick as it was before the step's first change there. Undo exchanges the copies with
-// the bricks of the body, so the same step then serves for redo. Storing the edits instead would need less memory,
-// but a filter has no inverse.
+// A step holds a copy of each brick as it was before the step's first change there. Undo exchanges the copies
+// with the bricks of the body, so the same step then serves for redo. Storing the edits instead would need
+// less memory, but a filter has no inverse.
 //
-// A copied brick takes 4 KB. If memory runs out, the oldest steps are forgotten. If a stroke alone needs more than
-// all the memory, its beginning is forgotten, too: undo then returns to some moment within the stroke.
+// A copied brick takes 4 KB. If memory runs out, the oldest steps are forgotten. If a stroke alone needs more
+// than all the memory, its beginning is forgotten, too: undo then returns to some moment within the stroke.
 #pragma once
 #include <cstdint>
 #include <deque>
@@ -39,7 +39,8 @@ struct CarvingHistory {
     std::vector<BrickCopy> ring{};  ///< ring buffer; copy n is at index n modulo the capacity
     std::uint64_t capacity{};       ///< number of copies that fit
     std::uint64_t next{};           ///< number of the next copy
-    /// Steps that can be undone, then steps that can be redone, then an open step that has changed nothing yet.
+    /// Steps that can be undone, then steps that can be redone, then an open
+    /// step that has changed nothing yet.
     std::deque<CarvingStep> steps{};
     std::size_t done{};                    ///< number of steps that can be undone
     bool open = false;                     ///< true while new edits belong to the last step
@@ -64,10 +65,10 @@ void keep(CarvingHistory& history, const VoxelView& body, const VoxelBox& box);
 /// Applies a tool (field/carving.h) within the open step.
 Edit edit(const VoxelView& body, const Tool& tool, const Dab& dab, CarvingHistory& history);
 
-/// Undoes or redoes a step. Returns a box around all changed voxels, empty if there is no such step. An open
+/// Undoes the last step. Returns a box around all changed voxels, empty if there is no such step. An open
 /// step is ended first.
 VoxelBox undo(CarvingHistory& history, const VoxelView& body);
-/// Does the step again that was undone last. Returns the voxels that changed.
+/// Redoes the step that was undone last. Returns as `undo` does.
 VoxelBox redo(CarvingHistory& history, const VoxelView& body);
 
 /// Whether there is a step to undo.

@@ -1,4 +1,5 @@
-// field/carving_tools.h: tools that change voxels, as data files describe them (paper 003, section 6, table 2).
+// field/carving_tools.h: tools that change voxels, as data files describe
+// them (paper 003, section 6, table 2).
 //
 //     version = 1
 //     name = "squirt"
@@ -15,19 +16,19 @@
 //     only = "surface"               optional: voxels beside the surface; not together with density
 //
 // A filter moves a property towards its constant D: d' = a D + (1 - a) d. Melting has D = 0. For a time t,
-// a = 1 - exp(-rate w t), where w is the weight of the extent at the voxel. So two edits of t / 2 give the same
-// as one of t. A constant sets the property, and does the same however often it is applied.
+// a = 1 - exp(-rate w t), where w is the weight of the extent at the voxel. So two edits of t / 2 give the
+// same as one of t. A constant sets the property, and does the same however often it is applied.
 //
 // Extents and their keys:
 //
 //     sphere     radius            weight 1, falling to 0 over two voxels at the rim
 //     box        half = [x, y, z]  half edges along the tool's axes, with the same rim
-//     gaussian   radius            the bell exp(-4.5 (r / radius)^2), less its value at the rim: exactly 0 there
+//     gaussian   radius            the bell exp(-4.5 (r / radius)^2) minus its value at the rim, so 0 there
 //     plate      half = [x, y, z]  a box whose z axis follows the motion, for cuts; x is half the thickness
 //     stamp      radius, cells = [x, y, z], shape: a small body of cells; its longest half edge is the radius
 //
-// `half` is in voxels, `half_m` in m. The shape of a stamp has a character for each cell: . or 0 is nothing, # is
-// solid, 1 to 9 are tenths. x runs fastest, then y, then z. Spaces and line ends do not count.
+// `half` is in voxels, `half_m` in m. The shape of a stamp has a character for each cell: . or 0 is nothing,
+// # is solid, 1 to 9 are tenths. x runs fastest, then y, then z. Spaces and line ends do not count.
 #pragma once
 #include <array>
 #include <filesystem>
@@ -40,7 +41,7 @@
 
 namespace thaum::field {
 
-/// Whether voxels get a constant or their own filtered values.
+/// Whether an operation sets a property to its constant, or moves it towards the constant.
 enum class Method : std::uint8_t { constant, filter };
 /// Shape within which an operation acts.
 enum class ExtentShape : std::uint8_t { sphere, box, gaussian, plate, stamp };
@@ -54,7 +55,8 @@ struct Stamp {
 /// Voxels that an operation reaches, and how strongly.
 struct Extent {
     ExtentShape shape{};
-    /// Half edges along the tool's axes; for a sphere three times its radius (voxels or m).
+    /// Half edges along the tool's axes; for a sphere or a Gaussian, the radius along all three (voxels or
+    /// m).
     vec3 half{};
     bool in_metres = false;  ///< true: `half` is in m; false: in voxels
     Stamp stamp{};           ///< weights, used by ExtentShape::stamp
@@ -79,7 +81,7 @@ struct Operation {
     bool surface_only = false;  ///< true: change only voxels beside the body's surface
 };
 
-/// What a tool changes, in this order.
+/// A tool: a name and the operations that it applies, in this order.
 struct Tool {
     std::string name;
     std::vector<Operation> operations{};
@@ -91,7 +93,7 @@ inline constexpr std::size_t most_tool_bytes = std::size_t{1} << 20U;
 
 /// Reads a tool. The error names file, line and fault. If two operations change one property, it names both.
 Expected<Tool> read_tool(const Config& config, const Materials& materials);
-/// The same for a file.
+/// Reads the file of a tool. The error is that of `read_tool`, or says that the file cannot be read.
 Expected<Tool> load_tool(const std::filesystem::path& path, const Materials& materials);
 
 /// A stamp of the body in the box: weight 0 for empty voxels, 1 for solid ones.

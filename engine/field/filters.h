@@ -123,12 +123,12 @@ struct FilteredField {
 /// vector. The error names the filter.
 Expected<bool> checked_filters(std::span<const Filter> filters, bool source_is_vector);
 
-/// Puts filters behind a source. Costs next to nothing unless something must be smoothed. The error is that of
-/// `checked_filters`, and then nothing has changed.
+/// Puts filters behind a source. Costs next to nothing unless something must be smoothed. The error is that
+/// of `checked_filters`, and then nothing has changed.
 Expected<void> set_filters(FilteredField& out, const FilterSource& source, std::span<const Filter> filters);
 
 /// Averages samples with Gaussian weights along each axis, up to 4 standard deviations (in samples) away.
-/// Outside the grid the outermost samples are repeated. A NaN spreads as far.
+/// Outside the grid the outermost samples are repeated. A NaN spreads to all samples within that distance.
 void smooth(Volume& volume, double deviation);
 
 }  // namespace thaum::field

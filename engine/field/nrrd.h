@@ -1,36 +1,40 @@
 // field/nrrd.h: volumes in NRRD files (teem.sourceforge.net/nrrd/format.html), the usual format of scans in
 // research.
 //
-// Read: three axes of space, in any order with one of components (3, or colours) and one of time; integers of 8 to 64
-// bits, float and double, of either byte order; raw, gzip or ascii; samples in the same file, in another, or in several
-// (LIST, or a pattern such as "slice%03d.raw 1 40 1"), behind skipped lines and bytes. Of a file with time, one moment is
-// read; of colours, the luminance. Not read: other kinds of axes (list, matrices, quaternions), two axes of space or
-// four, spaces with time, hex, bzip2, and block types: each is refused in a line that says what it is. The samples
-// come out with x fastest along the axes of the file's space. What a header says about space is kept so:
+// Read: three axes of space, in any order with one of components (3, or colours) and one of time; integers of
+// 8 to 64 bits, float and double, of either byte order; raw, gzip or ascii; samples in the same file, in
+// another, or in several (LIST, or a pattern such as "slice%03d.raw 1 40 1"), behind skipped lines and bytes.
+// Of a file with time, one moment is read; of colours, the luminance. Not read: other kinds of axes (list,
+// matrices, quaternions), two axes of space or four, spaces with time, hex, bzip2, and block types: each is
+// refused in a line that says what it is. The samples come out with x fastest along the axes of the file's
+// space. What a header says about space is kept so:
 //
 //     space directions along the axes of space   samples are put in order; their lengths are the spacing
 //     directions turned against those axes       placement.turn
 //     directions that are not at right angles    an error
-//     space origin                               placement.origin is the middle of the samples (Volume::has_place)
-//     only spacings                              the same; without an origin, with the middle of the samples there
+//     space origin                               placement.origin is the middle of the samples
+//                                                (Volume::has_place)
+//     only spacings                              the same; without an origin, the middle of the samples
+//                                                is at 0
 //     "nan" or "none"                            not given
-//     units (space units, or units of the axes)  metres come out; without units, or with others than of length such as
-//                                                "pixel", lengths are mm, as in medicine
-//     axis mins and maxs without spacings        their difference over the samples, or over the gaps of nodes; their
-//                                                place is left out
+//     units (space units, or units of the axes)  metres come out; without units, or with units that are none
+//                                                of length, such as "pixel", lengths are mm, as in medicine
+//     axis mins and maxs without spacings        their difference over the samples, or over the gaps of
+//                                                nodes; their place is left out
 //     no spacing at all                          1 mm
 //     a space such as right-anterior-superior    turned to left-posterior-superior (Volume::is_of_patient)
 //     a left-handed space                        mirrored, so that the frame is right-handed
 //
-// A file that is written says what was read: the same vectors, the same frame, and no origin if there was none. The
-// key/value pair "thaum save:=NAME" tells which files belong to one body (Volume::save_name).
+// A file that is written says what was read: the same vectors, the same frame, and no origin if there was
+// none. The key/value pair "thaum save:=NAME" tells which files belong to one body (Volume::save_name).
 //
-// Without kinds, an axis of 3 or 4 bytes holds colours, one of 3 other numbers a vector. A detached file that is not
-// where the header says is looked for as detail/sample_file.h says. Samples that floats would make coarse are refused
-// (Rounding, field/volume.h); so are bytes of another encoding, and floats in the other byte order.
+// Without kinds, an axis of 3 or 4 bytes holds colours, one of 3 other numbers a vector. A detached
+// file that is not where the header says is looked for as detail/sample_file.h says. Samples that
+// floats would make coarse are refused (Rounding, field/volume.h); so are bytes of another encoding,
+// and floats in the other byte order.
 //
-// Comments and key/value pairs are skipped; what else was left out or changed is in Volume::notes. Samples that are not
-// numbers stay so.
+// Comments and key/value pairs are skipped; what else was left out or changed is in Volume::notes.
+// Samples that are not numbers stay so.
 #pragma once
 #include <filesystem>
 
@@ -52,7 +56,7 @@ struct ReadChoice {
 /// samples than the file can hold allocates no memory.
 Expected<Volume> read_nrrd(const std::filesystem::path& path, const ReadChoice& choice = {});
 
-/// How samples are written.
+/// How samples are stored: as they are, or packed by gzip.
 enum class Packing : std::uint8_t { raw, gzip };
 
 /// Writes a volume as one file, with its placement, name and units. The scale becomes part of the spacing.

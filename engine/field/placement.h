@@ -89,7 +89,7 @@ struct Placed {
         if (field.read == nullptr || !(placement.scale > 0)) return {};
         return to_parent(placement, field(to_own(placement, place)));
     }
-    /// Samples of the placed field in the parent's frame.
+    /// Box of the field's samples, placed in the parent's frame.
     SampleBox sample_box() const {
         SampleBox box = sample_box_of(field);
         box.placement = combined(placement, box.placement);

@@ -1,9 +1,9 @@
 // field/streamline.h: lines that follow a vector field, such as the paths of a steady flow.
 //
-// A line is traced by its length s: dx/ds = v / |v|, with the Runge-Kutta scheme of order 4. Each step is done
-// twice, whole and in two halves; a fifteenth of the difference estimates the error of the halves, which are
-// kept, and sets the length of the next step (Press et al. 2007, "Numerical recipes", section 17.2). A line
-// whose steps are h long therefore has an error of h^4.
+// A line is traced by its length s: dx/ds = v / |v|, with the Runge-Kutta scheme of order 4. Each step is
+// done twice, whole and in two halves; a fifteenth of the difference estimates the error of the halves, which
+// are kept, and sets the length of the next step (Press et al. 2007, "Numerical recipes", section 17.2). A
+// line whose steps are h long therefore has an error of h^4.
 //
 // Each point has a direction across the line for drawing ribbons. It turns with the matter: by half of the
 // curl's part along the line.
@@ -16,7 +16,7 @@
 
 namespace thaum::field {
 
-/// How a line is traced.
+/// Settings of `trace`.
 struct StreamlineSettings {
     double length = 1;        ///< length of the line (m)
     bool upstream = false;    ///< true: follows the line against the field

@@ -1,8 +1,8 @@
 // field/voxel_overlap.h: measures how well a carved body matches a wanted body, and recounts only where an
 // edit changed it.
 //
-// A voxel is inside a body if its density reaches the threshold. The overlap of the two bodies is the number of
-// voxels inside both, divided by the number inside at least one of them (intersection over union).
+// A voxel is inside a body if its density reaches the threshold. The overlap of the two bodies is the number
+// of voxels inside both, divided by the number inside at least one of them (intersection over union).
 #pragma once
 #include "field/voxels.h"
 

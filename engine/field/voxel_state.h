@@ -16,7 +16,8 @@ struct BrickHashes {
     std::uint32_t seen = 0;  ///< value of Bricks::newest when the hashes were made
 };
 
-/// Hash of the body's density, colour and material, bit for bit. Reads the bricks that changed since the last call.
+/// Hash of the body's density, colour and material, bit for bit. Reads the bricks
+/// that changed since the last call.
 std::uint64_t voxel_hash(const VoxelView& body, BrickHashes& hashes);
 
 /// Appends all voxels to `out`.

@@ -28,10 +28,10 @@ Volume colour_volume(const Voxels& body);
 /// Volume of the material indices, in 8 bits.
 Volume material_volume(const Voxels& body);
 
-/// Takes colours or materials from a volume of the same count. The samples must be whole numbers from 0 to 255. On
-/// an error the body is as before.
+/// Takes the colours from a volume of the same count. The samples must be whole numbers from 0 to
+/// 255. On an error the body is as before.
 Expected<void> set_colours(Voxels& body, const Volume& volume);
-/// The same for materials.
+/// Takes the materials in the same way.
 Expected<void> set_materials(Voxels& body, const Volume& volume);
 
 }  // namespace thaum::field

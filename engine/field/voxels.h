@@ -9,12 +9,13 @@
 // density. Voxel (i, j, k) is element i + count[0] (j + count[1] k) of each array. The arrays may also be
 // blobs of a World: a VoxelView refers to them in the same way.
 //
-// The paper stores a gradient in each voxel, too: 3 bytes of magnitude and direction. Here Grid computes it
-// from the density. A stored gradient would have to be recomputed around each edit, in every undo and in every
-// snapshot. Its 8 bits of magnitude and 16 bits of direction would also disagree with the surface that is drawn.
+// The paper stores a gradient in each voxel, too: 3 bytes of magnitude and direction. Here Grid
+// computes it from the density. A stored gradient would have to be recomputed around each edit, in
+// every undo and in every snapshot. Its 8 bits of magnitude and 16 bits of direction would also
+// disagree with the surface that is drawn.
 //
-// Bricks are blocks of 8 x 8 x 8 voxels; those at the far ends may be smaller. Lengths are in m, in the body's
-// own frame: its origin is the middle of all voxels.
+// Bricks are blocks of 8 x 8 x 8 voxels; those at the far ends may be smaller. Lengths are in m, in the
+// body's own frame: its origin is the middle of all voxels.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -53,11 +54,11 @@ VoxelBox overlap(const VoxelBox& a, const VoxelBox& b);
 inline constexpr int brick_size = 8;
 inline constexpr int voxels_of_brick = brick_size * brick_size * brick_size;
 
-/// Changes of a body, brick by brick. A reader keeps the value of `newest` at its last look. Later it reads again
-/// only bricks whose version is above that value.
+/// Changes of a body, brick by brick. A reader keeps the value of `newest` at its last look. Later it reads
+/// again only bricks whose version is above that value.
 ///
-/// The versions are no part of the body's state. They never go back, not even when an older state is restored.
-/// Otherwise a reader could not tell two futures of one state apart.
+/// The versions are no part of the body's state. They never go back, not even when an older state is
+/// restored. Otherwise a reader could not tell two futures of one state apart.
 struct Bricks {
     std::array<int, 3> count{};
     std::vector<std::uint32_t> version{};  ///< value of `newest` when each brick last changed

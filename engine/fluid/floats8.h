@@ -36,7 +36,7 @@ inline void copy_by_8(const float* from, float* to, std::ptrdiff_t count) {
 /// Magnitudes of floats as integers that compare in the same order. NaNs compare as the largest.
 using Magnitudes8 = std::int32_t __attribute__((vector_size(32)));
 
-/// Magnitudes as integers of the same order.
+/// Magnitudes of eight floats, as integers in the same order of size.
 inline Magnitudes8 magnitudes_of(const Floats8& values) {
     return std::bit_cast<Magnitudes8>(values) & std::numeric_limits<std::int32_t>::max();
 }
@@ -50,7 +50,7 @@ inline bool any_of(const Magnitudes8& lanes) {
     return any != 0;
 }
 
-/// The largest of the eight, as a number again.
+/// The largest of the eight magnitudes, as a number.
 inline double largest_of(const Magnitudes8& sizes) {
     std::int32_t most = 0;
     for (std::ptrdiff_t lane = 0; lane < 8; ++lane) most = sizes[lane] > most ? sizes[lane] : most;

@@ -82,7 +82,7 @@ struct State {
 };
 
 struct Workspace;  // tables and scratch memory of a step; holds no state
-/// Deletes what only fluid.cpp knows whole.
+/// Deletes a Workspace, whose definition only fluid.cpp knows.
 struct DeleteWorkspace {
     void operator()(Workspace* workspace) const;
 };
@@ -165,10 +165,10 @@ void set_substance(Fluid& fluid, std::size_t substance, const std::function<doub
 /// and wakes the fluid.
 void refresh_after_edit(Fluid& fluid);
 
-/// Total momentum (m^4/s) and kinetic energy (m^5/s^2) per unit of density, summed in double in a fixed
-/// order. In the energy, a face at a solid along which the fluid slips is weighted by its open share.
+/// Total momentum per unit of density (m^4/s), summed in double in a fixed order.
 vec3 momentum(const Fluid& fluid);
-/// Kinetic energy over the density (m^5/s^2), counted as `momentum` is.
+/// Total kinetic energy per unit of density (m^5/s^2), summed in double in a fixed order. A face at a solid
+/// along which the fluid slips is weighted by its open share.
 double energy(const Fluid& fluid);
 /// Total amount of a substance (m^3).
 double amount(const Fluid& fluid, std::size_t substance);

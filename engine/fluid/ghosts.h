@@ -18,13 +18,13 @@ inline constexpr std::array all_even{GhostRule::even, GhostRule::even, GhostRule
 /// Writes the ghosts; `rule` is used only at walls. The `_across` version fills only the ghosts beyond
 /// the two sides across one axis, without the corners.
 void fill_ghosts_across(const Lattice& lattice, std::size_t axis, GhostRule rule, Samples& samples);
-/// Writes all ghosts.
+/// Writes all ghosts of a box, corners included.
 void fill_ghosts(const Lattice& lattice, const std::array<GhostRule, 3>& rule, Samples& samples);
 /// Like the functions above, for samples that exist only in `rows`, `depth` layers deep. Outside the rows the
 /// samples must always have been 0, or are never read.
 void fill_ghosts_across(const Rows& rows, std::size_t axis, GhostRule rule, Samples& samples,
                         int depth = ghosts);
-/// Writes all ghosts of the rows.
+/// Writes all ghosts of the rows, `depth` layers deep.
 void fill_ghosts(const Rows& rows, const std::array<GhostRule, 3>& rule, Samples& samples,
                  int depth = ghosts);
 

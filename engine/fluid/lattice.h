@@ -41,7 +41,7 @@ struct Lattice {
     std::ptrdiff_t first{};  ///< index of cell (0, 0, 0)
     std::size_t size{};      ///< length of an array, including ghosts
 
-    /// Index of the sample of a cell; ghosts have indices below 0 and from `cells` on.
+    /// Index of the sample of cell (i, j, k). Ghosts are cells with numbers below 0 or from `cells` on.
     std::ptrdiff_t at(int i, int j, int k) const { return first + i + j * stride[1] + k * stride[2]; }
 };
 

@@ -19,7 +19,7 @@ inline constexpr int ghosts = 3;
 /// Allocator of sample arrays, which keeps their beginnings apart in the cache.
 template <class T>
 struct SamplesAllocator {
-    /// What std::allocator_traits asks for.
+    /// Type that std::allocator_traits requires.
     using value_type = T;
 
     static constexpr std::size_t line = 64, page = 4096;  ///< bytes

@@ -20,8 +20,7 @@ constexpr double sample_most = 1e18;
 constexpr double height_most = 1e6;      // m
 constexpr double node_speed_most = 1e9;  // m/s
 
-// ---- contents of the body, listed once for saving and restoring
-// ------------------------------------------------------
+// ---- contents of the body, listed once for saving and restoring ------------------------------------------
 
 template <class S, class F>
 void each_setting(S& s, F&& f) {
@@ -60,8 +59,7 @@ void each_node_row(const SpringSurfaceSettings& s, F&& f) {
     for (std::size_t z = 0; z < s.nodes; ++z) f(surface_node_index(s, 0, z));
 }
 
-// ---- saving
-// --------------------------------------------------------------------------------------------------------
+// ---- saving ----------------------------------------------------------------------------------------------
 
 template <class T>
 std::span<const std::byte> row_bytes(const T* first, std::size_t count) {
@@ -93,8 +91,7 @@ void put_surface(const SpringSurface& surface, ByteWriter& out) {
         });
 }
 
-// ---- restoring
-// -----------------------------------------------------------------------------------------------------
+// ---- restoring -------------------------------------------------------------------------------------------
 
 Error wrong(std::string_view what) { return fail(text("saved fluid: ", what)); }
 Error ends_within(std::string_view what) { return wrong(text("it ends in the middle of ", what)); }

@@ -71,7 +71,7 @@ void close_rows(const SpringNetwork& net, double* values) {
     }
 }
 
-// ---- springs ----------------------------------------------------------------------------------------------------
+// ---- springs ---------------------------------------------------------------------------------------------
 
 /// Acceleration by the springs and the level (m/s^2). Opposite neighbours are summed in pairs, so that
 /// a mirror image gives the same bits.
@@ -96,7 +96,7 @@ void mirror(const SpringNetwork& net, double* h) {
     }
 }
 
-// ---- probes -----------------------------------------------------------------------------------------------------
+// ---- probes ----------------------------------------------------------------------------------------------
 
 /// Rectangle of nodes under a probe and the weight of each; the weights add up to 1.
 struct Footprint {
@@ -174,7 +174,7 @@ void update_inside(const SpringSurfaceSettings& s, const Footprint& print, std::
     if (inside != 0 ? gap <= -s.cling && gap < 0 : gap >= s.pop_through && gap > 0) inside = 1 - inside;
 }
 
-// ---- one step ---------------------------------------------------------------------------------------------------
+// ---- one step --------------------------------------------------------------------------------------------
 
 /// Arrays, constants and probes of one call.
 struct SurfaceStepContext {
@@ -297,7 +297,7 @@ ProbeReaction reaction(const SurfaceStepContext& m, std::size_t p, double second
             .inside = m.inside[p] != 0};
 }
 
-// ---- sleep ------------------------------------------------------------------------------------------------------
+// ---- sleep -----------------------------------------------------------------------------------------------
 
 double sum_of_squares(std::span<const double> values) {
     std::array<double, 4> sums{};

@@ -1,11 +1,11 @@
 // fluid/spring_surface.h: the brew's surface as a lattice of masses and springs. A probe can push it,
 // break through and leave (paper 000, section 5).
 //
-//     o---o---o     Structural springs lie along the sides of the lattice, shear springs along its diagonals.
-//     | X | X |     All have rest length zero and are stretched, like a soap film. The force of such a spring is
-//     o---o---o     its stiffness times the vector between its ends, so the three directions are independent. A
-//     | X | X |     node that is pushed straight down moves straight down, exactly and at any depth. Each node
-//     o---o---o     therefore needs only a height.
+//     o---o---o     Structural springs lie along the sides of the lattice, shear springs along its
+//     | X | X |     diagonals. All have rest length zero and are stretched, like a soap film. The force of
+//     o---o---o     such a spring is its stiffness times the vector between its ends, so the three directions
+//     | X | X |     are independent. A node that is pushed straight down moves straight down, exactly and at
+//     o---o---o     any depth. Each node therefore needs only a height.
 //
 // With tension T and areal mass m the surface is a membrane with wave speed sqrt(T / m), for any number
 // of nodes. By default a third of the tension is in the shear springs. Waves of all directions are then
@@ -58,7 +58,7 @@ struct SpringSurfaceSettings {
     double contact{5000};     ///< stiffness of the spring to the probe, >= 0 (N/m)
     double pop_through{200};  ///< force at which a probe breaks through, >= 0 (N)
     double cling{40};         ///< pull that tears the surface off a leaving probe, >= 0 (N)
-    /// Depth over which a push decays by a factor of e, see transmitted(), > 0 (m).
+    /// Depth over which a push decays by a factor of e in the base fluid, see transmitted(), > 0 (m).
     double reach{0.3};
     /// The surface falls asleep below an energy of tension times the square of this, >= 0 (m).
     double still{1e-5};
@@ -96,7 +96,7 @@ struct SpringSurface {
 constexpr std::size_t surface_row_stride(const SpringSurfaceSettings& s) {
     return (s.nodes + std::size_t{7}) / 4 * 4;
 }
-/// Index of a node in the arrays of a SpringSurfaceState.
+/// Index of a node in the arrays of a SpringSurface; x and z count the nodes from 0.
 constexpr std::size_t surface_node_index(const SpringSurfaceSettings& s, std::size_t x, std::size_t z) {
     return (z + 1) * surface_row_stride(s) + x + 1;
 }

@@ -1,9 +1,10 @@
 // gesture/calibration.h: how distances become a probability and an acceptance.
 //
-// The evidence of a recognition is three numbers: the logarithm of the distance, the logarithm of the ratio of the
-// runner-up's distance to it (at most 2), and the logarithm of the usual distance of the gesture. The probability
-// that the stroke was meant is a logistic function of them (Platt 1999), whose weights are fitted to labelled strokes
-// by Newton's method. Labelled strokes are synthetic at recording time (variations.h), or real where there are some.
+// The evidence of a recognition is three numbers: the logarithm of the distance, the logarithm of the ratio
+// of the runner-up's distance to it (at most 2), and the logarithm of the usual distance of the gesture. The
+// probability that the stroke was meant is a logistic function of them (Platt 1999), whose weights are
+// fitted to labelled strokes by Newton's method. Labelled strokes are synthetic at recording time
+// (variations.h), or real where there are some.
 //
 // Synthetic strokes differ in three ways from what a person draws. Half of them or more mean no gesture. They
 // are nearer to the templates than strokes of other users are, in some sets by half. And they scatter more
@@ -19,7 +20,7 @@
 
 namespace thaum::gesture {
 
-/// What the probability depends on.
+/// Numbers on which the probability of a recognition depends.
 struct Evidence {
     double distance{};  ///< natural logarithm of the nearest gesture's distance
     /// Natural logarithm of the ratio of the runner-up's distance to the nearest one's, 0 to 2.

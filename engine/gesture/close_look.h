@@ -1,9 +1,10 @@
 // gesture/close_look.h: finds exactly where a stroke within continuous motion starts and ends, and its
 // distance to a template there.
 //
-// The windows of the spotter are coarse: their starts are a ninth of their length apart. A close look moves start and
-// end of a window by 8, 4 and at last 2 % of its length, each time to the best of the eight neighbours, by the elastic
-// distance of fine shapes (shape.h). Its work is cut into steps of four shapes or one comparison of eight pairs.
+// The windows of the spotter are coarse: their starts are a ninth of their length apart. A close look moves
+// start and end of a window by 8, 4 and at last 2 % of its length, each time to the best of the eight
+// neighbours, by the elastic distance of fine shapes (shape.h). Its work is cut into steps of four shapes
+// or one comparison of eight pairs.
 #pragma once
 #include "gesture/recogniser.h"
 
@@ -17,11 +18,11 @@ public:
 
     /// Begins with the points from `first` to `last` and the template that the windows chose.
     void begin(std::size_t first, std::size_t last, const RecogniserSpace::Survivor& match);
-    /// Gives the look up.
+    /// Ends the look without a result.
     void stop() { active_ = false; }
-    /// Whether a look has begun and not ended.
+    /// Whether a search has begun and not ended yet.
     bool is_active() const { return active_; }
-    /// Does one step. Returns true when the look has ended; then the results below hold.
+    /// Does one step. Returns true when the search has ended; then the results below are valid.
     bool step(ShapeSpace& points);
 
     /// First point of the best part.
@@ -43,7 +44,8 @@ private:
     const Recogniser& recogniser_;
     FineKind kind_{};
     bool active_ = false;
-    /// made_: neighbours of the current round that have a shape. round_ is 0 while the window itself is compared.
+    /// made_: neighbours of the current round that have a shape. round_ is 0 while the window itself is
+    /// compared.
     std::size_t round_ = 0, made_ = 0;
     std::size_t first_{}, last_{};
     float distance_{};

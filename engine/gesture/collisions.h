@@ -25,10 +25,10 @@ inline constexpr double most_nearer = 0.05;
 /// How variations of one gesture are recognised beside another one, as shares of all variations.
 struct Mistaken {
     double taken{};  ///< share of the variations that are accepted as the other gesture
-    /// Share of the variations that are nearer to the other gesture than to any third one, accepted or not.
+    /// Share of the variations that are nearest to the other gesture instead of their own, accepted or not.
     double nearer{};
 
-    /// Whether that is too often.
+    /// Whether one of the shares is above its limit.
     bool often() const { return taken > most_taken || nearer > most_nearer; }
 };
 
@@ -42,7 +42,7 @@ struct Pair {
 
     /// Whether one of them is mistaken too often.
     bool collides() const { return a_as_b.often() || b_as_a.often(); }
-    /// The larger share of the two.
+    /// The larger of the two shares `Mistaken::nearer`.
     double nearer() const { return std::max(a_as_b.nearer, b_as_a.nearer); }
 };
 

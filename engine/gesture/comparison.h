@@ -12,7 +12,7 @@
 
 namespace thaum::gesture {
 
-/// How a stroke differs from its gesture, in terms that help who draws it.
+/// Differences between a stroke and a gesture, in numbers from which advice to the player is made.
 struct Comparison {
     double size{};   ///< longer edge of the stroke's bounding box (m)
     double scale{};  ///< size of the stroke, as a multiple of the gesture's

@@ -1,9 +1,9 @@
 // gesture/elastic.h: elastic distance between shapes, for eight templates at once.
 //
-// Dynamic time warping with a band (Sakoe, Chiba 1978): points of the stroke are matched to points of the template in
-// order, each at most `warp_band` places away from its own. The distance is the least sum of costs over all matchings,
-// divided by the number of points. Two points at squared distance s cost s / (1 + 2 s), at most 1/2 (Geman, McClure
-// 1985). One wrong corner then cannot outweigh a good match of the rest.
+// Dynamic time warping with a band (Sakoe, Chiba 1978): points of the stroke are matched to points of the
+// template in order, each at most `warp_band` places away from its own. The distance is the least sum of
+// costs over all matchings, divided by the number of points. Two points at squared distance s cost s / (1 + 2
+// s), at most 1/2 (Geman, McClure 1985). One wrong corner then cannot outweigh a good match of the rest.
 #pragma once
 #include <array>
 #include <span>
@@ -16,7 +16,8 @@ inline constexpr std::size_t warp_band = 3;
 inline constexpr std::size_t lanes = 8;
 inline constexpr float robustness = 2;
 
-/// Eight templates side by side: value of channel c of point i of template k at [(i * channels + c) * lanes + k].
+/// Eight templates side by side: value of channel c of point i of template k at
+/// [(i * channels + c) * lanes + k].
 template <std::size_t points>
 struct alignas(32) EightOf {
     std::array<float, points * most_channels * lanes> values{};

@@ -11,7 +11,7 @@ constexpr double tolerance = 15;  // degrees
 
 GestureOptions options_of(Figure figure) {
     GestureOptions o;
-    // A circle or star that starts at another corner is a rotated one, whose force rises and falls at another
+    // A circle or star that starts at another place is a rotated one, whose force rises and falls at another
     // place. So these two figures may be rotated by any angle.
     o.closed = figure == Figure::circle || figure == Figure::star;
     o.rotation = o.closed ? pi : tolerance / (180 / pi);

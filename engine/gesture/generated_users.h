@@ -1,9 +1,9 @@
 // gesture/generated_users.h: strokes of simulated users, for the shipped templates and for tests of them.
 //
-// A figure is a list of nodes joined by arcs. The hand goes from node to node in minimum-jerk movements (Flash, Hogan
-// 1985) that overlap in time (Flash, Henis 1991): the more they overlap, the rounder the corners. The force is the
-// answer of a viscous field, 3.5 N s/m times the speed of the hand, and the pace is chosen so that its mean becomes
-// what the user intends.
+// A figure is a list of nodes joined by arcs. The hand goes from node to node in minimum-jerk movements
+// (Flash, Hogan 1985) that overlap in time (Flash, Henis 1991): the more they overlap, the rounder the
+// corners. The force is the answer of a viscous field, 3.5 N s/m times the speed of the hand, and the pace is
+// chosen so that its mean becomes what the user intends.
 //
 // A user keeps a style: where figures begin and which way they turn, their proportions, tilt, corners,
 // tremor, pace and device. Each stroke differs from the style by jitter. None of this is shared with
@@ -60,13 +60,13 @@ struct UserStyle {
     std::array<vec3, most_nodes> idea{};
 };
 
-/// Style of a new user.
+/// Draws the style of a new user.
 UserStyle random_style(Random& random);
 
 /// How hard a user draws.
 enum class Effort : std::uint8_t { gentle, normal, harsh };
 
-/// A stroke of a figure in a style.
+/// Draws a stroke of a figure in the style of a user.
 std::vector<StrokePoint> draw_figure(Figure figure, const UserStyle& style, Effort effort, Random& random);
 
 /// A stroke that is no figure: a tangle, a zigzag, a line, a spiral, an eight, or a part of a figure.
@@ -75,7 +75,7 @@ std::vector<StrokePoint> draw_scribble(const UserStyle& style, Random& random);
 /// The gestures that the game ships: three strokes of each figure by careful users.
 std::vector<Gesture> generated_templates(std::uint64_t seed);
 
-/// Size of a generated set.
+/// Size and seed of a generated set.
 struct GeneratedSetSettings {
     std::size_t users = 20;
     std::size_t samples = 3;  ///< number of gentle strokes, and of harsh ones, of each figure by each user

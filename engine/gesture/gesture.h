@@ -1,4 +1,5 @@
-// gesture/gesture.h: a gesture as a designer records it: a name, one to three strokes, and how strokes may differ.
+// gesture/gesture.h: a gesture as a designer records it: a name, one to three
+// strokes, and how strokes may differ.
 #pragma once
 #include <limits>
 #include <numbers>

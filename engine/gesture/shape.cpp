@@ -443,8 +443,8 @@ void multiply(Sampled<points>& q, Floats4 factors) {
     for (Floats4& v : q.at) v *= factors;
 }
 
-/// Moves the centroid to the origin, and scales. Lanes that do not count become 0. Returns the size, 0 if it is too
-/// small to divide by.
+/// Moves the centroid to the origin, and scales. Lanes that do not count become 0. Returns the size, 0
+/// if it is too small to divide by.
 template <std::size_t points>
 float normalise(Sampled<points>& q, Floats4 mean, Ints4 used) {
     for (Floats4& v : q.at) v = masked(v - mean, used);

@@ -1,13 +1,15 @@
-// gesture/shape.h: a stroke with time, place and size taken away, so that two strokes can be compared point by point.
+// gesture/shape.h: a stroke with time, place and size taken away, so that two
+// strokes can be compared point by point.
 //
 // Steps:
-//   1. Rests before, within and after the stroke are removed, also those of a hand that trembles (rests.h), as are
-//      points at the place of the point before them.
-//   2. The stroke is resampled to 24 points. They are equally spaced in 0.7 of the arc length plus 0.3 of the time,
-//      each from 0 to 1. Slow parts (corners) get more points than by arc length alone.
+//   1. Rests before, within and after the stroke are removed, also those of a hand that trembles (rests.h),
+//      as are points at the place of the point before them.
+//   2. The stroke is resampled to 24 points. They are equally spaced in 0.7 of the arc length plus 0.3 of the
+//      time, each from 0 to 1. Slow parts (corners) get more points than by arc length alone.
 //   3. The centroid moves to the origin and the root mean square distance from it becomes 1.
-//   4. Each point gets its direction of motion, how sharply the stroke turns there, and the force, which is centred and
-//      scaled to a variance of 0.25. Raw force in the vector of positions harms recognition (GESTURE.md).
+//   4. Each point gets its direction of motion, how sharply the stroke turns there, and the force, which is
+//      centred and scaled to a variance of 0.25. Raw force in the vector of positions harms recognition
+//      (GESTURE.md).
 //
 // All arithmetic is in float with a fixed order, so a shape has the same bits on every processor.
 #pragma once
@@ -51,7 +53,7 @@ struct Shape {
 inline constexpr std::size_t fine_points = 32;
 using FineShape = std::array<float, fine_points * most_channels>;  ///< [point * channels + channel]
 
-/// Which features a fine shape has.
+/// Kind of a fine shape: its channels, and whether its axes are evened out.
 struct FineKind {
     Channels channels{};
     bool even = true;  ///< false: keep the ratio of the axes' sizes, for a gesture that may be turned
@@ -80,17 +82,17 @@ struct ShapeSpace {
 /// continuous motion.
 enum class Rests : std::uint8_t { left_out, kept };
 
-/// Makes the shape of a stroke. Returns false for a stroke without two different places or with a value that is not
-/// finite. No allocation.
+/// Makes the shape of a stroke. Returns false for a stroke without two different places or with a value
+/// that is not finite. No allocation.
 bool make_shape(Points stroke, Channels channels, ShapeSpace& space, Shape& shape,
                 Rests rests = Rests::left_out);
 
-/// Makes the shape of the points in `space` from `first` to `last`, both included. `length` has the arc length up to
-/// each point. For callers that fill the space themselves.
+/// Makes the shape of the points in `space` from `first` to `last`, both included. `length` has the arc
+/// length up to each point. For callers that fill the space themselves.
 bool make_shape(ShapeSpace& space, std::size_t first, std::size_t last, Channels channels, Shape& shape);
 
-/// Makes the fine shape of the points in `space` from `first` to `last`, both included. The first call of `make_shape`
-/// with a stroke fills the space.
+/// Makes the fine shape of the points in `space` from `first` to `last`, both included. The first call of
+/// `make_shape` with a stroke fills the space.
 bool make_fine_shape(ShapeSpace& space, std::size_t first, std::size_t last, FineKind kind, FineShape& shape);
 
 }  // namespace thaum::gesture

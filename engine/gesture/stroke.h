@@ -1,7 +1,7 @@
 // gesture/stroke.h: strokes in four dimensions, the only input of this folder.
 //
-// A stroke is a list of points in time. Positions may be in any unit (metres, pixels), because every recogniser here
-// normalises size and place. A device without a force writes zeros.
+// A stroke is a list of points in time. Positions may be in any unit (metres, pixels), because every
+// recogniser here normalises size and place. A device without a force writes zeros.
 #pragma once
 #include <cmath>
 #include <cstdint>

@@ -1,12 +1,12 @@
 // gesture/stroke_csv.h: reads strokes, sessions and labels from CSV text.
 //
-//     strokes    user,gesture,sample,t,x,y[,z][,force]     one row a point; rows of equal user, gesture and sample are
-//                                                          one stroke
-//     sessions   user,t,x,y[,z][,force]                    continuous motion of each user
-//     labels     user,gesture,t_start,t_end                gestures within the sessions
+//     strokes    user,gesture,sample,t,x,y[,z][,force]   one row a point; rows of equal user, gesture and
+//                                                        sample are one stroke
+//     sessions   user,t,x,y[,z][,force]                  continuous motion of each user
+//     labels     user,gesture,t_start,t_end              gestures within the sessions
 //
-// The form of tables is that of core/table.h; columns with other titles are ignored. Times are in seconds and must not run
-// backwards within a stroke or session.
+// The form of tables is that of core/table.h; columns with other titles are ignored. Times are in seconds and
+// must not run backwards within a stroke or session.
 #pragma once
 #include <string_view>
 #include <vector>
@@ -47,13 +47,13 @@ struct SessionLabel {
     double end{};    ///< time at which the labelled gesture ends (s)
 };
 
-/// Reads strokes. The error names file, line and fault.
+/// @{
+/// Reads strokes, sessions or labels of sessions from the text of a file. `name` is the file's name for
+/// errors. The error names file, line and fault.
 Expected<StrokeSet> read_strokes(std::string_view csv, std::string_view name);
-/// Reads a file of sessions. The error names file, line and fault.
 Expected<SessionSet> read_sessions(std::string_view csv, std::string_view name);
-/// Reads the labels of sessions. The error names file, line and fault.
 Expected<std::vector<SessionLabel>> read_labels(std::string_view csv, std::string_view name);
-///@}
+/// @}
 
 /// Strokes as CSV text that reads back to the same strokes.
 std::string to_csv(std::span<const Stroke> strokes);

@@ -27,7 +27,7 @@ struct VariationSettings {
 /// A normally distributed number (sum of twelve uniform ones).
 double normal(Random& random);
 
-/// A stroke as the same user might draw it another time.
+/// A stroke of the same gesture as another user might draw it.
 std::vector<StrokePoint> variation_of(Points stroke, Random& random, const VariationSettings& settings = {});
 
 /// A stroke that means nothing, as large as the templates.

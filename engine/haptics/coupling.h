@@ -17,7 +17,7 @@
 
 namespace thaum::haptics {
 
-/// Spring and damper between hand and object.
+/// Spring and damper between hand and object, and drag of the object.
 struct Coupling {
     double stiffness{};  ///< stiffness of the spring, >= 0 (N/m)
     double damping{};    ///< damping between hand and object, >= 0 (N s/m)
@@ -52,7 +52,7 @@ struct CouplingState {
     vec3 object_acceleration{};  ///< acceleration by other constant forces, such as gravity (m/s^2)
 };
 
-/// What the coupling did in one step.
+/// Impulses and motions of one step.
 struct CouplingResult {
     vec3 impulse{};       ///< impulse of spring and damper on the object; the hand gets the opposite (N s)
     vec3 mean_force{};    ///< impulse / dt (N)

@@ -26,7 +26,8 @@ struct DeviceSpec {
     double damping{};           ///< viscous damping at the tip (N s/m)
     double coulomb_friction{};  ///< dry friction on each axis (N)
     double update_rate{};       ///< servo rate (Hz)
-    /// Delay from a measured position to the force computed from it (ticks); 0: the force acts in the same tick.
+    /// Delay from a measured position to the force computed from it (ticks); 0:
+    /// the force acts in the same tick.
     int latency{};
 };
 

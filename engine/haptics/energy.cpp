@@ -14,8 +14,8 @@ constexpr double still = 1e-6;  // m/s; below this speed, damping takes out no e
 constexpr std::uint32_t kept = most_latency + 1;
 /// Share of the active sources' budget in which their force fades.
 constexpr double fading_share = 0.2;
-/// Force with which a spring without any reserve meets a hand that presses in (N): a force of zero would never
-/// receive anything.
+/// Force with which a spring without any reserve meets a hand that presses in (N): a force of
+/// zero would never receive anything.
 constexpr double least_force = 0.1;
 static_assert((active_bins - 2) * active_bin_ticks == ticks(1));
 
@@ -127,7 +127,8 @@ void forgive(PassivityObserver& observer, bool springs_pull) {
 
 void release_if_covered(PassivityObserver& observer, const HeldSprings& springs, double stiffness) {
     if (observer.held_back == 0 || !(stiffness > 0)) return;
-    // A spring of the device's stiffness receives a little less than it holds, a tick's motion times its force.
+    // A spring of the device's stiffness receives a little less than it holds,
+    // a tick's motion times its force.
     constexpr double nearly = 0.8, settled = 1e-6;
     const double pull = springs.pull;
     const double owed = std::max(springs.energy - energy_slack, nearly * pull * pull / (2 * stiffness));
@@ -145,8 +146,8 @@ double force_of_reserve(const PassivityObserver& observer, double outward, doubl
     return std::max(0.0, std::sqrt(2 * stiffness * left) - ahead);
 }
 
-// Cap and heat scale all sources alike. The fading offset of a switch returns energy that was received and hardly any
-// more, since the reserve limits it. It is therefore passive, like the controller's brake.
+// Cap and heat scale all sources alike. The fading offset of a switch returns energy that was received and
+// hardly any more, since the reserve limits it. It is therefore passive, like the controller's brake.
 void record_output(PassivityObserver& observer, vec3 output, vec3 passive, vec3 active, vec3 world,
                    vec3 unrequested) {
     const vec3 wanted = passive + active;
@@ -172,7 +173,8 @@ void record_ramp(PassivityObserver& observer, vec3 output) {
     observer.forces[observer.newest] = {.passive = output - active, .active = active};
 }
 
-// ---- the servo's step -----------------------------------------------------------------------------------------------
+// ---- the servo's step
+// -----------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -237,8 +239,8 @@ bool is_stopped(const SafetyState& safety) {
     return safety.cause >= static_cast<std::uint32_t>(SafetyCause::waiting);
 }
 
-/// Whether the springs may hold energy now that they did not receive: a source switched, the output was stopped, or the
-/// player has raised the largest force.
+/// Whether the springs may hold energy now that they did not receive: a source switched, the output was
+/// stopped, or the player has raised the largest force.
 bool may_hold_more(const Servo& servo, const ServoState& state, const Tip& tip) {
     return tip.switched || tip.stops || state.samples <= 1 || is_stopped(state.safety) ||
            servo.limits.cap > state.safety.cap;
@@ -250,7 +252,8 @@ double energy_of_output(const Servo& servo, const SafetyState& safety) {
     return glm::dot(safety.output, safety.output) / (2 * servo.most_stiffness);
 }
 
-/// Limits the springs, which pull with `pull` (N), to the force that their reserve allows. Returns that force (N).
+/// Limits the springs, which pull with `pull` (N), to the force that their
+/// reserve allows. Returns that force (N).
 double limit_to_reserve(const Servo& servo, const ServoState& state, double pull, Sources& sources) {
     const vec3 step = tip_motion(state, servo.quantum);
     const double outward = pull > 0 ? glm::dot(step, sources.springs) / pull : 0;
@@ -277,14 +280,16 @@ double expected_creation(const Servo& servo, const PassivityObserver& observer, 
     return std::max(0.0, work + ahead - tether_energy(tether, tip.position, cap));
 }
 
-/// Energy that the controller takes out in this tick (J). Springs that are held back give no more than their reserve.
+/// Energy that the controller takes out in this tick (J). Springs that are held back
+/// give no more than their reserve.
 double energy_to_take_out(const PassivityObserver& observer, double held) {
     if (observer.held_back == 0) return surplus(observer, held);
     return surplus(observer, std::min(held, observer.reserve)) * (tick_seconds / repayment_time);
 }
 
-/// Largest damping of the passivity controller (N s/m). One encoder count in a tick is a velocity, too. If it is worth
-/// more than this force, the controller shakes a tip that hardly moves. In a faster motion a count matters less.
+/// Largest damping of the passivity controller (N s/m). One encoder count in a tick is a velocity,
+/// too. If it is worth more than this force, the controller shakes a tip that hardly moves. In a
+/// faster motion a count matters less.
 double controller_damping(const Servo& servo, vec3 velocity) {
     constexpr double most_of_a_count = 0.28;  // largest force that one count may be worth (N)
     if (!(servo.quantum > 0)) return servo.most_damping;
@@ -304,8 +309,8 @@ vec3 brake_sources(const Servo& servo, ServoState& state, double taken, const So
         brake = passivity_control(taken, velocity, controller_damping(servo, velocity));
     }
     const bool held_back = energy.held_back != 0;
-    // The brake of a fluid acts at once and without a limit. With the limit, a flow that comes late created more than the
-    // 0.02 J that are allowed.
+    // The brake of a fluid acts at once and without a limit. With the limit, a flow that comes late created
+    // more than the 0.02 J that are allowed.
     if (state.fluid.number != 0 && !held_back) return energy.brake = brake;
     return steady_brake(energy, brake, glm::length(held_back ? sources.springs : sources.passive));
 }

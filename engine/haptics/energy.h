@@ -1,21 +1,22 @@
-// haptics/energy.h: energy bookkeeping at the device (HAPTICS.md, "Energy and switches"): a passivity observer after the
-// last stage, and a passivity controller. The controller adds the damping that keeps passive sources passive
-// (time-domain passivity; Hannaford and Ryu 2002).
+// haptics/energy.h: energy bookkeeping at the device (HAPTICS.md, "Energy and switches"): a passivity
+// observer after the last stage, and a passivity controller. The controller adds the damping that keeps
+// passive sources passive (time-domain passivity; Hannaford and Ryu 2002).
 //
-// Passive sources (tether, primitives, surfaces, viscous spaces, a fluid's drag and walls) may return the energy that they
-// received, and no more. They receive it from the hand, or from the world that moves the spring's other end. Active sources
-// (pulses, steady and directed forces, a fluid's flow) may push the hand within a budget.
+// Passive sources (tether, primitives, surfaces, viscous spaces, a fluid's drag and walls) may return
+// the energy that they received, and no more. They receive it from the hand, or from the world that
+// moves the spring's other end. Active sources (pulses, steady and directed forces, a fluid's flow)
+// may push the hand within a budget.
 //
-// A switch may leave springs that hold more than they received: material that grew at the hand, a largest force that
-// was raised, forces that come back. No damper takes that much out of a hand that rests. So from a switch on, the
-// springs have a reserve: what they received and still hold, plus `reserve_energy`. They pull no harder than a spring
-// of the device's largest stiffness with that energy, F <= sqrt(2 k reserve). A hand that yields meets a spring that
-// relaxes, and a hand that presses in again meets one that is stretched from there. The reserve comes out of the
-// account `created`, which a switch does not reset. So many switches together give no more than one. What was created is
-// forgotten in the course of time only.
+// A switch may leave springs that hold more than they received: material that grew at the hand, a largest
+// force that was raised, forces that come back. No damper takes that much out of a hand that rests. So from a
+// switch on, the springs have a reserve: what they received and still hold, plus `reserve_energy`. They pull
+// no harder than a spring of the device's largest stiffness with that energy, F <= sqrt(2 k reserve). A hand
+// that yields meets a spring that relaxes, and a hand that presses in again meets one that is stretched from
+// there. The reserve comes out of the account `created`, which a switch does not reset. So many switches
+// together give no more than one. What was created is forgotten in the course of time only.
 //
-// A hand in the midst of a body that has just appeared feels nothing. The force comes when it leaves. So where a field
-// decides on the springs, the reserve lasts until the hand has pressed them.
+// A hand in the midst of a body that has just appeared feels nothing. The force comes when it leaves. So
+// where a field decides on the springs, the reserve lasts until the hand has pressed them.
 //
 // A commanded force acts over the tick that follows. Its work is known one tick later, from the position that
 // the device then measures.
@@ -37,8 +38,8 @@ struct CommandedForce {
 
 /// Parts of a second in which the work of active sources is counted.
 inline constexpr std::uint32_t active_bin_ticks = 50;
-/// Bins of a second, the bin being filled, and one that has left the second and fades. Without the last one, the force
-/// would jump when the work of a bin is forgotten.
+/// Bins of a second, the bin being filled, and one that has left the second and fades. Without the last one,
+/// the force would jump when the work of a bin is forgotten.
 inline constexpr std::size_t active_bins = 22;
 
 /// Work of active sources in one bin.
@@ -52,13 +53,13 @@ struct PassivityObserver {
     vec3 position{};  ///< measured position at the last tick (m)
     /// Commanded forces, a ring buffer with the newest at `newest`.
     std::array<CommandedForce, most_latency + 1> forces{};
-    /// Energy created by passive sources (J); > 0: they gave more than they got. It never falls below minus their
-    /// stored energy.
+    /// Energy created by passive sources (J); > 0: they gave more than they got. It never falls
+    /// below minus their stored energy.
     double created{};
     double most_created{};  ///< largest value of `created` so far (J)
     /// Largest work of active sources from any tick of the last second until now (J).
     double active_work{};
-    std::array<ActiveBin, active_bins> active{};  ///< their work, a ring of bins
+    std::array<ActiveBin, active_bins> active{};  ///< work of active sources, a ring of bins
     double reserve{};                             ///< energy that springs may still give while held back (J)
     std::uint32_t active_bin{};                   ///< index of the bin being filled
     std::uint32_t active_tick{};                  ///< ticks in the bin being filled
@@ -77,8 +78,8 @@ inline constexpr double longest_step = 0.05;  ///< largest plausible motion of t
 /// Energy that active sources may give in any second (J).
 inline constexpr double active_budget = 0.5;
 
-/// Energy that springs may give after a switch beyond what they received (J). Together with the offset's, and with what a
-/// tick's delay adds, it stays below 0.02 J.
+/// Energy that springs may give after a switch beyond what they received (J). Together with the offset's, and
+/// with what a tick's delay adds, it stays below 0.02 J.
 inline constexpr double reserve_energy = 0.008;
 
 /// Adds the work of the last tick, once the device has measured the resulting position. `world_step` is the
@@ -93,8 +94,8 @@ void observe(PassivityObserver& observer, vec3 position, vec3 world_step, double
 /// once.
 inline constexpr double energy_slack = 0.003;
 
-/// Time in which the controller takes out energy that a switch created (s). The reserve bounds that energy, so there is
-/// no haste, and a brake that began at once would be a jump.
+/// Time in which the controller takes out energy that a switch created (s). The reserve bounds that energy,
+/// so there is no haste, and a brake that began at once would be a jump.
 inline constexpr double repayment_time = 0.1;
 
 /// Energy that the controller has to take out (J); 0 or less: none. `held` is the energy that springs hold,
@@ -110,45 +111,48 @@ vec3 passivity_control(double energy, vec3 velocity, double most);
 /// Largest change of the brake in a tick (N).
 inline constexpr double brake_step = 0.3;
 
-/// Moves the brake towards the one that the controller wishes for (N), by at most `brake_step`, since a brake that began
-/// at once would be a jump. At most as strong as the force that it brakes, `most` (N): a brake cancels that force, and
-/// pulls no hand into a wall that it leaves.
+/// Moves the brake towards the one that the controller wishes for (N), by at most `brake_step`, since a brake
+/// that began at once would be a jump. At most as strong as the force that it brakes, `most` (N): a brake
+/// cancels that force, and pulls no hand into a wall that it leaves.
 vec3 steady_brake(PassivityObserver& observer, vec3 wished, double most);
 
 /// Work of the passive forces that are commanded but have not acted yet (J), if the tip moves by `step` (m)
 /// in every tick.
 double pending_work(const PassivityObserver& observer, vec3 step, int latency);
 
-/// Limits the active force to its budget (N). It fades while the last fifth of the budget is used, and all of it alike:
-/// a force that pushed only against the motion would jump whenever the hand turns.
+/// Limits the active force to its budget (N). It fades while the last fifth of the budget is used, and all of
+/// it alike: a force that pushed only against the motion would jump whenever the hand turns.
 vec3 within_budget(const PassivityObserver& observer, vec3 active);
 
-/// Work that fading offsets of switches may do now (J): less soon after other switches, so that many together do no more
-/// than one.
+/// Work that fading offsets of switches may do now (J): less soon after other switches, so that
+/// many together do no more than one.
 double fade_energy(const PassivityObserver& observer);
 
-/// Begins a reserve at a switch. What a reserve that runs already has received since goes on.
+/// Begins a reserve at a switch. A reserve that is already running is not reduced.
 void hold_back(PassivityObserver& observer);
 
-/// Forgets in a tick a part of what was created, while springs are held back: soon what is beyond twice the reserve, such
-/// as by a device that lost its place, and slowly all of it, if the springs do not pull at all.
+/// Forgets a part of the created energy in a tick, while springs are held back. What exceeds twice the
+/// reserve, as after a device has lost its place, is forgotten within seconds. All of it is forgotten within
+/// tens of seconds if the springs do not pull at all.
 void forgive(PassivityObserver& observer, bool springs_pull);
 
-/// Springs after a switch.
+/// State of the springs after a switch.
 struct HeldSprings {
-    double energy{};  ///< energy that they hold (J)
-    double pull{};    ///< their force (N)
-    /// true: they may push as soon as the hand moves, though they pull nothing here: within a body of even density.
+    double energy{};  ///< energy that the springs hold (J)
+    double pull{};    ///< length of the springs' force (N)
+    /// true: they may push as soon as the hand moves, though they pull nothing
+    /// here: within a body of even density.
     bool may_lie_ahead{};
 };
 
-/// Ends it once the springs hold no more than they received, or pull no more, owe nothing and lie nowhere ahead.
-/// `stiffness` is the device's largest (N/m).
+/// Ends the reserve once the springs hold no more energy than they received. For springs that do not pull, it
+/// ends once they owe nothing and cannot push as soon as the hand moves. `stiffness` is the device's largest
+/// (N/m).
 void release_if_covered(PassivityObserver& observer, const HeldSprings& springs, double stiffness);
 
-/// Largest force of the springs that the reserve allows (N); infinite if they are not held back. `outward` is the motion
-/// of the tip along their force in a tick (m), `pending` their work that has yet to act (J), `stiffness` the device's
-/// largest (N/m).
+/// Largest force of the springs that the reserve allows (N); infinite if they are not held back. `outward` is
+/// the motion of the tip along their force in a tick (m), `pending` their work that has yet to act (J),
+/// `stiffness` the device's largest (N/m).
 double force_of_reserve(const PassivityObserver& observer, double outward, double pending, double stiffness);
 
 /// Records the force commanded to the device (N). `passive` and `active` are the forces that the sources

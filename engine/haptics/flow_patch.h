@@ -1,7 +1,8 @@
 // haptics/flow_patch.h: the part of a flow around the probe that the haptic model carries. The servo reads
 // the flow from it at 1 kHz without access to the fluid:
 //
-//     fields of the fluid (field/field.h) -patch_of()-> FlowPatch (64 nodes) -flow_at()-> velocity, viscosity, density
+//     fields of the fluid (field/field.h) -patch_of()-> FlowPatch (64 nodes)
+//                                         -flow_at()--> velocity, viscosity, density
 //
 // Values are linear between nodes along each axis. Beyond the outermost nodes, the value is that of the
 // nearest place within. A patch stays where it was taken. Its nodes are whole spacings away from the first
@@ -63,8 +64,8 @@ struct FlowSource {
     std::array<FlowSubstance, flow_substances> substances{};
 };
 
-/// Takes a patch with the spacing of the velocity's samples (their smallest one along any axis). `middle` (m) lies in its middle cell. The patch
-/// is empty if `middle` is not finite or the velocity has no samples.
+/// Takes a patch with the spacing of the velocity's samples (their smallest one along any axis). `middle` (m)
+/// lies in its middle cell. The patch is empty if `middle` is not finite or the velocity has no samples.
 FlowPatch patch_of(const FlowSource& source, vec3 middle) noexcept;
 
 }  // namespace thaum::haptics

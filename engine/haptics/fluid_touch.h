@@ -3,12 +3,13 @@
 // servo step.
 //
 //     FluidTouch (the model: flow round the probe, surface, bowl) --.
-//     tip, velocity ------------------------------------------------+--> feel_fluid() --> forces on the hand, by kind
-//     FluidTouchState ----------------------------------------------'                     and the force for the fluid
+//     tip, velocity ------------------------------------------------+--> feel_fluid() --> forces on the hand
+//     FluidTouchState ----------------------------------------------'                     by kind, and the
+//                                                                                         force for the fluid
 //
-// There are two frames and two scales (HAPTICS.md, "Couplings and fluid"). The bowl frame has y up and an origin that the game
-// chooses (m). Flow, surface and wall are in the bowl frame. With x and v of the tip in the device frame, R =
-// `turn` and s_x, s_f:
+// There are two frames and two scales (HAPTICS.md, "Couplings and fluid"). The bowl frame has y up and an
+// origin that the game chooses (m). Flow, surface and wall are in the bowl frame. With x and v of the tip in
+// the device frame, R = `turn` and s_x, s_f:
 //
 //     place P = origin + R s_x x        velocity V = R s_x v        force on the hand f = s_f R^T F
 //
@@ -17,12 +18,15 @@
 //
 //     viscosity   F = - w_v i viscous mu V              (1)  as in a medium at rest: passive
 //     flow        F = + w_f i viscous mu u              (2)  carries a relaxed hand: an active source
-//     resistance  F = - w_r i form rho (V - u)          (3)  against the current: passive, its other end is the flow
-//     surface     F = w_s clamp(k (h - P_y), 0, pop) y  (4)  from outside; from inside clamp(.., -cling, 0). The spring
-//                                                            of fluid/spring_surface.h: passive, the surface moves its end
-//     wall        F = w_b max(0, k |N - P| + b V_out)   (5)  inwards: passive. N: nearest place in the bowl, V_out:
-//                                                            outward speed along P - N
-//     inertia     F = w_m (k (M - P) + b (M' - V))      (6)  m M'' = -F: a mass of its own, felt as s_f s_x m; passive
+//     resistance  F = - w_r i form rho (V - u)          (3)  against the current: passive, its other end is
+//                                                            the flow
+//     surface     F = w_s clamp(k (h - P_y), 0, pop) y  (4)  from outside; from inside clamp(.., -cling, 0).
+//                                                            The spring of fluid/spring_surface.h: passive,
+//                                                            the surface moves its end
+//     wall        F = w_b max(0, k |N - P| + b V_out)   (5)  inwards: passive. N: nearest place in the bowl,
+//                                                            V_out: outward speed along P - N
+//     inertia     F = w_m (k (M - P) + b (M' - V))      (6)  m M'' = -F: a mass of its own, felt as
+//                                                            s_f s_x m; passive
 //     recoil      a Pulse (servo.h), see recoil_peak()  (7)  active
 //
 // With equal strengths, (1) and (2) are the Stokes drag -viscous mu (V - u); a sphere of radius a has viscous
@@ -48,8 +52,8 @@
 //      place in the bowl, moved on by its velocity for some 16 ms, because the patch is read for 32 ms. In
 //      every other tick: ++touch.step_age. `older`, `newer` and `step_age` decide future forces and do not
 //      follow from the fluid. They are state and belong in a component.
-//   2. surface = the fluid's surface under the probe (ProbeReaction, SpringSurfaceSettings), with the velocity by difference.
-//      Without a surface, `present` = 0.
+//   2. surface = the fluid's surface under the probe (ProbeReaction, SpringSurfaceSettings), with the
+//      velocity by difference. Without a surface, `present` = 0.
 //   3. Frame, drag, wall, ladle and modes from the game's data. The device must be able to render the felt
 //      stiffnesses s_f s_x k. `number` counts from 1 and changes when the probe appears, or when frame, modes
 //      or data jump.
@@ -76,7 +80,7 @@ struct FluidModes {
     double viscosity{1}, flow{1}, resistance{1}, surface{1}, wall{1}, inertia{1}, recoil{1};
 };
 
-/// Name of a mode, and where its strength stands.
+/// Name of a mode, and the member of FluidModes that holds its strength.
 struct FluidMode {
     std::string_view name;
     double FluidModes::*strength;

@@ -5,19 +5,20 @@
 //     settings (strength, ...) --+--> mode --> primitives at the proxy of the last tick --> balance
 //     proxy of the last tick ----'
 //
-// A mode reads a field at the proxy of the last tick and adds haptic primitives there. A transfer function maps the
-// property that the mode reads to the strength of its primitives. Modes are independent of each other, so any of
-// them act together, up to primitive_capacity primitives.
+// A mode reads a field at the proxy of the last tick and adds haptic primitives there. A transfer function
+// maps the property that the mode reads to the strength of its primitives. Modes are independent of each
+// other, so any of them act together, up to primitive_capacity primitives.
 //
-// A mode always adds the same number of primitives, because the servo takes another number for a switch. Where it
-// has nothing to push with, they have no strength: a gradient or vector of length zero, a field that is not finite,
-// a strength that is not finite or, for point and line, negative. Then directions are arbitrary.
+// A mode always adds the same number of primitives, because the servo takes another number for a
+// switch. Where it has nothing to push with, they have no strength: a gradient or vector of length
+// zero, a field that is not finite, a strength that is not finite or, for point and line,
+// negative. Then directions are arbitrary.
 //
-// A directed force makes the whole set an active source, with a budget of energy (haptics/energy.h). So together with
-// gradient, force or vortex_core the other modes count as active too.
+// A directed force makes the whole set an active source, with a budget of energy (haptics/energy.h). So
+// together with gradient, force or vortex_core the other modes count as active too.
 //
-// Whoever chooses other modes or settings gives HapticModel::set_number a new value, so that the servo fades from
-// one feel to the other.
+// Whoever chooses other modes or settings gives HapticModel::set_number a new value, so that the servo
+// fades from one feel to the other.
 //
 // A mode is one .cpp in haptics/modes that registers a Mode. Link to thaum_modes, which keeps all of them.
 #pragma once
@@ -49,24 +50,23 @@ struct ModeInput {
 
 /// Settings of a mode. A mode ignores those that it has no use for.
 struct ModeSettings {
-    /// Strength of the primitives by the mode's property (N). A negative strength turns a direction that the field
-    /// gives, such as the side from which a surface is felt.
+    /// Strength of the primitives by the mode's property (N). A negative strength turns a direction that the
+    /// field gives, such as the side from which a surface is felt.
     field::TransferFunction strength{};
     /// Coefficient of friction. Surface: by the field's value. Isosurface: by the depth of the tip (m).
     field::TransferFunction friction{};
     double level{};      ///< isosurface: value of the field on the surface
     bool solid_below{};  ///< isosurface: the solid has smaller values than the level, not larger ones
-    /// Isosurface: strength with which it holds a tip that is outside, within reach (N). So the spring pulls with at most
-    /// the stiffness times the reach.
+    /// Isosurface: strength with which it holds a tip that is outside, within reach (N). So the spring pulls
+    /// with at most the stiffness times the reach.
     double magnet{};
-    /// Isosurface: depth at which it lets the proxy through, and distance at which it is sought. Snap modes: distance
-    /// within which they act (m).
+    /// Isosurface: depth at which it lets the proxy through, and distance at which it is sought. Snap modes:
+    /// distance within which they act (m).
     double reach{0.002};
     double pitch{0.01};  ///< snap to grid: distance between its points (m)
     bool operator==(const ModeSettings&) const = default;
 };
 
-/// Fields that modes read.
 /// Kind of field that a mode reads.
 enum class FieldKind : std::uint32_t { scalar, vector };
 
@@ -111,8 +111,8 @@ struct ModeOffer {
     std::optional<field::FilterKind> through{};  ///< std::nullopt: it reads the field itself
 };
 
-/// All ways to feel a field of this kind: first the modes that read it, then those that read its gradient, or its
-/// length, divergence and curl.
+/// All ways to feel a field of this kind: first the modes that read it, then those that read its gradient, or
+/// its length, divergence and curl.
 std::vector<ModeOffer> mode_offers(FieldKind kind);
 
 /// The field that a mode should read behind filters: the quick one if it needs no derivatives.
@@ -125,37 +125,40 @@ struct ModeUse {
     ModeSettings settings{};
 };
 
-/// Adds the primitives of all modes, in their order. A mode without room for its primitives, and one that does not
-/// read its field's kind, adds none. Returns the number of modes that were left out. No allocation.
+/// Adds the primitives of all modes, in their order. A mode without room for its primitives, and one that
+/// does not read its field's kind, adds none. Returns the number of modes that were left out. No allocation.
 std::size_t add_modes(std::span<const ModeUse> uses, const ModeInput& input, PrimitiveSet& set) noexcept;
 
 // ---- for the modes themselves -----------------------------------------------------------------------------
 
-/// Length and direction of a vector. If it is zero or not finite, the length is 0 and the direction arbitrary.
+/// Length and direction of a vector. If it is zero or not finite, the length
+/// is 0 and the direction arbitrary.
 struct Direction {
     vec3 unit{1, 0, 0};
     double length{};
 };
-/// Splits a vector so.
+/// Length and direction of `v`.
 Direction direction_of(vec3 v) noexcept;
 
-/// Direction towards the core of a vortex, and length of (curl V) x V (paper 001, eq. 2, whose minus would point away).
+/// Direction towards the core of a vortex, and length of (curl V) x V (paper 001, eq.
+/// 2, whose minus would point away).
 Direction towards_core(const field::Vector& here) noexcept;
 
-/// Strength by a transfer function at x (N): within +- primitive_limit, and 0 if x or the result is not finite.
+/// Strength by a transfer function at x (N): within +- primitive_limit, and 0
+/// if x or the result is not finite.
 double strength_at(const field::TransferFunction& strength, double x) noexcept;
 
 /// Largest strength of a primitive whose point, line or plane is not at the proxy (N), beyond what any device
-/// renders. Such a primitive moves the proxy. Two that contradict each other, nearly parallel and without bounds, would
-/// throw it to where their planes meet, metres away.
+/// renders. Such a primitive moves the proxy. Two that contradict each other, nearly parallel and without
+/// bounds, would throw it to where their planes meet, metres away.
 inline constexpr double most_pull = 10;
 
-/// Place that a proxy heads for along a plane with this normal (m): the next tip, held back by the friction of the last
-/// tick, which is at most `friction` (N).
+/// Place that a proxy heads for along a plane with this normal (m): the next tip, held back by the friction
+/// of the last tick, which is at most `friction` (N).
 vec3 held_back(const ModeInput& input, vec3 normal, double friction) noexcept;
 
-/// Adds a primitive. One with a fault, such as a negative strength or a place that is not finite, is added without
-/// strength, so that the number of primitives stays the same.
+/// Adds a primitive. One with a fault, such as a negative strength or a place that is not finite, is added
+/// without strength, so that the number of primitives stays the same.
 void add_or_rest(PrimitiveSet& set, const Primitive& primitive) noexcept;
 
 /// Adds a directed force or a plane; a negative strength turns it round.

@@ -6,8 +6,8 @@
 // motion under forces that stay constant over the time t. With the start velocity v, the start acceleration
 // a, and the constant velocity w of the spring's other end:
 //
-//     v(t) = v + S a + frequency2 S1 (w - v)            (velocity obeys v'' + 2 decay v' + frequency2 (v - w) = 0)
-//     x(t) = x + t v + S1 a + frequency2 S2 (w - v)     (its integral)
+//     v(t) = v + S a + frequency2 S1 (w - v)         (obeys v'' + 2 decay v' + frequency2 (v - w) = 0)
+//     x(t) = x + t v + S1 a + frequency2 S2 (w - v)  (the integral of v)
 //
 // Neither equation subtracts large, nearly equal numbers, for any stiffness including zero. A step therefore
 // has rounding error only, whatever its length. The textbook's three formulas (under-, critically,
@@ -17,7 +17,7 @@
 
 namespace thaum::haptics {
 
-/// The equation of motion of a coupling.
+/// Constants of a damped oscillator (the equation above).
 struct Oscillator {
     double decay{};  ///< damping / (2 mass), >= 0 (1/s)
     /// Stiffness / mass, the square of the undamped angular frequency, >= 0 (1/s^2).

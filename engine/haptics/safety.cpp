@@ -6,10 +6,10 @@
 
 #include "haptics/energy.h"
 
-// The stage holds the force back in two ways. Danger for the hand (a panic, a shut-off, a hand that is too
-// fast) makes the force zero at once. With an old model, and for a player who wants no forces any more, it ramps to
-// zero, because nothing says that the last force was wrong. After either, the force returns from zero through the
-// slew limit.
+// The stage holds the force back in two ways. Danger for the hand (a panic, a shut-off, a hand that is
+// too fast) makes the force zero at once. With an old model, and for a player who wants no forces any
+// more, it ramps to zero, because nothing says that the last force was wrong. After either, the force
+// returns from zero through the slew limit.
 //
 // Every comparison is written so that NaN falls on the safe side.
 
@@ -20,8 +20,8 @@ constexpr double excess_over_peak = 4;  // multiple of the device's peak
 // Multiple of the device's peak. A small thing caught behind a corner stretches the lift wand's spring to 125
 // N before it slips away. That is 38 times the peak of a Touch. Such a force is clipped and is no fault.
 constexpr double stretched_over_peak = 50;
-/// Continuous force of a device that does not tell its own, as a share of its peak. The smallest share of the known
-/// ones: a Premium holds 1.4 of 8.5 N, a Touch 0.88 of 3.3 N, a Falcon 3 of 8 N.
+/// Continuous force of a device that does not tell its own, as a share of its peak. The smallest share of the
+/// known ones: a Premium holds 1.4 of 8.5 N, a Touch 0.88 of 3.3 N, a Falcon 3 of 8 N.
 constexpr double unknown_continuous = 0.16;
 constexpr double switching_slew = 40;  // change of force at a switch (N/s)
 // Speed limit (m/s). A simulated hand that is flung across a Touch reaches 3.8 m/s, across a Premium 4.5 m/s.
@@ -109,8 +109,8 @@ bool update_speed(const SafetyLimits& limits, SafetyState& state, const SafetyIn
     return true;
 }
 
-/// Returns true if the model is stale. Counts the ticks of the ramp itself because the age may jump; the ramp then
-/// still starts at its beginning.
+/// Returns true if the model is stale. Counts the ticks of the ramp itself because the age may jump; the ramp
+/// then still starts at its beginning.
 bool update_ramp(SafetyState& state, const SafetyInput& input) {
     const bool stale = input.model_age > freshest_ticks;
     state.ramp_ticks = stale || !input.on ? std::min(state.ramp_ticks + 1, ramp_length) : 0;
@@ -142,7 +142,8 @@ SafetyCause process(const SafetyLimits& limits, SafetyState& state, const Safety
     return state.gate_open == 0 ? SafetyCause::waiting : SafetyCause::none;
 }
 
-// ---- heat ---------------------------------------------------------------------------------------------------------
+// ---- heat
+// ---------------------------------------------------------------------------------------------------------
 
 /// Heat of the window (N^2 s). It covers up to one bin more than the window, never less: the oldest bin fades
 /// while the newest fills.
@@ -214,16 +215,17 @@ double fade_step(const SafetyLimits& limits, const SafetyInput& input) {
     return (limits.slew + used * std::max(0.0, cap_slew - limits.slew)) * tick_seconds;
 }
 
-/// Lets the offset take up the difference between the last output and the sources. The last output may exceed the
-/// present limit, because the cap may have been lowered.
+/// Lets the offset take up the difference between the last output and the sources. The last output may exceed
+/// the present limit, because the cap may have been lowered.
 void take_up(double most, SafetyState& state, vec3 goal) {
     state.remnant = shortened(state.output, most);
     state.offset = state.remnant - goal;
 }
 
-/// Adds the offset's work since the last tick. A step that no hand makes is a measurement error and does no
-/// work. With a reserve, springs that resist count against the offset: if it gave way to a hand that presses in, the
-/// force would rise twice as steeply as the springs alone. Of an offset that begins, the last output did the work.
+/// Adds the offset's work since the last tick. A step that no hand makes is a measurement error and
+/// does no work. With a reserve, springs that resist count against the offset: if it gave way to a hand
+/// that presses in, the force would rise twice as steeply as the springs alone. Of an offset that
+/// begins, the last output did the work.
 void add_fade_work(SafetyState& state, const SafetyInput& input, bool begins) {
     const vec3 step = input.tip - state.tip;
     double work = glm::dot(state.offset, step);
@@ -232,15 +234,15 @@ void add_fade_work(SafetyState& state, const SafetyInput& input, bool begins) {
     if (glm::length(step) <= longest_step) state.fade_work = std::max(0.0, state.fade_work + work);
 }
 
-/// Work that an offset of `length` (N) may do (J). It is at least that of a spring of the device's stiffness, so that a
-/// small motion of the hand does not take the whole force away.
+/// Work that an offset of `length` (N) may do (J). It is at least that of a spring of the device's stiffness,
+/// so that a small motion of the hand does not take the whole force away.
 double work_of_offset(double length, const SafetyInput& input) {
     const double of_spring = input.stiffness > 0 ? length * length / (2 * input.stiffness) : 0;
     return std::clamp(input.fade_energy, std::min(of_spring, switch_energy), switch_energy);
 }
 
-/// Starts a switch. The output stays. But if another offset still faded, the work of its last tick counts: else no
-/// offset would ever give way while there is a switch in every tick.
+/// Starts a switch. The output stays. But if another offset still faded, the work of its last tick counts:
+/// else no offset would ever give way while there is a switch in every tick.
 void begin_fade(const SafetyLimits& limits, double most, SafetyState& state, vec3 goal,
                 const SafetyInput& input) {
     const bool goes_on = glm::length(state.offset) > fade_step(limits, input);
@@ -266,17 +268,17 @@ double length_after_work(const SafetyState& state) {
     return state.initial_offset * std::sqrt(left);
 }
 
-/// Length that the offset keeps in this tick even if it has done all its work (N): it makes no larger jump than a spring of
-/// the device's stiffness and a cap that comes down.
+/// Length that the offset keeps in this tick even if it has done all its work (N): it makes no larger jump
+/// than a spring of the device's stiffness and a cap that comes down.
 double least_length(const SafetyState& state, const SafetyInput& input, double size) {
     if (!(input.stiffness > 0 && size > 0)) return 0;
     const double outward = glm::dot(state.offset, input.tip - state.tip) / size;
     return size - cap_slew * tick_seconds - input.stiffness * std::max(0.0, outward);
 }
 
-/// Largest share of the offset, 0 to 1, that is no farther from what is left of the last force than the goal is long.
-/// While the goal stays, it is all of it. An offset that hides a goal which ends would else pull the hand where no source
-/// does.
+/// Largest share of the offset, 0 to 1, that is no farther from what is left of the last force than the
+/// goal is long. While the goal stays, it is all of it. An offset that hides a goal which ends would else
+/// pull the hand where no source does.
 double part_that_hides(const SafetyState& state, vec3 goal) {
     const double square = glm::dot(state.offset, state.offset);
     if (!(square > 0)) return 1;
@@ -286,8 +288,8 @@ double part_that_hides(const SafetyState& state, vec3 goal) {
     return std::clamp(nearest + std::sqrt(std::max(0.0, room) / square), 0.0, 1.0);
 }
 
-/// Smallest share of the offset, 0 to 1, with which the output jumps no farther than a cap that comes down and a spring of
-/// the device's stiffness explain; if none does, the share with the smallest jump.
+/// Smallest share of the offset, 0 to 1, with which the output jumps no farther than a cap that comes down
+/// and a spring of the device's stiffness explain; if none does, the share with the smallest jump.
 double steady_part(const SafetyState& state, vec3 goal, const SafetyInput& input) {
     const double square = glm::dot(state.offset, state.offset);
     if (!(input.stiffness > 0 && square > 0)) return 0;
@@ -331,7 +333,8 @@ vec3 faded(const SafetyLimits& limits, double most, SafetyState& state, vec3 goa
     state.offset *= share;
     const double hiding = share * part_that_hides(state, goal);
     state.offset = std::min(std::max(hiding, steady), share) * before;
-    // The nearest force within the cap: so the offset gets shorter, and a goal that comes to the cap makes no jump.
+    // The nearest force within the cap: so the offset gets shorter, and a goal that
+    // comes to the cap makes no jump.
     const vec3 force = goal + state.offset, within = shortened(force, most);
     if (within != force) state.offset = within - goal;
     if (state.offset == vec3(0)) return without_offset(state, goal);
@@ -349,7 +352,8 @@ SafetyCause shortening(const SafetyLimits& limits, double most, vec3 wanted) {
     return most < limits.cap ? SafetyCause::warm : SafetyCause::capped;
 }
 
-/// Largest force of a ramp to zero (N): that of the reserve, or else one that is no jump from the last output.
+/// Largest force of a ramp to zero (N): that of the reserve, or else one that
+/// is no jump from the last output.
 double most_of_ramp(const SafetyState& state, const SafetyInput& input) {
     const double size = glm::length(state.output);
     const double outward = size > 0 ? glm::dot(state.output, input.tip - state.tip) / size : 0;
@@ -362,8 +366,8 @@ bool ramps(const SafetyState& state, SafetyCause cause) {
     return (cause == SafetyCause::stale || cause == SafetyCause::off) && state.fast_ticks == 0;
 }
 
-/// Moves the cap in force to the player's, and returns the limits with it. Each move is a switch. A lower cap comes down
-/// from the last output, so that the force does not jump.
+/// Moves the cap in force to the player's, and returns the limits with it. Each move is a switch. A lower cap
+/// comes down from the last output, so that the force does not jump.
 SafetyLimits with_moved_cap(SafetyLimits limits, SafetyState& state) {
     if (limits.cap != state.cap) state.fade = static_cast<std::uint32_t>(Fade::begins);
     const double lower = std::min(state.cap, glm::length(state.output)) - cap_slew * tick_seconds;

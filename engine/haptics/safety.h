@@ -6,18 +6,20 @@
 // panic key was pressed. The stage does not change the force in the world: a player with a low cap lifts as
 // much.
 //
-// Forces that the player switches off ramp to zero in `ramp_seconds`, like those of a stale model, and a cap that is
-// lowered comes down by `cap_slew`. Only danger (panic, shut-off, a hand that is too fast) makes the force zero at once.
+// Forces that the player switches off ramp to zero in `ramp_seconds`, like those of a stale model, and
+// a cap that is lowered comes down by `cap_slew`. Only danger (panic, shut-off, a hand that is too
+// fast) makes the force zero at once.
 //
 // A switch makes no jump: output = wanted + offset. The offset starts as the last output minus the first
 // wanted force, and fades to zero. Four things shorten it, and nothing lengthens it:
-//   - time: by `slew`, so that the fade ends after 2 cap / slew at the latest; ten times as fast when other switches
-//     have used up the energy of a switch;
-//   - work: the offset may do the work `switch_energy` on the hand and no more, so it fades if the hand yields;
+//   - time: by `slew`, so that the fade ends after 2 cap / slew at the latest; ten times as fast when other
+//     switches have used up the energy of a switch;
+//   - work: the offset may do the work `switch_energy` on the hand and no more, so it fades if the hand
+//     yields;
 //   - the cap: if the sum of wanted force and offset exceeds it;
-//   - what it hides: it leads from the wanted force to what is left of the force at the switch. An offset that hides
-//     the force of a wall ends with that force when the wall breaks. But it does not end in one tick, if that made a
-//     larger jump than a spring of the device's stiffness and a cap that comes down.
+//   - what it hides: it leads from the wanted force to what is left of the force at the switch. An offset
+//     that hides the force of a wall ends with that force when the wall breaks. But it does not end in one
+//     tick, if that made a larger jump than a spring of the device's stiffness and a cap that comes down.
 // The wanted force itself is never delayed. A passive source therefore stays passive while the offset fades.
 // An offset that only shrinks returns no more energy than it was given. So the whole switch creates at most
 // `switch_energy`.
@@ -57,8 +59,8 @@ inline constexpr std::uint32_t freshest_ticks = 20;
 inline constexpr double switch_energy = 0.01;
 /// Time in which the force of a stale model, or one that the player switches off, ramps to zero (s).
 inline constexpr double ramp_seconds = 0.05;
-/// Rate at which the output comes down to a cap that was lowered, and at which an offset fades that may do no more work
-/// (N/s): 12 N in 30 ms, and less than 0.5 N a tick.
+/// Rate at which the output comes down to a cap that was lowered, and at which an offset fades that may do no
+/// more work (N/s): 12 N in 30 ms, and less than 0.5 N a tick.
 inline constexpr double cap_slew = 400;
 
 /// Limits for a device. `share` is the player's cap as a share of the device's peak, 0 to 1.
@@ -118,8 +120,9 @@ struct SafetyState {
     /// Ticks without a fresh model or without the player's wish for forces, up to the end of the ramp.
     std::uint32_t ramp_ticks{};
     std::array<std::uint32_t, 2> episodes{};  ///< ticks since each episode began, the older one first
-    /// The output of the tick before the switch, shortened since by what time takes off the offset (N). It says what a
-    /// force that faded alone would still be: an offset may hide the wanted force down to this, and no more.
+    /// Output of the tick before the switch, shortened since then by as much as time shortens the offset (N):
+    /// what that force would still be if it faded alone. An offset may hide the wanted force down to this,
+    /// and no more.
     vec3 remnant{};
     double heat_limit{};  ///< limit by heat in the last tick, if it held the force back (N); 0: it did not
 };
@@ -136,13 +139,14 @@ struct SafetyInput {
     vec3 velocity{};  ///< measured velocity of the tip (m/s)
     /// Speed along the tip's path; a tip that vibrates in place is fast too (m/s).
     double path_speed{};
-    /// Largest force of springs that the reserve of energy allows (N, haptics/energy.h); also of a ramp to zero. Infinite:
-    /// the springs are not held back.
+    /// Largest force of springs that the reserve of energy allows (N, haptics/energy.h); also of a ramp to
+    /// zero. Infinite: the springs are not held back.
     double reserve_force{HUGE_VAL};
     /// Work that offsets may still do (J); less than `switch_energy` soon after other switches.
     double fade_energy{switch_energy};
-    /// Stiffness of the stiffest spring like which an offset fades that yields to the hand, or that hides a force which
-    /// ends (N/m); 0: it has no limit.
+    /// Largest stiffness of the device (N/m). An offset that yields to the hand, or that hides a force which
+    /// ends, changes the force no faster than a spring of this stiffness and `cap_slew` together. 0: no
+    /// limit.
     double stiffness{};
     std::uint32_t model_age{};  ///< ticks since the model was made
     bool switched{};            ///< a source appeared or went, or the model jumped

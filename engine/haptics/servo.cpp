@@ -9,8 +9,9 @@
 namespace thaum::haptics {
 namespace {
 
-/// Ticks after a resume in which the offset of the switch takes up what the sources change. Velocities come back with the
-/// second sample, and the damping of springs and fluids with them. So few ticks hardly weaken a kick that begins then.
+/// Ticks after a resume in which the offset of the switch takes up what the sources change. Velocities
+/// come back with the second sample, and the damping of springs and fluids with them. So few ticks
+/// hardly weaken a kick that begins then.
 constexpr std::uint32_t resume_ticks = 3;
 
 }  // namespace

@@ -47,14 +47,14 @@ struct HapticModel {
     ProxyCoupling coupling{.stiffness = 300};
     SurfacePatch patch{};        ///< surfaces near the tip; usually empty, at no cost
     FrameMotion frame_motion{};  ///< frame motion contained in the patch's bodies
-    /// Viscosity of the space around the tip, for a hand that draws a stroke (N s/m); usually 0, at no cost. At most
-    /// the damping that the device renders takes effect.
+    /// Viscosity of the space around the tip, for a hand that draws a stroke (N s/m); usually 0, at no cost.
+    /// At most the damping that the device renders takes effect.
     double viscosity{};
     vec3 start{};                  ///< free place at which the proxy starts after a jump (m)
     std::uint64_t patch_number{};  ///< changes when the patch jumps, which is a switch
     FluidTouch fluid{};            ///< fluid around the tip; usually number 0, at no cost
-    /// Motion of the fields that the primitives' modes read, since the last model (m, at the tip). A hand that rests
-    /// feels a force that hardly changes unless this says that the world moves.
+    /// Motion of the fields that the primitives' modes read, since the last model (m, at the tip). A hand
+    /// that rests feels a force that hardly changes unless this says that the world moves.
     double field_motion{};
 };
 static_assert(sizeof(Pulse) == sizeof(vec3) + 2 * sizeof(std::uint32_t) &&
@@ -81,15 +81,16 @@ struct Servo {
     double most_damping{};
     int latency{};     ///< delay of the device (ticks)
     double quantum{};  ///< position per encoder count (m)
-    /// Largest stiffness that the device renders (N/m). Springs that hold more after a switch than they received act
-    /// like one of this stiffness; 0: they are not held back.
+    /// Largest stiffness that the device renders (N/m). Springs that hold more after a switch than they
+    /// received act like one of this stiffness; 0: they are not held back.
     double most_stiffness{};
 };
 
 /// Servo constants of a device. `share` is the player's cap as a share of the device's peak, 0 to 1.
 Servo servo_of(const DeviceSpec& spec, double share);
 
-/// Limits of a servo whose player has chosen a largest force of `percent` of the device's peak; 0: those of the servo.
+/// Limits of a servo whose player has chosen a largest force of `percent` of the
+/// device's peak; 0: those of the servo.
 SafetyLimits limits_of(const Servo& servo, std::uint32_t percent);
 
 /// Bodies of the patch of the last tick.

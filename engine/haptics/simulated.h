@@ -1,8 +1,8 @@
 // haptics/simulated.h: a simulated force feedback device, held by a simulated hand. Mouse, gamepad and bots
 // move the hand's target. Forces move the simulated device as they would move a real one.
 //
-//     target -- hand's spring and damper --[ mechanism + hand's mass ]-- viscous damping, dry friction -- ground
-//                                                    ^ force: saturated, delayed
+//     target -- hand's spring, damper --[ mechanism + hand's mass ]-- viscous damping, dry friction -- ground
+//                                                 ^ force: saturated, delayed
 //
 // The hand grips rigidly, so each axis has one body. Skin would need a second body on a spring of a few kN/m
 // and 50 g. That pair rings above the servo's band, so at 1 kHz it cannot be told from a rigid grip. With one

@@ -49,7 +49,7 @@ std::array<std::uint32_t, 3> box_um(const ArmFacts& facts);
 /// and serial number, in upper or lower case.
 bool is_called(const ArmFacts& facts, std::string_view word);
 
-/// Whether an arm can be felt.
+/// Whether an arm works.
 enum class ArmPresence : std::uint8_t {
     present,
     lost,   ///< the arm does not answer, or its ticks have stopped

@@ -8,15 +8,15 @@
 //
 // The engine (input/open_arm.h) does the rest for every driver. It runs the servo thread, unless the vendor's
 // library has one. It gives up calls that hang, limits the force, and makes it zero at every end of the
-// program. Its watchdog ends the force within 50 ms when ticks stop, in the way that the driver allows (AtHang).
-// It reports an arm without ticks as lost, and it cleans the vendor's texts.
+// program. Its watchdog ends the force within 50 ms when ticks stop, in the way that the driver allows
+// (AtHang). It reports an arm without ticks as lost, and it cleans the vendor's texts.
 //
 // A process that is stopped (SIGSTOP, a debugger) or killed (SIGKILL) runs no watchdog. Then the last force
 // stays until the device ends it by itself. A driver turns on what its device has:
 //
 //     OpenHaptics (Touch, Omni, Premium)     unknown: its documents name no such limit
-//     Force Dimension (omega, delta, sigma)  dhdSetWatchdog: the firmware disables forces if no new one comes for
-//                                            1 to 255 periods of 125 us, 31.9 ms at most; 0 turns it off
+//     Force Dimension (omega, delta, sigma)  dhdSetWatchdog: the firmware disables forces if no new one comes
+//                                            for 1 to 255 periods of 125 us, 31.9 ms at most; 0 turns it off
 //     Novint Falcon by libnifalcon           unknown: it depends on the firmware that the program loads
 //     Haply                                  unknown
 #pragma once
@@ -58,8 +58,8 @@ public:
     virtual Expected<void> open() = 0;
     /// Facts about the open arm. Impossible numbers are treated as unknown.
     virtual ArmFacts spec() const = 0;
-    /// Starts the servo thread of the vendor's library, which calls run_arm_tick(`ticks`) at 1 kHz. Returns false if
-    /// there is no such thread: then the engine runs one.
+    /// Starts the servo thread of the vendor's library, which calls run_arm_tick(`ticks`) at 1 kHz. Returns
+    /// false if there is no such thread: then the engine runs one.
     virtual Expected<bool> start(std::uint64_t ticks);
     /// Ends the force if `write_zero` could not, ends the vendor's thread, and releases the arm. Another
     /// thread may still hang in a read or write.

@@ -33,7 +33,8 @@ struct PlaybackReport {
 /// Plays recorded forces on a real arm.
 class ArmPlayback {
 public:
-    /// Capacity of the queue of forces: 16 s, enough for any delay of the thread that fills it.
+    /// Capacity of the queue of forces: 16 s, so that the arm has forces while other programs delay the
+    /// thread that fills the queue.
     static constexpr std::size_t most_waiting = 16'384;
 
     explicit ArmPlayback(const haptics::Servo& servo) : servo_(servo) {}
@@ -54,7 +55,7 @@ public:
 
     /// Ends all force from the next tick on, permanently. Any thread may call it.
     void stop() { stopped_ = true; }
-    /// What the arm did so far.
+    /// Counts of forces and ticks so far. Any thread may call it.
     PlaybackReport report() const;
 
 private:

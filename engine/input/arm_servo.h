@@ -68,11 +68,11 @@ public:
     void begin_match() { epochs_before_ = epoch_; }
     /// Order to fill as ArmState describes, before `publish`.
     ArmOrder& order() { return orders_.to_fill(); }
-    /// Hands the filled order to the arm.
+    /// Hands the filled order to the arm's thread.
     void publish();
-    /// Takes the next sample, with counts as in arm::Count. model_age is 0 if no sample can be used. A positive
-    /// `skips` means that samples of this epoch were lost or the model is forgotten; then the simulation must
-    /// begin a new epoch.
+    /// Takes the next sample, with counts as in arm::Count. model_age is 0 if no sample can be used. A
+    /// positive `skips` means that samples of this epoch were lost or the model is forgotten; then the
+    /// simulation must begin a new epoch.
     DeviceSample take();
     /// Number of samples in the queue.
     std::size_t waiting() const { return samples_.size(); }

@@ -44,7 +44,8 @@ void end_as_arms_thread(int signal) noexcept {
     ::alarm(0);
 }
 
-/// The thread cannot go on: after its handler the same instruction would fail again, or abort() would end the process.
+/// The thread cannot go on: after its handler the same instruction would fail again,
+/// or abort() would end the process.
 bool is_fault(int signal) {
     switch (signal) {
         case SIGSEGV:
@@ -66,7 +67,7 @@ void hand_on(int signal, void* context) {
     ::sigaddset(&one, signal);
     ::pthread_sigmask(SIG_BLOCK, &one, nullptr);
     ::sigaddset(&static_cast<ucontext_t*>(context)->uc_sigmask,
-                signal);  // the change lasts until the handler returns
+                signal);  // becomes the thread's mask when the handler returns
     ::kill(::getpid(), signal);
 }
 

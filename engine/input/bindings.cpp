@@ -74,7 +74,8 @@ constexpr Default pad_defaults[] = {
     {Action::trace, "pad left_bumper"},
     {Action::next_wand, "pad right_bumper"},
     {Action::previous_wand, "pad left"},
-    // A trigger, because the thumb that would hold a button has to push the right stick, which moves the ladle.
+    // A trigger, because the thumb that would hold a button has to push the
+    // right stick, which moves the ladle.
     {Action::stir, "pad left_trigger +"},
     {Action::jump, "pad a"},
     {Action::throw_, "pad right_stick"},

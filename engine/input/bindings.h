@@ -141,7 +141,8 @@ Bindings default_bindings(DeviceKind kind, const KeyCodes& codes);
 ///     trigger_press = 0.3
 ///     toggle = "trace, stir"                  # the toggle_actions that stay on until the next press
 ///
-/// An unknown name is reported at its key, which keeps its value; the Config's check then fails with file, line and key.
+/// An unknown name is reported at its key, which keeps its value; the Config's check
+/// then fails with file, line and key.
 Bindings read_bindings(const ConfigTable& table, Bindings bindings, const KeyCodes& codes);
 
 /// Stands for an invalid list of controls. Returned when the value in the settings is no text, which has been

@@ -38,8 +38,8 @@ public:
     /// Used for changes during a match, because the DeviceSpec must stay the same for the whole log.
     void set_look(double gain, bool inverted);
 
-    /// Sets the time over which a turn of the view by keys or a stick grows to its full speed (s, at least 0), so
-    /// that a short press turns only a little. 0: at once.
+    /// Sets the time over which a turn of the view by keys or a stick grows to its full speed (s, at least
+    /// 0), so that a short press turns only a little. 0: at once.
     void set_turn_ramp(double seconds);
 
     /// Sets how sticks respond from their next position on.

@@ -15,8 +15,9 @@ inline constexpr std::size_t max_counts = 8;
 /// Number of sources of force in a stirred fluid: those of haptics::fluid_modes, in their order.
 inline constexpr std::size_t fluid_faders = 7;
 
-/// A player's faders for the forces at the hand. The first is the largest force, the others are shares of a source of
-/// force. The sources of a stirred fluid follow, beginning with `fluid`. The numbers are part of the log's format.
+/// A player's faders for the forces at the hand. The first is the largest force, the others are
+/// shares of a source of force. The sources of a stirred fluid follow, beginning with `fluid`. The
+/// numbers are part of the log's format.
 enum class HandFader : std::uint8_t { none, force, weight, blows, recoil, roughness, fluid };
 inline constexpr std::size_t hand_faders = static_cast<std::size_t>(HandFader::fluid) - 1 + fluid_faders;
 /// Value of HandFader::force that means the share from the data files.
@@ -75,8 +76,8 @@ enum Count : std::size_t {
 /// Largest number in DeviceSample::wand.
 inline constexpr std::uint32_t most_wands = 9;
 
-/// Bits of DeviceSample::buttons. Their order is part of the log's format, so new ones go to the end. Bits 11 to 15
-/// and 19 to 22 stay unused: in format 1 of the log they hold DeviceSample::wand.
+/// Bits of DeviceSample::buttons. Their order is part of the log's format, so new ones go to the end. Bits 11
+/// to 15 and 19 to 22 stay unused: in format 1 of the log they hold DeviceSample::wand.
 enum class Button : std::uint32_t {
     fire = 1U << 0U,
     jump = 1U << 1U,

@@ -7,7 +7,7 @@
 
 namespace thaum::input {
 
-/// A stick that this user may not open.
+/// A joystick whose device file this user may not read.
 struct LockedStick {
     std::string name{};
     std::string path{};

@@ -85,7 +85,7 @@ struct HashRecord {
     bool operator==(const HashRecord&) const = default;
 };
 
-/// Who made a mark.
+/// Reason for a mark: a user asked for it, or the program made a keyframe.
 enum class MarkKind : std::uint8_t { user, keyframe };
 
 /// A tick that was marked in order to find it again.
@@ -170,7 +170,7 @@ public:
     LogReader& operator=(LogReader&&) noexcept;
     ~LogReader();
 
-    /// What the match was started with.
+    /// Header of the log: program, rules, devices and data of the match.
     const LogHeader& header() const;
     /// Version of the log's format.
     std::uint32_t format() const;
@@ -178,7 +178,7 @@ public:
     Tick ticks() const;
     /// How the log ends.
     LogEnding ending() const;
-    /// Whether the log was closed as it should be.
+    /// Whether the program closed the log.
     bool ended_cleanly() const { return ending() == LogEnding::clean; }
     /// One line with the path if the ending is not clean, such as "F: cut off after tick 4096 (part of a
     /// block)" or "F: tick 4096: block damaged (payload)".
@@ -188,7 +188,7 @@ public:
 
     /// All hashes by ascending tick, including those of the end block.
     const std::vector<HashRecord>& hashes() const;
-    /// The hash of a tick, if one was recorded.
+    /// Hashes recorded after `tick` ticks; std::nullopt: there are none.
     std::optional<HashRecord> hash_at(Tick tick) const;
     /// All marks, in the order in which they were made.
     const std::vector<Mark>& marks() const;
@@ -196,8 +196,8 @@ public:
     /// Reads the next frame. Returns false after `ticks()` frames. If the file changed after `open`, returns
     /// false and the ending becomes damaged.
     bool next(InputFrame& frame);
-    /// Makes `next` read the frame after `tick` frames, so that 0 starts again. The time does not depend on `tick`.
-    /// Beyond the end `next` returns false.
+    /// Makes `next` read the frame after `tick` frames, so that 0 starts again. The time does not depend on
+    /// `tick`. Beyond the end `next` returns false.
     void seek(Tick tick);
 
 private:

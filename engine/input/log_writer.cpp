@@ -46,7 +46,8 @@ struct QueuedBlock : detail::Block {
     QueuedBlock* next = nullptr;
 };
 
-/// Stack of blocks. Any thread may push. One thread takes all blocks at once, which avoids the ABA problem.
+/// Stack of blocks. Any thread may push. One thread takes all blocks at once, so no block can return between
+/// two reads of the head (no ABA problem).
 class BlockStack {
 public:
     void push(QueuedBlock* block) {

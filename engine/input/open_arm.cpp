@@ -41,7 +41,8 @@ namespace {
 
 // ---- arms in use ------------------------------------------------------------------------------------------
 
-/// Arms that are open, and calls of drivers that hang. Never destroyed, because a thread that hangs may use it late.
+/// Arms that are open, and calls of drivers that hang. Never destroyed, because a
+/// thread that hangs may use it late.
 struct Usage {
     std::mutex mutex{};
     std::set<std::pair<std::string_view, std::string>> open{};

@@ -55,14 +55,14 @@ public:
     /// Ends the arm's force and its thread. The step function is never called again.
     ~OpenArm();
 
-    /// What the driver knows of the arm.
+    /// Facts about the arm, as the driver reported them and the engine checked them.
     const ArmFacts& facts() const;
 
     /// Begins to call `tick` at 1 kHz. May be called once.
     Expected<void> start(ArmTick tick);
     /// Any thread may call this. After `lost` or `fault` there are no more ticks.
     ArmStatus status() const;
-    /// How long ticks took, and when they came.
+    /// Statistics of the times of the ticks so far.
     TickReport times() const;
     /// Whether the system schedules the arm's thread before ordinary ones (SCHED_FIFO); false before the
     /// first tick.

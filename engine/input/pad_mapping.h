@@ -1,5 +1,5 @@
-// input/pad_mapping.h: mappings of pads in the form of SDL's gamecontrollerdb.txt, which say which part of a joystick is
-// which control of a pad:
+// input/pad_mapping.h: mappings of pads in the form of SDL's gamecontrollerdb.txt, which say which part of a
+// joystick is which control of a pad:
 //
 //     03000000aabb00001122000001000000,Name of the model,a:b0,leftx:a0,dpup:h0.1,platform:Linux,
 //
@@ -13,7 +13,7 @@
 
 namespace thaum::input {
 
-/// Which controls of a model are which buttons of a game pad.
+/// One mapping: which part of a model of joysticks is which control of a pad.
 struct PadMapping {
     std::string model{};     ///< the joystick's model: 32 hexadecimal digits in lower case
     std::string words{};     ///< the line in the form that SDL reads

@@ -20,7 +20,8 @@ struct PadState {
     std::uint32_t buttons{};  ///< bit i is PadButton i
 };
 
-/// The pads that can play. A pad keeps its index, also when it is unplugged and comes back (detail/pad_places.h).
+/// The pads that can play. A pad keeps its index, also when it is unplugged and
+/// comes back (detail/pad_places.h).
 using Pads = std::array<PadState, 4>;
 
 /// State of a joystick without a layout: its parts are only numbered.

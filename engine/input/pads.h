@@ -2,8 +2,8 @@
 // of an Xbox pad. It also accepts any pad whose driver follows Linux's rules for pads. Its environment
 // variable SDL_GAMECONTROLLERCONFIG adds mappings.
 //
-//     PadReader reader(own_mappings);       looks for pads in a thread of its own, since that takes some milliseconds
-//     const Pads& pads = reader.poll();     as often as needed; pads send no events
+//     PadReader reader(own_mappings);    looks for pads in a thread of its own, which takes some milliseconds
+//     const Pads& pads = reader.poll();  as often as needed; pads send no events
 //
 // The library is Thaum::pads. Only pads.cpp includes SDL, and does not use its windows, events or signals.
 // Motors are in input/rumble.h.

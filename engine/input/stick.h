@@ -9,8 +9,9 @@ struct StickResponse {
     /// Radius around the middle within which a push is ignored, 0 to 0.9. The remaining range is stretched to
     /// 0..1.
     double dead_zone = 0.15;
-    /// Share of the cubic part in the rate of a turn, 0 to 1: pushed by x, a stick turns at the full rate
-    /// times (1 - curve) x + curve x^3. With 0 it turns in proportion to x; with 1 it is finest near the middle.
+    /// Share of the cubic part in the rate of a turn, 0 to 1: pushed by x, a stick turns at
+    /// the full rate times (1 - curve) x + curve x^3. With 0 it turns in proportion to x; with
+    /// 1 it is finest near the middle.
     double curve = 0.7;
 
     /// The same settings, with values that are not finite or out of range replaced by the nearest useful

@@ -1,5 +1,5 @@
-// input/tactile_output.h: the interface of devices that play tactile frames: a pad with motors, a jacket, or a fake in
-// tests. A TactilePlayer (input/tactile_player.h) calls an output.
+// input/tactile_output.h: the interface of devices that play tactile frames: a pad with motors, a jacket, or
+// a fake in tests. A TactilePlayer (input/tactile_player.h) calls an output.
 #pragma once
 #include <string>
 
@@ -17,8 +17,8 @@ public:
     TactileOutput& operator=(const TactileOutput&) = delete;
     virtual ~TactileOutput() = default;
 
-    /// Opens the device, or opens it again after `close`. The error is one line without the device's name. After an
-    /// error the device is closed.
+    /// Opens the device, or opens it again after `close`. The error is one line without the device's name.
+    /// After an error the device is closed.
     virtual Expected<void> open() = 0;
     /// Plays a frame at once, and at most for about its time to live, even if no call follows. `now_s` is the
     /// time of the call on a steady clock. Amplitudes may have any value.

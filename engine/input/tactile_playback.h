@@ -34,7 +34,7 @@ struct TactileReport {
     std::uint64_t times_lost{};
 };
 
-/// Plays frames on a jacket or pad, from a thread of its own.
+/// Plays frames on an output. The output's thread calls `step`.
 class TactilePlayback {
 public:
     static constexpr double retry_s = 2;           ///< time between two tries to open an output

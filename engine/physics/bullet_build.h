@@ -5,13 +5,13 @@
 
 namespace thaum::physics {
 
-/// Which Bullet the program was linked to.
+/// Version and precision of Bullet.
 struct BulletBuild {
     std::string library;    ///< name and version, such as "Bullet 3.24"
     std::string precision;  ///< precision of Bullet's numbers, "double" or "single"
 };
 
-/// Asks the linked library.
+/// Version and precision of the linked library.
 BulletBuild bullet_build();
 
 }  // namespace thaum::physics

@@ -60,7 +60,7 @@ vec3 wish_on(const Physics& physics, Key key, const Ground& ground, vec3 wish,
     return limited(carried + wish, most) - carried;
 }
 
-/// Whether something resisted the last change of velocity in this direction.
+/// Whether something resisted the last drive in this direction.
 bool resisted(const MoverState& state, vec3 now, vec3 direction, double mass, double dt) {
     return state.driven && glm::dot(state.expected - now, direction) * mass > noticed_force * dt;
 }
@@ -100,7 +100,8 @@ void walk(Physics& physics, Key key, const Ground& ground, vec3 wish, MoverSetti
     state.driven = 1;
 }
 
-/// Accelerates towards the wished velocity, never beyond it, and brakes only if the wish opposes the motion.
+/// Accelerates towards the wished velocity, never beyond it. A motion that is faster along the wish is not
+/// braked.
 void fly(Physics& physics, Key key, vec3 wish, const MoverSettings& settings, double dt) {
     const double speed = glm::length(wish);
     if (speed == 0) return;

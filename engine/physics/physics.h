@@ -178,13 +178,13 @@ public:
     /// Whether a body with this key exists.
     bool has(Key) const;
 
-    /// What the body was made of.
+    /// Description with which the body was added.
     const BodyDesc& desc(Key) const;
     /// Place and motion of the body.
     const BodyState& state(Key) const;
     /// Teleports a body. Wakes bodies that may have touched it before or touch it afterwards.
     void set_state(Key, const BodyState&);
-    /// Velocity of its centre of mass (m/s).
+    /// Velocity of the body's centre of mass (m/s).
     vec3 velocity(Key key) const { return state(key).velocity; }
     /// Sets the velocity (m/s) and wakes the body.
     void set_velocity(Key, vec3);
@@ -193,11 +193,11 @@ public:
 
     /// Applies an impulse (N s) at a point (m, world) and wakes the body; a static body ignores it.
     void apply_impulse(Key, vec3 impulse, vec3 point);
-    /// The same at the centre of mass.
+    /// Applies an impulse (N s) at the centre of mass and wakes the body; a static body ignores it.
     void apply_central_impulse(Key, vec3 impulse);
     /// Applies a central impulse without resetting the idle time; a sleeping body ignores it.
     void nudge(Key, vec3 impulse);
-    /// Wakes the body.
+    /// Wakes the body and resets its idle time; a static body ignores it.
     void wake(Key);
 
     /// Advances by dt (s), > 0. Returns at once if all bodies sleep and nothing was touched since the
@@ -226,7 +226,7 @@ public:
     /// Discards everything that is not in a BodyState (see above). Contacts become empty.
     void rebuild();
 
-    /// Counts since the World was made.
+    /// Statistics: steps since the start, and the present numbers of bodies.
     Counters counters() const;
     /// Settings of the simulation.
     const Settings& settings() const;

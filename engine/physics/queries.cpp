@@ -1,5 +1,5 @@
-// Rays, swept spheres, and surfaces near a point. They use the states of the bodies. Of Bullet's data they use
-// only the search tree of bounding boxes, whose structure changes no result.
+// Rays, swept spheres, and surfaces near a point. They use the states of the bodies. Of Bullet's data they
+// use only the search tree of bounding boxes, whose structure changes no result.
 #include <algorithm>
 
 #include "core/assert.h"

@@ -21,13 +21,13 @@
 
 namespace thaum::render {
 
-/// Aligned, so that std::atomic<Size> is lock-free with every compiler.
+/// Size of a window or picture. Aligned, so that std::atomic<Size> is lock-free with every compiler.
 struct alignas(8) Size {
     int width{}, height{};  ///< size (px)
     bool operator==(const Size&) const = default;
 };
 
-/// What a window is opened with.
+/// Settings with which a window is opened.
 struct WindowSpec {
     std::string title = "Thaum";
     Size size{1280, 720};  ///< size on the desktop, ignored in full screen (px)
@@ -83,12 +83,12 @@ public:
     void cancel_close();  ///< makes should_close() false again
 
     // Called on the render thread.
-    ///@{
-    /// Makes the context the one of the calling thread, or releases it; shows what was drawn.
+    /// @{
+    /// Makes the window's OpenGL context current in the calling thread; releases it; shows the drawn picture.
     void make_current();
     void release_current();
     void present();
-    ///@}
+    /// @}
 
     struct State;  // state of the window, defined in window.cpp
 
@@ -107,12 +107,12 @@ public:
     ~Offscreen();
 
     Size size() const;
-    ///@{
-    /// Makes the context the one of the calling thread, or releases it; shows what was drawn.
+    /// @{
+    /// Makes the context current in the calling thread; releases it; sends all drawing to the driver.
     void make_current();
     void release_current();
     void present();
-    ///@}
+    /// @}
 
 private:
     struct State;

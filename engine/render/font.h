@@ -25,7 +25,7 @@ struct Glyph {
 /// A character and its place in a line.
 struct PlacedGlyph {
     char32_t character{};
-    int x{}, y{};  ///< top-left pixel, from the top-left corner of the line's box (px)
+    int x{}, y{};  ///< top-left pixel of the glyph, relative to the line's top left (px)
 };
 
 /// One line of text. All its pixels are inside a box of `width` x `height` (px).
@@ -48,7 +48,7 @@ public:
     /// Lays out one line. `size` is the em, 4 to 400 (px). Characters missing from the face become its empty
     /// box.
     Line lay_out(std::u32string_view line, int size);
-    /// Picture of a character, which is drawn on first use.
+    /// Picture of a character at a size (px). It is drawn on first use.
     const Glyph& glyph(char32_t character, int size);
     /// Size of the box of UTF-8 text (px). '\n' starts a new line.
     fvec2 measure(std::string_view text, float size);

@@ -82,11 +82,11 @@ MeshData flat_shaded(const MeshData& mesh);
 
 /// A box. `bevel` (m) is from 0 (12 triangles) to the smallest half size (44 triangles, softly shaded edges).
 MeshData box(fvec3 half, fvec3 colour, float bevel = 0);
-/// A cylinder about the y axis.
+/// A cylinder about the y axis, centred on the origin.
 MeshData cylinder(float radius, float height, int segments, fvec3 colour);
 /// A cone, or a frustum if the top radius is not 0.
 MeshData cone(float bottom_radius, float top_radius, float height, int segments, fvec3 colour);
-/// A sphere of `segments` parts around.
+/// A sphere, centred on the origin, with `segments` sides around the y axis.
 MeshData sphere(float radius, int segments, fvec3 colour);
 /// A capsule. `height` is the height of the cylinder between the two half spheres, as in Bullet.
 MeshData capsule(float radius, float height, int segments, fvec3 colour);

@@ -18,7 +18,7 @@
 
 namespace thaum::render {
 
-/// How much a picture may cost.
+/// Presets of picture quality, from the fastest to the best.
 enum class Quality : std::uint8_t { low, medium, high };
 inline constexpr std::size_t qualities = 3;
 inline constexpr std::array<std::string_view, qualities> quality_names{"low", "medium", "high"};

@@ -54,7 +54,8 @@ public:
     void warm_up(Quality quality);
 
     MeshId upload(const MeshData& mesh);
-    /// Uploads a mesh with coarser copies (render/detail/simplify.h), which replace it if it is small on the screen.
+    /// Uploads a mesh with coarser copies (render/detail/simplify.h), which replace
+    /// it if it is small on the screen.
     MeshId upload_with_copies(const MeshData& mesh);
     /// Uploads a patchwork. Each view draws one instance of it at most.
     MeshId upload(const Patchwork& patchwork);
@@ -69,7 +70,7 @@ public:
 
     /// Draws into the context's framebuffer; the caller presents it. A frame of size zero draws nothing.
     void draw(const Frame& frame);
-    /// What the last frame cost.
+    /// Statistics of the last frame that was drawn.
     const DrawStatistics& statistics() const;
     /// Name of the device that draws (GL_RENDERER), for first_quality.
     std::string device() const;

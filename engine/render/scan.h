@@ -10,7 +10,8 @@
 // the part in front of it.
 //
 // Translucent scans are drawn one after another, the one with the farthest middle first. Where two of them
-// overlap, this is not exact: one of them is drawn completely over the other. Scans cast no shadows.
+// overlap, this is not exact: one of them is drawn completely over the other. Shadows ignore scans: a scan
+// neither casts nor receives any.
 //
 // A ray skips bricks of 8^3 samples in which the table or the level shows nothing. An edit sends only the
 // bricks whose version changed, within the same picture.
@@ -65,8 +66,8 @@ struct Scan {
     /// Version of all samples, colours and materials. They are examined only if it differs from the last
     /// drawing of this id.
     std::uint64_t version{};
-    /// Samples along x, y, z: at least 2 and at most what OpenGL allows (GL_MAX_3D_TEXTURE_SIZE) each, otherwise
-    /// the scan is not drawn.
+    /// Samples along x, y, z: at least 2 and at most what OpenGL allows (GL_MAX_3D_TEXTURE_SIZE) each,
+    /// otherwise the scan is not drawn.
     std::array<int, 3> count{};
     ScanSamples samples{};
     /// For samples of type float, the values that mean density 0 and 1; integers use their whole range.

@@ -31,14 +31,14 @@ struct Texel {
     bool operator==(const Texel&) const = default;
 };
 
-/// A corner of the surface that encloses a volume.
+/// A corner of the skin's triangles.
 struct SkinVertex {
     fvec3 position{0};
     fvec3 normal{0, 1, 0};  ///< normal of the skin, pointing out of the volume (unit)
     float foam{};           ///< share covered by foam, 0 to 1
 };
 
-/// A body of light-absorbing matter inside a closed surface.
+/// A body that emits and absorbs light, below its skin and within the round.
 struct Volume {
     VolumeId id{};
     /// Version of texels and skin. They are sent only if the version differs from the last drawing of this

@@ -1,11 +1,12 @@
 // tactile/body.h: the articulated body on which effects are felt, and its skin as flat charts.
 //
-// Body frame: +x right, +y up, +z front, origin on the floor between the feet. This is the frame of jacket makers and
-// of MPEG haptics. It is left-handed; `to_body_frame` converts a direction of the world. Places are stated for a body
-// at rest: upright, arms down. A Pose moves the parts from there.
+// Body frame: +x right, +y up, +z front, origin on the floor between the feet. This is the frame of jacket
+// makers and of MPEG haptics. It is left-handed; `to_body_frame` converts a direction of the world. Places
+// are stated for a body at rest: upright, arms down. A Pose moves the parts from there.
 //
-// The torso is an upright elliptic cylinder. Its skin is unrolled into a chart: the way round the body from the
-// middle of the front, positive to the right, and the height. Distances on the chart are distances on the skin.
+// The torso is an upright elliptic cylinder. Its skin is unrolled into a chart: the way round
+// the body from the middle of the front, positive to the right, and the height. Distances on
+// the chart are distances on the skin.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -43,7 +44,7 @@ struct Transform {
     vec3 shift{};  ///< translation (m, body frame)
 };
 
-/// Where each part of a body is.
+/// Pose of a body: the motion of each part from its rest position.
 struct Pose {
     std::array<Transform, part_count> parts{};
 };
@@ -60,7 +61,8 @@ vec3 posed(const Pose& pose, Part part, vec3 at_rest);
 /// Inverse of `posed`.
 vec3 at_rest(const Pose& pose, Part part, vec3 posed);
 
-/// Converts a direction of the world (right-handed, +y up) for a wizard turned left by `yaw` (rad; 0 looks along -z).
+/// Converts a direction of the world (right-handed, +y up) for a wizard turned left
+/// by `yaw` (rad; 0 looks along -z).
 vec3 to_body_frame(vec3 world, double yaw);
 
 /// The skin of the torso as a chart.
@@ -74,8 +76,8 @@ public:
     vec2 chart(vec3 at) const;
     /// Inverse of `chart` for points on the skin (m, body frame).
     vec3 point(vec2 chart) const;
-    /// Point of the skin that faces a direction, at a height (m). A direction without a horizontal part gives the
-    /// middle of the front.
+    /// Point of the skin that faces a direction, at a height (m). A direction without a horizontal
+    /// part gives the middle of the front.
     vec3 facing(vec3 direction, double height) const;
     /// Length of the way once round the body (m).
     double round() const { return 4 * quarter_.back(); }

@@ -1,7 +1,7 @@
 // tactile/clip.h: a recording of strengths over time on a jacket of 4x5 cells in front and 4x5 at the back.
 //
-// This is what a .tact file holds (tact.h): 50 frames a second, a strength for each cell. A clip plays on every
-// layout, because each cell is a place on the body.
+// This is what a .tact file holds (tact.h): 50 frames a second, a strength for each cell. A clip plays on
+// every layout, because each cell is a place on the body.
 #pragma once
 #include <array>
 #include <cstdint>

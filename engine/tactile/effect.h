@@ -1,10 +1,11 @@
 // tactile/effect.h: effects on the body as data: what players feel when something happens. Files:
 // assets/tactile/effects.
 //
-// An effect is a grating that is drawn over the skin at 1 m/s (paper 004, section 3.2, see grating.h), so a wavelength
-// of 12 mm lasts 12 ms and gives a carrier of 83 Hz. Its force, as a share of the 5 N of the paper's motors, is the
-// strength of the motors. The paper names five parameters: amplitude A, wavelength L, stiffness K, effect pattern and
-// force shaping; here they are `weakest` to `strongest`, `wavelength`, `stiffness`, `pattern` and `envelope`.
+// An effect is a grating that is drawn over the skin at 1 m/s (paper 004, section 3.2, see grating.h), so a
+// wavelength of 12 mm lasts 12 ms and gives a carrier of 83 Hz. Its force, as a share of the 5 N of the
+// paper's motors, is the strength of the motors. The paper names five parameters: amplitude A, wavelength L,
+// stiffness K, effect pattern and force shaping; here they are `weakest` to `strongest`, `wavelength`,
+// `stiffness`, `pattern` and `envelope`.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -99,8 +100,8 @@ struct Effect {
     std::string clip_file{};          ///< name of the .tact file beside the effect's own file
     std::vector<ClipFrame> clip{};    ///< frames of a clip
     Purpose purpose{};
-    /// priority from 0 to 9. When all places for playing effects are taken, a higher priority replaces a
-    /// lower one.
+    /// Priority, 0 to 9. When all places for playing effects are taken, an effect replaces one of lower or
+    /// equal priority.
     int priority{};
 
     /// Frequency of the carrier (Hz).
@@ -121,8 +122,8 @@ struct Signal {
 /// Force at a time since the beginning (ms), before any limit, for outputs that play the wave itself.
 Signal signal(const Effect& effect, double strength, double ms);
 
-/// Reads an effect file. An error names file, line and key. The frames of a clip are not read; `load_effects` reads
-/// them.
+/// Reads an effect file. An error names file, line and key. The frames of a clip are not
+/// read; `load_effects` reads them.
 Expected<Effect> read_effect(const Config& file, std::string name);
 
 /// All effects of a program, sorted by name. An effect's number is its index.

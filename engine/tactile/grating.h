@@ -1,7 +1,8 @@
 // tactile/grating.h: the sinusoidal grating from which effects are built (paper 004, section 3.2).
 //
-// The paper models an effect as a one-dimensional sinusoidal grating of amplitude A and wavelength L, over which the
-// collision state p(t) = (p_x, p_y, p_z) moves. z points out of the wall. Two methods make a force from it:
+// The paper models an effect as a one-dimensional sinusoidal grating of amplitude A and
+// wavelength L, over which the collision state p(t) = (p_x, p_y, p_z) moves. z points out of the
+// wall. Two methods make a force from it:
 //
 //     h(x)     = A sin(2 pi x / L) + A                       height of the grating
 //     impact   p_1(t) = 0                    where p_z > 0   F_mag: collision with the flat wall beneath,
@@ -10,15 +11,15 @@
 //                       h(p_x) - p_z         where p_z <= h         force along the grating's normal n_r(p)
 //     F_r      = k dx + B x'                 while moving in, k dx otherwise
 //
-// Corrections to the printed text: the sine's bracket is not closed there; the second case of the second method tests
-// p_z <= h(p_x), written h(p_x(x)); the two cases of F_r are both printed for x' below zero, so the second is read as
-// x' >= 0. The damping resists deepening, so x' counts here as the speed of deepening.
+// Corrections to the printed text: the sine's bracket is not closed there; the second case of the second
+// method tests p_z <= h(p_x), written h(p_x(x)); the two cases of F_r are both printed for x' below zero, so
+// the second is read as x' >= 0. The damping resists deepening, so x' counts here as the speed of deepening.
 #pragma once
 #include "core/maths.h"
 
 namespace thaum::tactile {
 
-/// A ribbed surface.
+/// A sinusoidal grating (see above).
 struct Grating {
     double amplitude{};   ///< A, >= 0 (m)
     double wavelength{};  ///< L, > 0 (m)

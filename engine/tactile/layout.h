@@ -1,4 +1,5 @@
-// tactile/layout.h: the actuators of one device, and where they sit on the body. Files: assets/tactile/layouts.
+// tactile/layout.h: the actuators of one device, and where they sit on the
+// body. Files: assets/tactile/layouts.
 //
 // An effect never names an actuator. It names a place on the body, and a layout has the actuators near it. So
 // every effect plays on every device, from a jacket of 40 motors to the two motors of a pad.
@@ -63,8 +64,8 @@ private:
     std::array<double, region_count> pitch_{};
 };
 
-/// Checks the actuators. The error names the actuator and the fault: none, too many, two in one place, a part on the
-/// wrong side of the body.
+/// Checks the actuators. The error names the actuator and the fault: none, too many, two in one place, a
+/// part on the wrong side of the body.
 Expected<Layout> make_layout(std::string name, Torso torso, std::vector<Actuator> actuators);
 
 /// Reads a layout file. An error names file, line and key.

@@ -63,7 +63,7 @@ void TactileMixer::set_pose(const Pose& pose) {
         ++counts_.clipped;
 }
 
-// ---- starting effects ------------------------------------------------------------------------------------------
+// ---- starting effects ------------------------------------------------------------------------------------
 
 BodyPoint TactileMixer::point_of(const Where& where) {
     constexpr double farthest = 10;  // largest distance of a place from the body (m)
@@ -264,7 +264,7 @@ void TactileMixer::stop() {
     frame_.amplitude.fill(0);
 }
 
-// ---- making frames ---------------------------------------------------------------------------------------------
+// ---- making frames ---------------------------------------------------------------------------------------
 
 /// The frame covers the time since the last one. A driven effect stays in its hold until it is released.
 TactileMixer::Span TactileMixer::span_of(const Playing& playing, double ms) const {

@@ -4,9 +4,10 @@
 //     mixer.drive(key, effect, Where::own(), strength, tick)           something lasts; called for each frame
 //     outputs.send(mixer.mix(tick))                                    every frame_ticks
 //
-// Energies (amplitude squared) of effects add up at an actuator, because their phases are not related. So the felt
-// place of several effects is the centroid of their places. A frame then passes three limits, in this order: the
-// limit of each actuator, the least gap between two beginnings at one actuator, and the limit of all energies.
+// Energies (amplitude squared) of effects add up at an actuator, because their phases are not related.
+// So the felt place of several effects is the centroid of their places. A frame then passes three
+// limits, in this order: the limit of each actuator, the least gap between two beginnings at one
+// actuator, and the limit of all energies.
 //
 // No event is lost. Two events at one actuator within the gap are merged into the stronger one. If all places
 // for effects are taken, an event replaces an effect of lower or equal priority that has been felt, or is
@@ -26,7 +27,7 @@ inline constexpr std::size_t most_playing = 64;
 
 /// The place at which an effect is felt. An effect with places of its own ignores it.
 struct Where {
-    /// How the place is found.
+    /// Way in which the place is given.
     enum class Kind : std::uint8_t { own, on_part, touched, from } kind{};
     BodyPoint point{};
     vec3 direction{};
@@ -38,11 +39,12 @@ struct Where {
     static Where on(BodyPoint point) { return {Kind::on_part, point, {}, 0}; }
     /// At a point that something touches (m, body frame, in the current pose).
     static Where touching(vec3 point) { return {Kind::touched, {Part::whole, point}, {}, 0}; }
-    /// On the side of the torso that faces a direction (body frame, from the body to the source), at a height (m).
+    /// On the side of the torso that faces a direction (body frame, from the body
+    /// to the source), at a height (m).
     static Where from(vec3 direction, double height = 1.15) { return {Kind::from, {}, direction, height}; }
 };
 
-/// Limits of what is felt at once.
+/// Settings of a TactileMixer.
 struct MixerSettings {
     double sum_limit{1.5};  ///< largest sum of amplitudes squared; one actuator at full strength has 1
     Tick gap{40};           ///< least time between two beginnings at one actuator (ticks)
@@ -64,7 +66,7 @@ struct Faders {
 struct MixerCounts {
     std::uint64_t offered{};     ///< calls of `start`
     std::uint64_t started{};     ///< events that got a place of their own
-    std::uint64_t merged{};      ///< events merged into a stronger one
+    std::uint64_t merged{};      ///< events merged with another one; the stronger one is felt
     std::uint64_t delayed{};     ///< started events that wait until the gap is over
     std::uint64_t replaced{};    ///< effects cut short by one of higher or equal priority
     std::uint64_t clipped{};     ///< values that were not finite or outside of their range
@@ -80,7 +82,7 @@ public:
     /// on the heap.
     TactileMixer(const Layout& layout, const EffectBank& bank, const MixerSettings& settings = {});
 
-    /// Takes effect with the next frame.
+    /// Sets the faders from the next frame on. Values outside 0 to 1 are clipped and counted.
     void set_faders(const Faders& faders);
     /// A pose that is not finite is counted and ignored.
     void set_pose(const Pose& pose);
@@ -100,8 +102,8 @@ public:
     const MixerCounts& counts() const { return counts_; }
 
 private:
-    /// Places of a sweep for which shares are solved. Between two of them shares are interpolated, which moves the
-    /// centroid along a straight line exactly.
+    /// Places of a sweep for which shares are solved. Between two of them shares are interpolated, which
+    /// moves the centroid along a straight line exactly.
     static constexpr std::size_t most_places = 9;
 
     struct Playing {

@@ -25,7 +25,7 @@ using Shares = std::array<float, most_actuators>;
 struct PhantomResult {
     Shares shares{};
     std::uint8_t strongest{};  ///< number of the actuator with the largest share
-    double error{};            ///< distance on the chart from the wanted place to the felt one (m)
+    double error{};  ///< distance between the wanted and the felt place, on the chart of the body (m)
 };
 
 /// Shares for a place. `sigma_cells` is the width of the Gaussian along the chart's two directions in cells,
@@ -34,8 +34,8 @@ struct PhantomResult {
 /// side.
 PhantomResult phantom(const Layout& layout, const ChartPlace& place, vec2 sigma_cells);
 
-/// Place that is felt when actuators of a region run with these amplitudes: the offset from `about` on the chart (m);
-/// zero if all are silent.
+/// Place that is felt when actuators of a region run with these amplitudes: the offset from `about` on the
+/// chart (m); zero if all are silent.
 vec2 felt_offset(const Layout& layout, Region region, vec2 about, std::span<const double> amplitudes);
 
 }  // namespace thaum::tactile

@@ -1,5 +1,5 @@
-// thaum-tools: the program with all commands. A program that links to further wands, spells, commands or drivers of arms
-// has this main function, too.
+// thaum-tools: the program with all commands. A program that links to further wands, spells, commands or
+// drivers of arms has this main function, too.
 #include <string>
 #include <utility>
 #include <vector>

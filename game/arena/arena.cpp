@@ -44,7 +44,8 @@ void read_bowl(const ConfigTable& table, Arena& arena, Body& body) {
     const BowlSize size{.radius = table.number("radius", extent),
                         .height = table.number("height", extent),
                         .thickness = table.number("thickness", {0.01, 1})};
-    // From the bowl's bottom to a fifth of its height all is solid, so it is hollow at every allowed filling.
+    // The solid bottom lies within the lowest fifth of the height, so the bowl is hollow at every allowed
+    // filling.
     if (size.thickness > 0.2 * size.height || size.thickness > 0.4 * size.radius)
         table.report("thickness",
                      text("'thickness' is ", size.thickness,

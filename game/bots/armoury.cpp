@@ -64,8 +64,8 @@ double readiness_for(const LoadedWand& wand, const WandBelt& belt, const Prospec
     return std::max(share, 0.0);
 }
 
-/// Chooses one of the useful wands of that kind and writes its slot and readiness to `mind`. Several useful wands
-/// are chosen as often as bots like them.
+/// Chooses one of the useful wands of that kind and writes its slot and readiness to `mind`. Several useful
+/// wands are chosen as often as bots like them.
 bool take(const MatchData& data, const WandBelt& belt, const Prospect& prospect, Way way, Mind& mind) {
     double liking = 0;
     for (const auto& wand : data.wands) {

@@ -28,7 +28,8 @@ namespace hand = input::hand;
 constexpr double reached = 1.2;      ///< distance at which a goal counts as reached (m)
 constexpr double stuck_speed = 0.4;  ///< speed below which a walking bot is stuck (m/s)
 constexpr Range distances{0, 100};   ///< distances in a level's file (m)
-/// Time in a cell that leads nowhere after which a bot walks out of it. Passing through such a cell takes less.
+/// Time in a cell that leads nowhere after which a bot walks out of it.
+/// Passing through such a cell takes less.
 constexpr Tick stranded_after = ticks(2.0);
 constexpr Tick forget_after = ticks(4.0);
 /// Time after a hit by the foe for which a bot is under fire.

@@ -28,7 +28,8 @@ std::optional<vec3> niche_of(const Simulation& match, const Seat& seat, std::uin
     return best;
 }
 
-/// Whether a straight way comes nearer to a place than `clear` (m). A way that leads off from the place does not.
+/// Whether a straight way comes nearer to a place than `clear` (m). A way that
+/// leads off from the place does not.
 bool comes_near(vec3 place, vec3 from, vec3 to, double clear) {
     const vec2 way(to.x - from.x, to.z - from.z), off(place.x - from.x, place.z - from.z);
     const double length = glm::dot(way, way);
@@ -47,8 +48,8 @@ bool passes_no_niche(const Simulation& match, vec3 from, vec3 niche, Tick tick) 
     return free;
 }
 
-/// Place to walk to for a niche: the niche, or a place beside it if another niche lies on the way. Whoever walks over a
-/// niche takes what lies there.
+/// Place to walk to for a niche: the niche, or a place beside it if another niche lies on the way. Whoever
+/// walks over a niche takes what lies there.
 vec3 way_to_niche(const Simulation& match, const WalkGrid& grid, vec3 from, vec3 niche, Tick tick) {
     if (passes_no_niche(match, from, niche, tick)) return niche;
     const vec3 out = niche - cauldron_of(match).middle;

@@ -49,8 +49,8 @@ struct LeagueLevel {
 struct LeagueSummary {
     std::vector<LeaguePair> pairs;
     std::vector<LeagueLevel> levels;
-    /// Matches won by each seat (player number). A fair arena gives both equal shares, since every seed is played
-    /// with the levels in both seats.
+    /// Matches won by each seat (player number). A fair arena gives both equal shares, since every seed is
+    /// played with the levels in both seats.
     std::array<std::uint32_t, players> seat_wins{};
     std::vector<double> round_s;                     ///< lengths of all rounds, sorted (s)
     std::uint32_t timed_out{};                       ///< number of rounds that ended on time

@@ -10,7 +10,8 @@ namespace thaum::game {
 namespace {
 
 constexpr double body_radius = 0.4;  ///< radius of the swept sphere (m), a little more than a wizard's
-/// Height above the highest ground from which the ground is searched downwards (m); higher things block no wizard.
+/// Height above the highest ground from which the ground is searched downwards
+/// (m); higher things block no wizard.
 constexpr double headroom = 2.5;
 /// Depth below the lowest ground to which the ground is searched (m).
 constexpr double depth = 15;

@@ -48,8 +48,8 @@ public:
     int nearest_way(int cell, vec3 feet) const;
     /// Whether the straight line between two places, a few metres at most, can be walked.
     bool straight(vec3 from, vec3 to) const;
-    /// Whether the straight line between two places, a few metres at most, leads over walkable ground and over
-    /// an edge below which the ground lies deeper by more than hurtful_drop.
+    /// Whether the straight line between two places, a few metres at most, leads over walkable ground and
+    /// over an edge below which the ground lies deeper by more than hurtful_drop.
     bool over_edge(vec3 from, vec3 to) const;
 
 private:

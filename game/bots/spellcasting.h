@@ -1,6 +1,6 @@
-// game/bots/spellcasting.h: how a bot casts spells. It draws a stroke with its mouse while it holds Trace, as a person
-// does: its view stands still meanwhile, it does not shoot, and a clumsy stroke means nothing. It knows the spells only by
-// what they are worth to it (SpellRules::worth).
+// game/bots/spellcasting.h: how a bot casts spells. It draws a stroke with its mouse while it holds Trace, as
+// a person does: its view stands still meanwhile, it does not shoot, and a clumsy stroke means nothing. It
+// knows the spells only by what they are worth to it (SpellRules::worth).
 #pragma once
 #include "game/bots/lifting.h"
 
@@ -12,8 +12,8 @@ DrawingStyle random_drawing_style(Random& random);
 /// Whether the bot draws at present.
 inline bool draws(const CastPlan& cast_plan) { return cast_plan.lasts != 0; }
 
-/// Considers from time to time to cast a spell, and begins its stroke. Prepares `lift_plan` for a thing that the spell
-/// brings.
+/// Considers from time to time to cast a spell, and begins its stroke. Prepares `lift_plan`
+/// for a thing that the spell brings.
 void plan_to_cast(const Simulation& match, const Self& self, const Seat& seat, const WalkGrid& grid,
                   Mind& mind, LiftPlan& lift_plan, CastPlan& cast_plan, Tick tick);
 

@@ -144,7 +144,8 @@ void plan_to_stir(const Simulation& match, const Self& self, const Seat& seat, c
             return;
         case StirStage::fetch: return;
         case StirStage::stir:
-            // An ingredient that the bot has picked up by the way goes into the brew, so that its hands are free.
+            // An ingredient that the bot has picked up by the way goes into the
+            // brew, so that its hands are free.
             stir_plan.drops = carries(match, seat) && tick / gameplay_period % 8 == 0 ? 1 : 0;
             const bool full = self.energy_share > has_enough && !foe_stirs(match, seat, mind, tick);
             if (tick >= stir_plan.until || full || self.health < stir_plan.health - unnerved)

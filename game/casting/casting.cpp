@@ -181,7 +181,8 @@ void follow(MatchContext& context, ReadingSpace& space, const Caster& caster, Dr
     world.commands().remove<DrawnStroke>(caster.wizard);
 }
 
-/// Focus comes back over time, but not while a wizard scries or carves: those would then cost nothing.
+/// Adds the system that gives focus back over time, but not while a wizard scries or uses a carving tool,
+/// which would otherwise cost nothing.
 void add_focus_system(MatchContext& context, ecs::Schedule& schedule) {
     schedule.add(
         {.name = "focus",

@@ -15,8 +15,9 @@ THAUM_FIELDS_OF(ArmState, servo, hand, offset, rest, position_um, rotation_urad,
 
 namespace thaum::game {
 
+/// A real arm held by one player.
 struct Arm {
-    /// state of the arm that the player holds
+    /// State of the arm as its servo steps it, the same as on the arm's own thread.
     input::ArmState state{};
     /// Ring buffer of past models: model n is at index n modulo the size.
     std::array<ecs::Entity, input::remembered_models> models{};

@@ -40,8 +40,8 @@ struct DrawnStroke {
     std::uint32_t on_brew{};  ///< 1: the ladle draws on the brew
     std::uint32_t on_orb{};   ///< 1: drawn by a wizard who scries, so the stroke casts no spell
     vec3 home{};              ///< hand position chosen by the player before the stroke (m, device frame)
-    /// Distance by which the stroke is beyond the device's workspace (m). The hand of a mouse is stopped at
-    /// its edge, but the stroke goes on.
+    /// Displacement of the stroke beyond the device's workspace (m, device frame). The hand of a mouse is
+    /// stopped at the workspace's edge, but the stroke goes on.
     vec3 beyond{};
     double reached{};  ///< Cauldron::reached when the ladle began to draw
     THAUM_COMPONENT(DrawnStroke, points, count, every, waits, over, on_brew, on_orb, home, beyond, reached);

@@ -19,7 +19,8 @@ struct Stroke {
     double radius{};
     double amount{};                          ///< amount of the ingredient (m^3)
     std::uint32_t ingredient{no_ingredient};  ///< number of the ingredient; no_ingredient: momentum only
-    /// Thing whose strokes are merged within a step (its entity index + 1); 0: never merged.
+    /// Source whose strokes are merged within a step: the entity index of a thing + 1, or a number from
+    /// 0xFFFF'0000 on for the pushes of a potion; 0: never merged.
     std::uint32_t by{};
     THAUM_FIELDS(Stroke, place, impulse, radius, amount, ingredient, by);
 };
@@ -46,7 +47,8 @@ struct BrewBursts {
     THAUM_FIELDS(BrewBursts, place, times, count, spare);
 };
 
-/// Why a step of a recipe does not fit. After one of the first four, the brew can no longer become a potion.
+/// Why a step of a recipe does not fit. After `order`, `early` or `late` the
+/// brew can no longer become a potion.
 enum class BrewFault : std::uint32_t {
     none,
     order,       ///< no recipe has this ingredient as the next one

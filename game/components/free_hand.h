@@ -16,7 +16,7 @@ inline constexpr std::size_t free_points = 500;
 enum class Miss : std::uint32_t {
     none,
     unclear,    ///< the reading was not certain enough
-    too_fast,   ///< the gesture took too little time, or the motion was not clear and fast
+    too_fast,   ///< the gesture took too little time, or the reading was uncertain and the hand fast
     too_small,  ///< the gesture was too small
     too_soon,   ///< a spell was cast just before
 };
@@ -47,7 +47,7 @@ struct FreeHand {
     std::uint32_t moving{};
     std::uint32_t windows{};  ///< number of windows read since the hand came to rest
     std::uint32_t spare{};
-    FreeWindow best{};  ///< best of the windows that are allowed to cast
+    FreeWindow best{};  ///< best of the windows that are large and slow enough; its reading may be unclear
     FreeWindow odd{};   ///< best of the windows that are too small or too fast
     THAUM_COMPONENT(FreeHand, newest, cast_at, points, first, count, path, rest_place, rested, moving,
                     windows, spare, best, odd);

@@ -40,9 +40,9 @@ struct Dice {
     THAUM_COMPONENT(Dice, spread);
 };
 
-/// Kinds of event whose numbers recorded matches have. The hits of wands have the numbers that are missing here. New
-/// kinds are not listed here: the source that records one registers it, and it has a number above the last
-/// (game/data/event_kinds.h, which also names all kinds).
+/// Kinds of event whose numbers recorded matches have. The hits of wands have the numbers that are missing
+/// here. New kinds are not listed here: the source that records one registers it, and it has a number above
+/// the last (game/data/event_kinds.h, which also names all kinds).
 enum class EventKind : std::uint32_t {
     none = 0,
     shot = 1,        ///< a shot was fired; detail: EventKind of its hits
@@ -82,10 +82,8 @@ enum class EventKind : std::uint32_t {
     work_half = 38,  ///< a wizard holds half of the Great Work
     work_lost = 39,  ///< a wizard has lost that half by dying
     put_away = 40,   ///< a wizard has put a carried ingredient away; detail: its number
-    hands_full =
-        /// A wizard who already carries an ingredient stands at another niche; detail: the niche's
-    /// ingredient.
-    41,
+    /// A wizard who already carries an ingredient stands at another niche; detail: the niche's ingredient.
+    hands_full = 41,
     caught = 42,  ///< a wand has caught a thing that flew at its wizard; amount: the thing's mass (kg)
     // From here on, kinds of event about the orb (48 to 55).
     core_near = 48,  ///< the probe of a wizard who scries came near the hidden core

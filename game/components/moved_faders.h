@@ -16,7 +16,8 @@ struct MovedFaders {
     /// Values of all faders of the first player, then of the second (%). input::HandFader `n` is at index n -
     /// 1.
     std::array<std::uint8_t, players * input::hand_faders> percent{};
-    /// Number of ticks for which the forces of each player still blend after the last move of a fader.
+    /// Ticks left, for each player, until every system has set its forces by the last move of a fader. In
+    /// these ticks the servo fades to each new force.
     std::array<std::uint8_t, players> settling{};
 
     THAUM_COMPONENT(MovedFaders, percent, settling);

@@ -57,7 +57,7 @@ struct Health {
     Tick hurt_at{};            ///< tick of the last injury
     std::uint32_t hurt_by{};   ///< player who caused the last injury; no_player: none
     std::uint32_t hurt_how{};  ///< EventKind of the last injury
-    Tick foe_did_at{};         ///< tick of the last harm done by the other player; 0: never
+    Tick foe_did_at{};         ///< tick at which the foe last hurt or pushed the wizard; 0: never
     double ward{};             ///< harm that the wizard's shield can still absorb (HP)
     Tick ward_until{};         ///< tick at which that shield ends
     double harm_share{1};      ///< share of each harm that remains after a potion, until `hardened_until`
@@ -84,9 +84,9 @@ struct Blow {
     Tick counts_again{};  ///< tick before which another hit by the thing is ignored
     double impulse{};     ///< impulse so far (N s); negative once the harm has been applied
     THAUM_FIELDS(Blow, by, began, counts_again, impulse);
-    /// Blows of the last few things that hit the wizard.
 };
 
+/// Blows of the last few things that hit the wizard.
 struct Blows {
     std::array<Blow, 8> recent{};
     THAUM_COMPONENT(Blows, recent);

@@ -4,8 +4,8 @@
 //
 // It helps in three ways:
 // - The view turns more slowly while the crosshair is on the foe or near it.
-// - If the crosshair is less than 2 degrees beside the foe, and while the player does something, the view is drawn to
-//   the place where a shot meets the foe.
+// - If the crosshair is less than 2 degrees beside the foe, and while the player does something, the view is
+//   drawn to the place where a shot meets the foe.
 // - A shot that would miss narrowly is turned by up to 2 degrees.
 // It does not help through walls, nor under rules without it (assets/rules). Bots, scripts and arms get no
 // help.

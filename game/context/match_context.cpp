@@ -68,7 +68,8 @@ void declare_components(ecs::World& world) {
                 Blows, WandBelt, HandState, Score, Match, Dice, EventLog>(world);
     for (const auto& kind : wand_kinds()) kind.declare(world);
     declare_magic(world);
-    // Arms, moved faders and free hands are declared last, so that the hashes of matches without them stay the same.
+    // Arms, moved faders and free hands are declared last, so that the hashes of
+    // matches without them stay the same.
     declare_all<Arm, PastModel, MovedFaders, FreeHand, NearMiss>(world);
     declare_stations(world);
 }

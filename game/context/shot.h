@@ -32,7 +32,7 @@ struct Muzzle {
     vec3 ahead{};  ///< direction of view (unit, world)
     vec3 aim{};    ///< direction from the tip to the point under the crosshair (unit, world)
 };
-/// fraction of the full effect, > 0
+/// Muzzle for a missile with this radius (m). Reads Wizard, Gaze, Motion, HandState and resource::Physics.
 Muzzle muzzle_of(const WandUse& use, double radius);
 
 /// Turns the muzzle's aim by the player's aim assist (context/aim_assist.h), for a straight shot of this

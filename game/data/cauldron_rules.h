@@ -80,7 +80,7 @@ struct CauldronRules {
     /// Work of a ladle within 1.5 s from which on its wizard can take over the brew (J)
     double wrest_least{};
     Tick spoils_after{};  ///< time from the first ingredient to boiling over (ticks)
-    /// Time to boiling over for a brew that can no longer become a potion (ticks)
+    /// Time from the first ingredient to boiling over, for a brew that can no longer become a potion (ticks)
     Tick useless_spoils_after{};
     /// Boiling over: speed of the push and harm for wizards at the rim (m/s, HP)
     double spoil_push{}, spoil_harm{};

@@ -39,7 +39,7 @@ struct CrystalRules {
     field::Tool chip{};           ///< tool that melts a ball of the crystal at the point of a hit
     double chip_burst_reach{};    ///< distance from the crystal's surface within which a burst chips it (m)
     double chip_least_impulse{};  ///< minimum impulse of a thing whose blow chips the crystal (N s)
-    Tick chip_again{};            ///< minimum time between two chips by the same thing (ticks)
+    Tick chip_again{};            ///< time after a hit in which no thing chips the same crystal (ticks)
     double lens_share{};          ///< harm of a blast by a wizard with the Lens, relative to one without it
     Tick work_lasts{};  ///< time for which both halves of the Great Work must be held to win (ticks)
 };

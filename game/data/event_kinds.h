@@ -1,6 +1,6 @@
-// game/data/event_kinds.h: all kinds of event of this program: those of EventKind, those that a source registers
-// (EventRegistration), and the hits that wands bring (WandKind::hits). Each kind has one row, which says what its fields
-// mean.
+// game/data/event_kinds.h: all kinds of event of this program: those of EventKind, those that a source
+// registers (EventRegistration), and the hits that wands bring (WandKind::hits). Each kind has one
+// row, which says what its fields mean.
 //
 // Numbers of kinds are part of saved states, so they do not depend on the order in which the linker registers
 // kinds. A kind with fixed numbers keeps them. All others are numbered after the largest fixed number, in the
@@ -62,7 +62,8 @@ struct HitKind {
     std::optional<FixedNumbers> fixed{};
 };
 
-/// A kind of event that the source which records it brings. Its row in assets/events.toml says how it is shown.
+/// A kind of event that the source which records it brings. Its row in
+/// assets/events.toml says how it is shown.
 class EventRegistration {
 public:
     /// Registers the kind when the program starts. Its numbers are given to it: cause_number is ignored.

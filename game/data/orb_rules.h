@@ -21,7 +21,7 @@ struct OrbMode {
     field::TransferFunction friction{};  ///< coefficient of friction, as a function of the field's value
     /// Property at the right end of the plane on which a wizard draws the strength curve.
     double most_property{};
-    double least{};  ///< strength at the bottom of the drawing plane (N); 0: its left end is property 0
+    double least{};  ///< strength at the bottom of the drawing plane (N); the plane's left end is property 0
 };
 
 struct OrbRules {

@@ -124,9 +124,8 @@ SpellPresentation read_spell_presentation(std::string_view name, const ConfigTab
 /// How a match is shown.
 struct Presentation {
     EventRows events;
-    std::vector<SpellPresentation>
-        /// Looks and sounds of spells, indexed by the spell's number; empty if the match has no spells.
-        spells;
+    /// Looks and sounds of spells, indexed by the spell's number; empty if the match has no spells.
+    std::vector<SpellPresentation> spells;
     std::vector<WandPresentation> wands;  ///< looks and sounds of wands, in the order of MatchData::wands
     BrewWords brew;
 };

@@ -41,9 +41,10 @@ struct ChangedBrew {
     double viscosity{1};   ///< factor on the pure brew's viscosity
     double density{1};     ///< factor on the pure brew's density
     double elasticity{1};  ///< factor on the tension of the surface
-    double swirl{};        ///< mean speed below which the brew is driven in a circle (m/s); 0: never driven
-    double rise{};         ///< upward speed given to the middle of the brew in each push (m/s)
-    double aura{1};        ///< factor on the radius of the brew's effects (AuraRules)
+    /// Mean speed below which the brew is driven in a circle, clockwise seen from above (m/s); 0: never.
+    double swirl{};
+    double rise{};   ///< mean speed below which the middle of the brew is pushed upwards (m/s); 0: never
+    double aura{1};  ///< factor on the radius of the brew's effects (AuraRules)
     Tick lasts{};
     vec3 colour{};  ///< colour as linear light, 0 to 1; for pictures only
 };

@@ -52,6 +52,7 @@ struct NearView {
     double nearest{};  ///< field of view of the nearest view (rad)
 };
 
+/// Memory for building frames. The spans of a Frame point into it.
 struct FrameMemory {
     std::array<std::vector<render::Instance>, players> instances;
     /// Each player's `mists` plus those of spells; empty if the match has no spells.

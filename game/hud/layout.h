@@ -5,7 +5,7 @@
 //                  likely                  the likely spell of a stroke
 //     forces        notices      lesson    forces: the curve of F3; lesson: in a window with one view
 //     heard     ring around the crosshair  heard: what is heard and felt in words
-//                       aside               the card at the cauldron, where it has more room than below the ring
+//                       aside               the card at the cauldron, if it has more room than below the ring
 //                                 figure   what the body feels; not in a window with words of a lesson
 //               messages                   captions, prompts, the brew in words
 //     name, health           strip         the strip of wands
@@ -31,9 +31,11 @@ struct ViewLayout {
     Panel feed;
     Panel messages;
     Panel forces;  ///< curve of the forces, or only the name of the strongest force
-    /// Two torsos of figure_wide x figure_high units each; empty while a lesson's text is shown.
+    /// Panel for the front and the back of the body (body_figure.h): figure_wide x figure_high units, or
+    /// smaller if there is less room. Empty while a lesson's text is shown in a window with one view.
     Panel figure;
-    /// Panel for the card at the cauldron (rim_card.h), right of the ring; empty if there is no room.
+    /// Panel for the card at the cauldron (rim_card.h), right of the ring; empty if there is too little
+    /// room, and while a lesson's text is shown in a window with one view.
     Panel aside;
     Panel heard;    ///< words for sounds and effects; empty if the curve of the forces leaves no room
     Panel likely;   ///< panel for the likely spell of a stroke, above the ring; empty if there is no room

@@ -12,8 +12,8 @@ struct Offer {
     std::string before{};  ///< text for a step that must come before: "Hold [E], then "
 };
 
-/// The first spell in the list, for a player who is hurt, has no shield and has enough focus for it; null for
-/// other players.
+/// The spell with the lowest wand key, for a player who is hurt, has no shield and has enough
+/// focus for it; null for other players.
 const SpellStats* spell_in_need(const PlayerPicture& p) {
     constexpr double hurt = 0.8;  // share of full health below which a player counts as hurt
     const auto& casting = p.casting;

@@ -271,8 +271,8 @@ void add_hurt_marks(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
 
 // Messages --------------------------------------------------------------------------------------------------
 
-/// Message about a problem of the arm that the player must solve. Empty if there is none. Also empty for
-/// players without an arm who feel no forces. `told`: the driver has reported the fault itself.
+/// Message about a problem of the arm that the player must solve. Empty if there is none, and for a player
+/// without an arm, since such a player feels no forces. `told`: the driver has reported the fault itself.
 std::string_view fault_of(const ForcePicture& force, bool told) {
     using haptics::SafetyCause;
     switch (force.arm) {

@@ -1,7 +1,8 @@
-// game/jackets/bhaptics_messages.h: texts that the bHaptics Player (its second interface, a WebSocket) takes and sends.
+// game/jackets/bhaptics_messages.h: texts that the bHaptics Player (its second
+// interface, a WebSocket) takes and sends.
 //
-// Each request is absolute: both sides of the vest, lit or turned off. A lit side has a duration, so it goes dark by
-// itself when the connection is lost.
+// Each request is absolute: both sides of the vest, lit or turned off. A lit side has a duration, so it goes
+// dark by itself when the connection is lost.
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,6 @@
-// game/jackets/felt_rows.h: rows of a table of what players feel on the body: tick, player, and the cells of the figure
-// (layout abstract_4x5). `thaum replay --tactile` and the recorder of a session write the same table.
+// game/jackets/felt_rows.h: rows of a table of what players feel on the body: tick, player,
+// and the cells of the figure (layout abstract_4x5). `thaum replay --tactile` and the recorder
+// of a session write the same table.
 #pragma once
 #include <cstdint>
 #include <string>

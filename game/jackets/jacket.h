@@ -1,5 +1,5 @@
-// game/jackets/jacket.h: the jacket of a player, as the settings file names it: WORD or WORD:PLACE. Each maker of jackets has
-// words of its own; game/jackets/makers has one source for each maker (jacket_maker.h).
+// game/jackets/jacket.h: the jacket of a player, as the settings file names it: WORD or WORD:PLACE. Each
+// maker of jackets has words of its own; game/jackets/makers has one source for each maker (jacket_maker.h).
 #pragma once
 #include <filesystem>
 #include <memory>
@@ -37,9 +37,9 @@ std::string jacket_forms();
 /// Reads the setting. The error says what is wrong with it.
 Expected<Jacket> parse_jacket(std::string_view words);
 
-/// The layout that a player has written for a jacket: a file of assets/tactile/layouts by its name without ending, or
-/// any other file by its path. It may have fewer actuators than the jacket has motors; those that follow stay off. The
-/// error is one line, and then the jacket has its usual layout.
+/// The layout that a player has written for a jacket: a file of assets/tactile/layouts by its name without
+/// ending, or any other file by its path. It may have fewer actuators than the jacket has motors; those that
+/// follow stay off. The error is one line, and then the jacket has its usual layout.
 Expected<tactile::Layout> load_own_layout(const std::string& words, const Jacket& jacket,
                                           const std::filesystem::path& assets);
 

@@ -1,5 +1,6 @@
-// game/jackets/jacket_maker.h: what a maker of jackets brings: one source of game/jackets/makers, which registers a
-// JacketMaker. The settings, their messages, `thaum doctor` and a session know its jackets by this table alone.
+// game/jackets/jacket_maker.h: what a maker of jackets brings: one source of
+// game/jackets/makers, which registers a JacketMaker. The settings, their messages, `thaum
+// doctor` and a session know its jackets by this table alone.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -25,7 +26,8 @@ struct JacketLayout {
 struct JacketForm {
     std::string_view word;
     JacketLayout layout;
-    /// Place that the word alone means, as JacketMaker::read returns it; std::nullopt: the word alone is no jacket.
+    /// Place that the word alone means, as JacketMaker::read returns it;
+    /// std::nullopt: the word alone is no jacket.
     std::optional<std::string_view> usual_place{};
 };
 
@@ -49,7 +51,8 @@ struct JacketMaker {
     int order = 100;        ///< order in lists: smaller ones first, equal ones by their names
     std::vector<JacketForm> forms;
     std::vector<std::string_view> shown;  ///< settings as lists show them: "osc:HOST:PORT"
-    /// Reads what follows the colon. Returns it in the same words for the same device. The error says how to write it.
+    /// Reads what follows the colon. Returns it in the same words for the same device.
+    /// The error says how to write it.
     Expected<std::string> (*read)(std::string_view word, std::string_view place);
     /// Makes the output. It is not opened yet.
     std::unique_ptr<input::TactileOutput> (*make)(const Jacket& jacket, std::uint32_t player);

@@ -35,9 +35,10 @@ Expected<HandPath> parse_hand_trace(std::string_view csv, std::string_view name)
 /// Use of tool and undo in the step that begins at this time; none without a trace.
 HandUse use_at(const HandPath& path, double seconds);
 
-/// Target position of the hand (m, lab frame). `workspace`: edge lengths of the workspace (m). A press goes
-/// from above through the middle and back in 4 s; a circle is horizontal, at half of the width, and takes 4
-/// s. Before and after a file's times, the target is the first or last position.
+/// Target position of the hand (m, lab frame). `workspace`: edge lengths of the workspace (m). A press
+/// goes from above through the middle and back in 4 s; a circle is horizontal, with half of the
+/// narrower horizontal edge as its diameter, and takes 4 s. Before and after a file's times, the
+/// target is the first or last position.
 vec3 wanted_place(const HandPath& path, vec3 workspace, double seconds);
 
 /// Start position of a hand moved by the mouse (m): near the side of the workspace towards the viewer,

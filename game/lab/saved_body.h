@@ -1,8 +1,8 @@
 // game/lab/saved_body.h: a carved body in files. A NRRD file holds one property, so colours and materials
 // have files of their own beside the densities: head.nrrd, head.colour.nrrd, head.material.nrrd. The last two
-// are written only if a tool has changed them, and read if they exist. All files of a body contain the same
-// identifier, so that files of different bodies, as a power cut during saving may leave them, are not
-// combined.
+// are written only if a tool has changed them or such a file already exists, and read if they exist. All
+// files of a body contain the same identifier, so that files of different bodies, as a power cut during
+// saving may leave them, are not combined.
 #pragma once
 #include <array>
 #include <filesystem>

@@ -504,7 +504,7 @@ VolumeLabFigures step_volume_lab(VolumeLab& lab, const VolumeLabInput& input) {
     }
     figures.edit = use_tool(lab, input.carve && input.history == 0, input.tool);
     lab.edited |= figures.edit.voxels > 0;
-    // The body under the hand has changed, so the model gets a new number, and the servo fades to the new
+    // If the body under the hand has changed, the model gets a new number, and the servo fades to the new
     // force.
     if (lab.carvable() && lab.body.bricks.newest != before) ++lab.model.set_number;
     refresh(lab);

@@ -166,8 +166,8 @@ Expected<VolumeLab> make_volume_lab(field::Volume volume, VolumeLabData data);
 
 /// Makes the servo step more often than once per tick, 1 to most_steps_per_tick times. Several steps per tick
 /// are reduced to tip -> modes -> balance -> force, because the servo's safety stage and observer count in
-/// ticks of 1 ms. The force is then limited only by the device's peak, and only device and hand damp the
-/// motion. So use this only for a simulated device.
+/// ticks of 1 ms. The force is then limited only by the device's peak. The motion is damped only by device,
+/// hand and the drag of the body's feel. So use this only for a simulated device.
 void set_servo_rate(VolumeLab& lab, int steps_per_tick);
 
 /// Puts the hand at rest at a position of the workspace.

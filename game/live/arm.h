@@ -19,9 +19,9 @@ namespace thaum::app {
 
 class ArmKeeper {
 public:
-    /// Opens the arm, starts its servo ticks and the thread that watches it. The match computes forces for the
-    /// device `wanted`. An arm that can give less force is rejected, because its player would feel another
-    /// match than the log records.
+    /// Opens the arm, starts its servo ticks and the thread that watches it. The match computes forces for
+    /// the device `wanted`. An arm that can give less force is rejected, because its player would feel
+    /// another match than the log records.
     static Expected<std::unique_ptr<ArmKeeper>> open(const input::ArmPlace& place, input::ArmServo& servo,
                                                      const haptics::DeviceSpec& wanted);
     /// Leaves the arm without force. Does not wait for a library that hangs.
@@ -70,7 +70,8 @@ struct ArmNotice {
     std::string fault{};  ///< fault of the arm in words, for its player's view; empty: none
 };
 
-/// Updates the notice of the arm called `name`. Returns a line for the terminal if the arm was lost or is back.
+/// Updates the notice of the arm called `name`. Returns a line for the
+/// terminal if the arm was lost or is back.
 std::optional<std::string> update(ArmNotice& notice, const std::string& name, const input::ArmStatus& status);
 
 /// One real arm of the session, and the player who holds it.
@@ -86,12 +87,13 @@ using LiveArms = std::vector<std::unique_ptr<LiveArm>>;
 /// Opens the arms that the seats ask for, in the order of the seats.
 Expected<LiveArms> open_arms(std::span<const Seat> seats, const haptics::DeviceSpec& wanted);
 
-/// Gives each arm to its player for the next match. If the start screen chose the seats, the first arm goes to
-/// the player with the mouse, and the second one to the other person. Otherwise the seat of the plan decides.
+/// Gives each arm to its player for the next match. If the start screen chose the seats, the
+/// first arm goes to the player with the mouse, and the second one to the other person.
+/// Otherwise the seat of the plan decides.
 void bind_arms(LiveArms& arms, const TakenSeats& seats, bool start_screen);
 
-/// Updates the notices of all arms, and prints which arms were lost or are back. Without its arm a hand goes on
-/// by mouse or pad, and the ArmKeeper looks for the arm.
+/// Updates the notices of all arms, and prints which arms were lost or are back. Without its arm a hand goes
+/// on by mouse or pad, and the ArmKeeper looks for the arm.
 void follow_arms(LiveArms& arms);
 
 /// Calls f(arm, device) for each real arm that a player holds. `device` is its index among the match's

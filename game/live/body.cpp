@@ -11,8 +11,8 @@ namespace {
 /// Numbers of layouts in a scene.
 constexpr std::size_t figure_frame = 0, pad_frame = 1, first_jacket_frame = 2;
 
-/// Reads a layout. One that is faulty, or has not as many actuators as the jacket has motors, is empty, and a line on it
-/// is added. `motors`: 0 for any number.
+/// Reads a layout. One that is faulty, or has not as many actuators as the jacket has motors, is empty, and a
+/// line on it is added. `motors`: 0 for any number.
 tactile::Layout layout_of(const std::filesystem::path& assets, std::string_view name, std::size_t motors,
                           std::vector<std::string>& faults) {
     const auto path = assets / "tactile" / "layouts" / text(name, ".toml");
@@ -88,7 +88,8 @@ void MatchBody::take_faders(std::uint32_t player) {
         scenes_.at(player)->set_faders(first_jacket_frame + i, faders);
 }
 
-/// Whether a player wants sounds on a jacket. One that is lost for a while finds them as if it had been there.
+/// Whether a player wants sounds on a jacket. One that is lost for a while
+/// finds them as if it had been there.
 bool MatchBody::hears(std::uint32_t player) const {
     return motors_.felt_sound(player).strength > 0 && motors_.has_jacket(player);
 }

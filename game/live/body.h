@@ -1,8 +1,8 @@
-// game/live/body.h: what players of a live session feel on the body: the effects, the layouts, and the frames of
-// each match.
+// game/live/body.h: what players of a live session feel on the body: the effects, the
+// layouts, and the frames of each match.
 //
-// The main thread owns a LiveBody. The thread that plays a match or a replay makes a MatchBody for it. A faulty data
-// file costs its own effect or layout, and is told in one line.
+// The main thread owns a LiveBody. The thread that plays a match or a replay makes a MatchBody for it. A
+// faulty data file costs its own effect or layout, and is told in one line.
 #pragma once
 #include <filesystem>
 #include <optional>

@@ -1,6 +1,6 @@
-// game/live/body_trial.h: plays one effect on a player's motors, jacket and figure, outside of a match, so that the
-// player can feel how strong a fader makes it. The main thread owns it; frames are laid over those of a match that is
-// paused.
+// game/live/body_trial.h: plays one effect on a player's motors, jacket and figure, outside of a match,
+// so that the player can feel how strong a fader makes it. The main thread owns it; frames are laid
+// over those of a match that is paused.
 #pragma once
 #include <memory>
 

@@ -1,6 +1,6 @@
-// game/live/end_watch.h: SIGINT (Ctrl-C), SIGTERM and SIGHUP as requests to end, so that the program can close
-// logs and release force-feedback arms. The signal handler ends the forces at once, whatever the program does
-// meanwhile. The second signal of a kind ends the process as if there were no watch.
+// game/live/end_watch.h: SIGINT (Ctrl-C), SIGTERM and SIGHUP as requests to end, so that the program can
+// close logs and release force-feedback arms. The signal handler ends the forces at once, whatever the
+// program does meanwhile. The second signal of a kind ends the process as if there were no watch.
 #pragma once
 #include <array>
 #include <atomic>

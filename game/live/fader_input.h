@@ -1,6 +1,6 @@
-// game/live/fader_input.h: turns a player's settings into moves of faders, which are input of a match: one move for each
-// tick until the match has what the player wants. The main thread states the wish at any time. The simulation thread
-// takes the moves.
+// game/live/fader_input.h: turns a player's settings into moves of faders, which are input of a match: one
+// move for each tick until the match has what the player wants. The main thread states the wish at any time.
+// The simulation thread takes the moves.
 #pragma once
 #include <atomic>
 

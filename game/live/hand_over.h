@@ -1,4 +1,5 @@
-// game/live/hand_over.h: hands one value at a time from one thread to another. A value that was not taken is replaced.
+// game/live/hand_over.h: hands one value at a time from one thread to another. A
+// value that was not taken is replaced.
 #pragma once
 #include <atomic>
 #include <mutex>

@@ -24,9 +24,9 @@ public:
     /// `seats` outlives this object, and changes between matches only.
     explicit PlayerHands(TakenSeats& seats) : seats_(seats) {}
 
-    /// Begins a match with seats that were taken under `settings`. Buttons held now must be released before
-    /// they act in the match. A player with half of the keyboard keeps it in a rematch. A player whose pad is not
-    /// plugged in has lost it.
+    /// Begins a match with seats that were taken under `settings`. Buttons held now must be released
+    /// before they act in the match. A player with half of the keyboard keeps it in a rematch. A player
+    /// whose pad is not plugged in has lost it.
     HandNews begin_match(const Settings& settings, const Pads& pads);
     /// Empties the seats and forgets which devices their players used.
     void leave_seats();
@@ -61,7 +61,8 @@ public:
     bool is_plugged_again(std::uint32_t player) const { return holds_[player].lost && holds_[player].seen; }
     /// A player who has no device; std::nullopt: none.
     std::optional<std::uint32_t> first_lost() const;
-    /// The player without a pad who would get half of the keyboard; std::nullopt: nobody needs it, or it is taken.
+    /// The player without a pad who would get half of the keyboard; std::nullopt:
+    /// nobody needs it, or it is taken.
     std::optional<std::uint32_t> heir_of_half() const;
     /// Whether a player's own binding of the key pauses the match.
     bool pauses(int key, const Settings& settings) const;

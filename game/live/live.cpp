@@ -43,8 +43,8 @@ struct Live {
     LiveWindow window;
 };
 
-/// Opens the record of the session's match `number`. The range's files belong to its only match, and no log is
-/// opened beside them.
+/// Opens the record of the session's match `number`. The range's files belong to its only match,
+/// and no log is opened beside them.
 Expected<Recording> open_recording(Live& live, std::uint64_t seed, std::uint64_t number) {
     auto& session = live.session;
     if (auto range = session.next().take_range()) return Recording(std::move(*range));
@@ -55,8 +55,8 @@ Expected<Recording> open_recording(Live& live, std::uint64_t seed, std::uint64_t
                         number, session.log_header(seed));
 }
 
-/// Time from now to the start of the next match (s): none in the range, in a replay, and in a session that measures
-/// itself.
+/// Time from now to the start of the next match (s): none in the range, in a replay, and
+/// in a session that measures itself.
 int countdown_of(const Live& live) {
     const bool none = live.plan.replay != nullptr || live.plan.probe || live.plan.practice ||
                       live.session.next().is_practice();
@@ -125,7 +125,8 @@ Expected<LiveArms> open_arms_of(const LivePlan& plan) {
     return open_arms(plan.seats, plan.data->device);
 }
 
-/// Loads the layouts that players have written for their jackets. A fault is told, and then the usual one is used.
+/// Loads the layouts that players have written for their jackets. A fault is
+/// told, and then the usual one is used.
 void load_own_layouts(const LivePlan& plan, LiveShared& shared) {
     for (std::uint32_t p = 0; shared.body && p < game::players; ++p) {
         const auto& player = plan.settings.players.at(p);

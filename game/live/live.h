@@ -99,8 +99,8 @@ struct LivePlan {
     bool apprentice = false;  ///< true: the range is the Apprentice, and its lessons choose the dummy
     bool first_start =
         false;  ///< true: nobody has started the program before, so the Apprentice is offered first
-    /// true: bots play one match after another, and each result is shown for some seconds. Only the first match is
-    /// recorded, because the recordings of a night would displace those of the players.
+    /// true: bots play one match after another, and each result is shown for some seconds. Only the first
+    /// match is recorded, because the recordings of a night would displace those of the players.
     bool demo = false;
     /// Replay to show instead of a match; null: a match. Nobody plays, and nothing is recorded.
     const ShownReplay* replay = nullptr;
@@ -109,11 +109,11 @@ struct LivePlan {
         logs_folder{};  ///< folder for one log per match if `log` is empty; empty: matches are not recorded
     std::filesystem::path assets{};
     Settings settings{};
-    /// words for the players on a faulty settings file, on the start screen or else at the start of the first match; empty:
-    /// there is no fault
+    /// words for the players on a faulty settings file, on the start screen or else at the start of the first
+    /// match; empty: there is no fault
     std::string start_fault{};
-    /// Reads all data files and returns words on their faults for terminal and start screen. It is called after the first
-    /// pictures, by a thread of its own; null: they are not looked at.
+    /// Reads all data files and returns words on their faults for terminal and start screen. It is called
+    /// after the first pictures, by a thread of its own; null: they are not looked at.
     std::function<std::string()> read_all_data{};
     /// file that receives changed settings; empty: changes last for this run only
     std::filesystem::path settings_file{};

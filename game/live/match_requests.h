@@ -1,8 +1,9 @@
 // game/live/match_requests.h: requests of the main thread to the simulation thread about the present match.
 //
-// A deed is a value in a queue: a plain struct that acts on a RequestTarget, once, before the next tick. A new one is a
-// struct here, and the place that asks for it. Deeds of the range are open even there (game/range/range_request.h). What
-// counts only as its newest value, or is set by both threads, is an atomic value beside the queue.
+// A deed is a value in a queue: a plain struct that acts on a RequestTarget, once, before the next
+// tick. A new one is a struct here, and the place that asks for it. Deeds of the range are open even
+// there (game/range/range_request.h). What counts only as its newest value, or is set by both threads,
+// is an atomic value beside the queue.
 #pragma once
 #include <atomic>
 #include <optional>
@@ -62,8 +63,8 @@ struct MatchRequests {
     std::atomic<bool> end{false};  ///< true: the match must end
     /// Set on the result screen, by either thread. Then the match ends by itself and another follows.
     std::atomic<bool> rematch{false};
-    /// Player for whom the session presses the pause button: to pause, or to go on. Set by either thread. Ignored if the
-    /// match is in that state already. game::no_player: none.
+    /// Player for whom the session presses the pause button: to pause, or to go on. Set by either thread.
+    /// Ignored if the match is in that state already. game::no_player: none.
     std::atomic<std::uint32_t> pause{game::no_player}, go_on{game::no_player};
     std::atomic<game::DummyKind> dummy{game::DummyKind::still};   ///< wanted kind of the range's dummy
     std::atomic<game::RangeChanges> range{game::RangeChanges{}};  ///< wanted changes of the range's rules

@@ -67,7 +67,8 @@ public:
     bool sets_up_pad() const { return is_open() && state_.pages.back().page == page_name::pad_setup; }
 
     // News for the menu.
-    /// Joysticks that are no pads, pads that were set up by hand, and a line for each joystick that does not play.
+    /// Joysticks that are no pads, pads that were set up by hand, and a line for
+    /// each joystick that does not play.
     void tell_sticks(std::vector<std::string> unknown, std::vector<std::string> own,
                      std::vector<std::string> faults);
     /// Control that the set-up of a joystick asks for.
@@ -89,7 +90,8 @@ public:
     void tell_purposes(std::vector<tactile::Purpose> purposes) { context_.body = std::move(purposes); }
     /// Name and state of the arm at an index of MenuContext::arms.
     void name_arm(std::size_t index, const std::string& name) { context_.arms.at(index) = name; }
-    /// The match that begins is on the range, or is the Apprentice there. The next start screen is not the first.
+    /// The match that begins is on the range, or is the Apprentice there. The
+    /// next start screen is not the first.
     void set_practice(bool practice, bool apprentice) {
         context_.practice = practice;
         context_.apprentice = apprentice;
@@ -105,7 +107,8 @@ public:
     }
     void set_pause(PauseWords words);
     void set_note(std::string note) { state_.note = std::move(note); }
-    /// Sets the largest force that a player has found by feel (% of the device's peak), as the mixer's page does.
+    /// Sets the largest force that a player has found by feel (% of the device's
+    /// peak), as the mixer's page does.
     void set_own_force(std::size_t player, std::uint32_t percent);
     void choose_arena(std::size_t arena) { state_.arena = arena; }
     // Changes by the session's keys, for this run only.

@@ -1,5 +1,5 @@
-// game/live/menu_choices.h: choices that the menu offers because the data folder has files for them: levels of
-// bots, lengths of a match, and arenas.
+// game/live/menu_choices.h: choices that the menu offers because the data folder has files for them: levels
+// of bots, lengths of a match, and arenas.
 #pragma once
 #include "game/live/live.h"
 #include "game/menu/menu.h"
@@ -9,8 +9,8 @@ namespace thaum::app {
 /// Choices of the menu. A match of the command line, and its arena, are among them.
 MenuContext find_menu_context(const LivePlan& plan);
 
-/// All arenas of a data folder, sorted by name. One whose file cannot be read, or that has the name of another one, is
-/// among them with its fault.
+/// All arenas of a data folder, sorted by name. One whose file cannot be read, or that has the name of
+/// another one, is among them with its fault.
 std::vector<MenuContext::Named> arena_choices(const std::filesystem::path& assets);
 
 /// Index of a name in a list of the menu; 0 if it is missing.

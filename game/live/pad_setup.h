@@ -1,5 +1,5 @@
-// game/live/pad_setup.h: joysticks that are plugged in and do not play. Tells why, and makes a pad of one that SDL does
-// not know: the menu asks for one control after the other (input/pad_assignment.h).
+// game/live/pad_setup.h: joysticks that are plugged in and do not play. Tells why, and makes a pad of one
+// that SDL does not know: the menu asks for one control after the other (input/pad_assignment.h).
 #pragma once
 #include <set>
 
@@ -40,13 +40,14 @@ public:
 
     /// Carries out a request of the menu. Returns whether it was one about the set-up.
     bool carry_out(MenuRequest request, const LiveMenu& menu);
-    /// Looks at the joysticks, and tells the menu about them. Returns a change once all controls were asked for, or if a
-    /// set-up is to be forgotten.
+    /// Looks at the joysticks, and tells the menu about them. Returns a change once all controls were asked
+    /// for, or if a set-up is to be forgotten.
     std::optional<PadChange> follow(IdleSticks sticks, LiveMenu& menu);
     /// Ends a change: keeps a mapping that SDL has taken, or tells why it has not.
     void end(const PadChange& change, const Expected<void>& taken, LiveMenu& menu);
 
-    /// The pads without what one of them does that is set up again: its old buttons have no meaning meanwhile.
+    /// The pads without what one of them does that is set up again: its old
+    /// buttons have no meaning meanwhile.
     Pads without_stick(Pads pads) const;
 
 private:

@@ -4,8 +4,8 @@
 
 namespace thaum::app {
 
-/// Plays the plan's replay as shared.replay asks, until shared.stop. At the log's end it waits. Calls `wake` when it
-/// has gone to a place, so that the main thread looks.
+/// Plays the plan's replay as shared.replay asks, until shared.stop. At the log's end it waits. Calls `wake`
+/// when it has gone to a place, so that the main thread looks.
 void run_replay(const LivePlan& plan, LiveShared& shared, const std::function<void()>& wake);
 
 }  // namespace thaum::app

@@ -1,4 +1,5 @@
-// game/live/replay_view.h: what a viewer of a replay can do with keys and mouse, apart from window, threads and clock.
+// game/live/replay_view.h: what a viewer of a replay can do with keys and mouse,
+// apart from window, threads and clock.
 #pragma once
 #include <atomic>
 #include <optional>

@@ -12,7 +12,8 @@ namespace thaum::app {
 
 using input::DeviceKind;
 
-// Words of --hands -------------------------------------------------------------------------------------------
+// Words of --hands
+// -------------------------------------------------------------------------------------------
 
 Expected<Seat> hand_named(std::string_view word) {
     constexpr std::string_view numbered_arm = "arm:";

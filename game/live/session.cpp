@@ -225,7 +225,8 @@ void LiveSession::pause_without_focus(std::int64_t now_ns) {
     shared_.requests.pause = *person;
 }
 
-/// Pauses while a player has no device. A pad may also be pulled out between two rounds, which cannot be paused.
+/// Pauses while a player has no device. A pad may also be pulled out between
+/// two rounds, which cannot be paused.
 void LiveSession::wait_for_lost_pads() {
     const auto lost = hands_.first_lost();
     if (lost && shared_.progress.state.load() == PlayState::playing) shared_.requests.pause = *lost;
@@ -414,8 +415,8 @@ void LiveSession::carry_out_request() {
     if (!hands_.first_lost()) requests.go_on = first_person(shared_.seats).value_or(0);
 }
 
-/// Ends the match, after which another one begins with the same players. The range reads its files again; while one
-/// of them is faulty, the match goes on.
+/// Ends the match, after which another one begins with the same players. The range reads its files again;
+/// while one of them is faulty, the match goes on.
 void LiveSession::restart() {
     const auto& context = menu_.context();
     if (context.apprentice ? !succeeds(next_.open_apprentice())
@@ -449,8 +450,9 @@ game::Watch watched(const TakenSeats& seats) {
 
 }  // namespace
 
-/// Returns the players' names for the screen: those that they gave themselves, "Bot 3" for a bot against a person, and
-/// "Dummy" for the range's dummy. A replay has those of its log. An empty name stands for the name of the team.
+/// Returns the players' names for the screen: those that they gave themselves, "Bot 3" for a bot
+/// against a person, and "Dummy" for the range's dummy. A replay has those of its log. An empty name
+/// stands for the name of the team.
 game::PlayerNames LiveSession::names() const {
     if (viewer_) return viewer_->names();
     const auto& seats = shared_.seats;

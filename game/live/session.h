@@ -9,8 +9,8 @@
 //     PadSetup     joysticks that do not play
 //     ReplayViewer keys and mouse of a shown replay
 //
-// Events and times (ns, monotonic clock) are arguments (live/window.cpp passes those of the window), so that a
-// test can drive a whole session. Requests to the match and its state pass through LiveShared.
+// Events and times (ns, monotonic clock) are arguments (live/window.cpp passes those of the window), so that
+// a test can drive a whole session. Requests to the match and its state pass through LiveShared.
 #pragma once
 #include "game/live/body_trial.h"
 #include "game/live/hands.h"

@@ -66,7 +66,8 @@ struct MatchProgress {
     std::atomic<PlayState> state{PlayState::playing};
     std::atomic<std::uint32_t> paused_by{game::no_player};
     std::atomic<bool> ended{false};  ///< true: the simulation thread has ended its match
-    /// Largest force that a player of the range has found by feel (%), until the main thread takes it; 0: none.
+    /// Largest force that a player of the range has found by feel (%), until
+    /// the main thread takes it; 0: none.
     std::atomic<std::uint32_t> found_force{0};
     /// Gesture that a player of the range has drawn, for the main thread to check and to save.
     HandOver<gesture::Gesture> drawn_gesture{};

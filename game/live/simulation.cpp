@@ -201,8 +201,8 @@ PlayState play_state_of(const game::Match& match) {
 }
 
 /// Presses the pause button for the main thread, which asked for a pause or for its end. The button is
-/// pressed in every second input frame until the pause has begun or ended: only a press after a release counts,
-/// and a request may follow another one within a tick.
+/// pressed in every second input frame until the pause has begun or ended: only a press after a release
+/// counts, and a request may follow another one within a tick.
 void press_for_main(MatchRequests& requests, PlayState state, input::InputFrame& frame) {
     const auto press = [&](std::atomic<std::uint32_t>& request, PlayState unless) {
         const auto player = request.load();
@@ -266,8 +266,9 @@ input::InputFrame take_frame(SimulationThread& s) {
     return frame;
 }
 
-/// Adjusts the match's clock to the arms' clocks. `behind` is the number of ticks that are due, this one
-/// included. The fastest arm leads: the samples of a faster one would pile up, and a slower one repeats a sample.
+/// Adjusts the match's clock to the arms' clocks. `behind` is the number of ticks that are
+/// due, this one included. The fastest arm leads: the samples of a faster one would pile up,
+/// and a slower one repeats a sample.
 void keep_pace_with_arms(SimulationThread& s, Tick behind) {
     if (play_state_of(s.round.match->match()) != PlayState::playing) return;
     std::size_t waiting = 0;

@@ -1,7 +1,8 @@
-// game/live/sound.h: the sound of a live session: the sounds, the loudspeakers, and what is heard of each match.
+// game/live/sound.h: the sound of a live session: the sounds, the
+// loudspeakers, and what is heard of each match.
 //
-// The main thread owns a LiveSound. The thread that plays a match or a replay makes a MatchSound for it. Without
-// sounds or a sound device all goes on in silence, with one line that says why.
+// The main thread owns a LiveSound. The thread that plays a match or a replay makes a MatchSound for it.
+// Without sounds or a sound device all goes on in silence, with one line that says why.
 #pragma once
 #include <array>
 #include <atomic>
@@ -28,7 +29,8 @@ inline constexpr std::array<std::string_view, 5> menu_sound_names{"", "menu_move
 
 class LiveSound {
 public:
-    /// Makes all sounds and starts the loudspeakers' thread. Null after an error, which is printed in one line.
+    /// Makes all sounds and starts the loudspeakers' thread. Null after an
+    /// error, which is printed in one line.
     static std::unique_ptr<LiveSound> start(const std::filesystem::path& assets, const Settings& settings);
     /// For tests: sounds for a device of their own.
     LiveSound(audio::SoundBank bank, audio::Mixer mixer, std::unique_ptr<audio::SoundDevice> device,

@@ -1,9 +1,9 @@
-// game/live/tactile.h: the tactile outputs of a live session: the motors of each player's pad, and each player's
-// jacket.
+// game/live/tactile.h: the tactile outputs of a live session: the motors of each
+// player's pad, and each player's jacket.
 //
-// The main thread owns a LiveTactile. It tells which pad each player uses, and the settings name the jackets. The thread
-// that plays a match passes frames for each player every 8 ms: one of the layout `pad`, and one of the jacket's layout.
-// Without pads and jackets nothing runs. An output that cannot be opened costs one line.
+// The main thread owns a LiveTactile. It tells which pad each player uses, and the settings name the jackets.
+// The thread that plays a match passes frames for each player every 8 ms: one of the layout `pad`, and one of
+// the jacket's layout. Without pads and jackets nothing runs. An output that cannot be opened costs one line.
 #pragma once
 #include <array>
 #include <atomic>
@@ -39,8 +39,8 @@ public:
     // The main thread. All may be called during a match.
     /// Takes the strength of motors, and connects other jackets than before.
     void apply(const Settings& settings);
-    /// Gives a player the motors of a pad; nothing happens if the player has them. Null, or a pad that is not plugged
-    /// in or has no device file: none.
+    /// Gives a player the motors of a pad; nothing happens if the player has them. Null, or a pad that is not
+    /// plugged in or has no device file: none.
     void use_pad(std::uint32_t player, const input::PadState* pad);
     /// Prints the state of each player's motors and jacket if it has changed for the worse or back.
     void tell_status();
@@ -59,19 +59,20 @@ public:
     // The thread of a match, and the main thread while it tries an effect.
     /// Whether a player's motors run at present. Frames for others need not be made.
     bool feels(std::uint32_t player) const;
-    /// Passes a frame of the layout `pad`. Never waits. Without further frames the motors stop after its time to live.
+    /// Passes a frame of the layout `pad`. Never waits. Without further frames the
+    /// motors stop after its time to live.
     void feel(std::uint32_t player, const tactile::TactileFrame& frame);
     /// Whether a player's settings name a jacket, open or not.
     bool has_jacket(std::uint32_t player) const { return seats_.at(player).jacket.plays; }
-    /// Name of the layout (a file of assets/tactile/layouts) of a player's jacket if frames reach it at present; else
-    /// empty, and frames need not be made.
+    /// Name of the layout (a file of assets/tactile/layouts) of a player's jacket if frames reach it at
+    /// present; else empty, and frames need not be made.
     std::string_view jacket_layout(std::uint32_t player) const;
     /// Whether a player's view shows the figure of the body.
     bool shows_figure(std::uint32_t player) const { return seats_.at(player).figure; }
     /// Sounds that a player wants on the jacket.
     game::FeltSoundWish felt_sound(std::uint32_t player) const;
-    /// Passes a frame of the jacket's layout, as `feel` does. A frame of another number of actuators is dropped: the
-    /// jacket has just been changed.
+    /// Passes a frame of the jacket's layout, as `feel` does. A frame of another number of actuators is
+    /// dropped: the jacket has just been changed.
     void feel_jacket(std::uint32_t player, const tactile::TactileFrame& frame);
 
 private:

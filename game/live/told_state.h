@@ -1,4 +1,5 @@
-// game/live/told_state.h: tells the state of an output, such as the loudspeakers, on the terminal whenever it changes.
+// game/live/told_state.h: tells the state of an output, such as the loudspeakers, on
+// the terminal whenever it changes.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -8,7 +9,8 @@ namespace thaum::app {
 
 class ToldState {
 public:
-    /// Prints the state of an output, such as audio::Speakers, where it differs from the last one, after `whose`.
+    /// Prints the state of an output, such as audio::Speakers, where it differs
+    /// from the last one, after `whose`.
     template <class Output>
     void tell(const std::string& whose, const Output& output) {
         auto state = output.status();  // before the report, which may then be newer but not older
@@ -16,8 +18,8 @@ public:
     }
 
 private:
-    /// An empty state is no news. That all is well is worth a line only after it was not: `times_opened` is above 0 if
-    /// the output has worked.
+    /// An empty state is no news. That all is well is worth a line only after it was not: `times_opened` is
+    /// above 0 if the output has worked.
     void tell(const std::string& whose, std::string state, std::uint64_t times_opened);
 
     std::string told_{};

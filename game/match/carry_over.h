@@ -1,7 +1,7 @@
 // game/match/carry_over.h: continues a running match with other data, for example numbers that a player has
 // just edited.
 //
-// If the arena is the same, and both have spells, a brew and an orb or both have none, everything is kept
+// If the arena is the same, and both or neither have spells, a brew, an orb and crystals, everything is kept
 // except values that the data define: a wizard's body keeps the position of its feet, and energy follows its
 // wand to another slot. Otherwise the scene is created again from the new arena, in which both wizards keep
 // position, direction of view and state.

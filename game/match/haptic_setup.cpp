@@ -80,8 +80,8 @@ MovedFaders& record_of(ecs::World& world) {
 /// Ticks after a move of a fader until every system has set its forces again.
 constexpr std::uint8_t settling_ticks = gameplay_period + 1;
 
-/// While a fader's move takes effect, gives each of the hand's forces a new number, so that the servo fades
-/// to it.
+/// While a fader's move takes effect, gives the steady force of the hand a new number in every tick. A new
+/// number makes the servo fade from the old to the new forces.
 void announce_switches(ecs::World& world) {
     world.view<MovedFaders>().each([&](MovedFaders& moved) {
         for (std::uint32_t p = 0; p < players; ++p) {

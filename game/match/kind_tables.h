@@ -1,14 +1,15 @@
-// game/match/kind_tables.h: the numbers of events, causes of harm, wands, ingredients and power-ups, as a
-// log's header stores them. Saved states and samples contain these numbers, so a log can only be replayed by
-// a program with the same numbers.
+// game/match/kind_tables.h: the numbers of causes of harm, events, ingredients, potions, power-ups, spells
+// and wands, as a log's header stores them. Saved states and samples contain these numbers, so a log can only
+// be replayed by a program with the same numbers.
 #pragma once
 #include "game/data/match_data.h"
 #include "input/log.h"
 
 namespace thaum::game {
 
-/// Tables "cause", "event", "ingredient", "potion", "power_up" and "wand". A wand's number is the number of
-/// its key, as in input::DeviceSample::wand.
+/// Tables "cause", "event", "ingredient", "potion", "power_up", "spell" and "wand"; no "potion" if the data
+/// have no recipes, and no "spell" if they have no gestures. A wand's number is the number of its key, as in
+/// input::DeviceSample::wand.
 std::vector<input::KindTable> kind_tables(const MatchData& data);
 
 /// First difference between the tables of a log and those of this program, in one line; empty if there is

@@ -1,7 +1,7 @@
 // game/match/replay_index.h: makes it quick to jump to any tick of a replay.
 //
 //     log:    0 ------ 2048 ------ 4096 ------ 6144 ---- ... ---- end
-//     index:  S         S           S           S                        S: compressed state, only at keyframes
+//     index:  S         S           S           S                        S: compressed state (keyframes only)
 //     seek to 5000:                 S --------->
 //
 // One thread plays the log once, ahead of the viewer, and stores the states. Another thread reaches a tick by
@@ -37,7 +37,9 @@ public:
     /// thread may call it.
     void fill(Playback playback, const std::atomic<bool>& stop);
 
-    // Tick up to which the index is filled. May be called by any thread.
+    // Any thread may call the following functions.
+
+    /// Tick up to which the index is filled.
     Tick reached() const { return reached_; }
     /// Whether no thread fills the index any further.
     bool complete() const { return complete_; }

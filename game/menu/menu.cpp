@@ -20,8 +20,8 @@ namespace {
 
 // Rows ------------------------------------------------------------------------------------------------------
 
-/// Whether this confirmation joins, whatever row is chosen. The device has not chosen that row: somebody else has, or
-/// nobody. A row for one player needs no second press: it starts at once if nobody has joined.
+/// Whether this confirmation joins, whatever row is chosen. The device has not chosen that row: somebody else
+/// has, or nobody. A row for one player needs no second press: it starts at once if nobody has joined.
 bool only_joins(const MenuState& s, const Row& row, const MenuEvent& event) {
     return shown_page(s).seats && !event.row && s.chooser != event.device && joined(s) < game::players &&
            !seat_of(s, event.device) && !starts_at_once(s, row);

@@ -1,6 +1,6 @@
-// game/menu/menu.h: the start screen, the pause and the pages below them, as plain data and one pure function:
-// (state, event) -> state. The menu depends on neither the window nor the match. Its caller (live/menu.h)
-// passes on MenuState::request and changed settings.
+// game/menu/menu.h: the start screen, the pause and the pages below them, as plain data and one pure
+// function: (state, event) -> state. The menu depends on neither the window nor the match. Its caller
+// (live/menu.h) passes on MenuState::request and changed settings.
 #pragma once
 #include <optional>
 #include <string>
@@ -21,7 +21,8 @@ struct Device {
     bool operator==(const Device&) const = default;
 };
 
-/// Names of the pages that the menu's caller asks about. Each page is a value in a file of its own (menu/page.h).
+/// Names of the pages that the menu's caller asks about. Each page is a value in
+/// a file of its own (menu/page.h).
 namespace page_name {
 inline constexpr std::string_view start = "start";
 inline constexpr std::string_view pause = "pause";
@@ -126,8 +127,8 @@ struct MenuState {
     };
     std::vector<Open> pages;  ///< open pages, the shown page last; empty: no menu
     std::array<std::optional<Device>, game::players> seats;
-    /// Row at which the next pause opens: that of a gesture which was drawn or forgotten, since such a choice is often
-    /// made again.
+    /// Row at which the next pause opens: that of a gesture which was drawn or forgotten, since
+    /// such a choice is often made again.
     std::size_t pause_row = 0;
     std::optional<Device> chooser;  ///< device that chose the row; std::nullopt: none has chosen one yet
     std::size_t level = 0, rules = 0, arena = 0;  ///< indices into the lists of MenuContext
@@ -135,7 +136,8 @@ struct MenuState {
     game::RangeChanges range{};                   ///< changes of the range's rules
     std::size_t gesture = 0;                      ///< index into MenuContext::gestures
     std::size_t sheet = 0;                        ///< sheet on the bindings page
-    /// Joystick that is set up, or pad that is forgotten: index into MenuContext::sticks, and own_pads after them.
+    /// Joystick that is set up, or pad that is forgotten: index into
+    /// MenuContext::sticks, and own_pads after them.
     std::size_t stick = 0;
     std::size_t player = 0;             ///< player whose settings or faders a page shows
     std::optional<Slot> waiting;        ///< slot that waits for a new control; std::nullopt: none
@@ -167,13 +169,14 @@ std::string words_of_refusal(const MenuContext& context);
 /// Picture of the menu.
 game::MenuPicture picture_of(const MenuState& state, const MenuContext& context);
 
-/// Title of the window: "Thaum", and with a menu its page and the chosen row, for screen readers and for those who look at
-/// another window: "Thaum: Settings / Split: side by side", "Thaum (paused): Go on". The start screen's and the pause's own
-/// rows stand without a page.
+/// Title of the window: "Thaum", and with a menu its page and the chosen row, for screen readers and for
+/// those who look at another window: "Thaum: Settings / Split: side by side", "Thaum (paused): Go on". The
+/// start screen's and the pause's own rows stand without a page.
 std::string window_title(const MenuState& state, const MenuContext& context);
 
-/// News that add rows to pages, or take some away, must not move another row under the cursor just before it is chosen.
-/// Returns the state with the cursors of all open pages on the rows that they were on in the context before.
+/// News that add rows to pages, or take some away, must not move another row under the cursor
+/// just before it is chosen. Returns the state with the cursors of all open pages on the rows
+/// that they were on in the context before.
 MenuState on_same_rows(MenuState state, const MenuContext& before, const MenuContext& context);
 
 /// Name of a device: "Mouse and keyboard", "Keypad and arrows", "Pad 2 (Xbox 360 Controller)".

@@ -1,5 +1,5 @@
-// game/menu/menu_input.h: meaning of keys and pads in a menu. These controls cannot be bound: a menu must work
-// whatever the bindings are.
+// game/menu/menu_input.h: meaning of keys and pads in a menu. These controls cannot be bound: a menu
+// must work whatever the bindings are.
 #pragma once
 #include <optional>
 #include <vector>

@@ -1,8 +1,8 @@
-// game/menu/page.h: a page of the menu as one value: its title, its rows and how it is reset. Each page is a source in
-// game/menu/pages/, which registers it; a row of another page opens it by its name.
+// game/menu/page.h: a page of the menu as one value: its title, its rows and how it is reset. Each page is a
+// source in game/menu/pages/, which registers it; a row of another page opens it by its name.
 //
-// Rows are made anew for every event and picture. A row acts by plain functions, so that the menu needs no list of all kinds
-// of rows.
+// Rows are made anew for every event and picture. A row acts by plain functions, so that the menu
+// needs no list of all kinds of rows.
 #pragma once
 #include "game/menu/menu.h"
 
@@ -38,8 +38,8 @@ struct Page {
     std::string_view name;  ///< by which it is opened; nobody reads it
     std::string (*title)(const MenuState&, const MenuContext&);
     void (*add_rows)(const MenuState&, const MenuContext&, Rows&);
-    /// Sets all values of the page to their defaults, and says whose: "settings of this page". null: the page has no row
-    /// "Reset to defaults".
+    /// Sets all values of the page to their defaults, and says whose: "settings of this page". null: the page
+    /// has no row "Reset to defaults".
     std::string (*reset)(MenuState&) = nullptr;
     /// Line below the title for the chosen row; null: none.
     std::string (*line)(const MenuState&, const MenuContext&, const Row&) = nullptr;
@@ -47,7 +47,8 @@ struct Page {
     std::string (*hint)(const MenuState&, const MenuContext&, const Row&) = nullptr;
     /// A fault that the page shows while there is nothing else to report; null: none.
     std::string (*fault)(const MenuContext&) = nullptr;
-    /// Acts on Esc, B and the right button; null: the menu returns to the page before, as the last row "Back" does.
+    /// Acts on Esc, B and the right button; null: the menu returns to the page
+    /// before, as the last row "Back" does.
     void (*leave)(MenuState&, const Device&, const Rows&) = nullptr;
     /// Acts on a press without a meaning in menus; null: nothing happens.
     void (*other)(MenuState&, const MenuContext&, const Device&) = nullptr;
@@ -69,7 +70,8 @@ inline const Page& shown_page(const MenuState& state) { return page_of(state.pag
 /// Rows of the page that is shown.
 Rows rows_of(const MenuState& state, const MenuContext& context);
 
-// What rows of several pages do ------------------------------------------------------------------------------
+// What rows of several pages do
+// ------------------------------------------------------------------------------
 
 /// Opens a page above the one that is shown.
 void open_page(MenuState& state, std::string_view page);
@@ -110,7 +112,8 @@ void type(MenuState& state, Typing what, std::string words);
 /// The first fault of the joysticks, which several pages show; empty: none.
 std::string pad_fault(const MenuContext& context);
 
-// Seats and joysticks ----------------------------------------------------------------------------------------
+// Seats and joysticks
+// ----------------------------------------------------------------------------------------
 
 /// Number of players who have joined.
 std::size_t joined(const MenuState& state);
@@ -118,7 +121,8 @@ std::size_t joined(const MenuState& state);
 std::optional<std::size_t> seat_of(const MenuState& state, const Device& device);
 /// Gives a device the first free seat.
 void join(MenuState& state, const Device& device);
-/// Whether a press on the row starts the range or the Apprentice for the player who presses, because nobody has joined.
+/// Whether a press on the row starts the range or the Apprentice for the player who
+/// presses, because nobody has joined.
 inline bool starts_at_once(const MenuState& state, const Row& row) {
     return row.for_one && joined(state) == 0;
 }

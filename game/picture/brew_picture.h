@@ -50,7 +50,8 @@ struct CauldronPicture {
     std::array<std::string_view, fluid::substances_most> contents{};
     std::string_view potion{};  ///< name of the potion that has changed the brew; empty: none
     std::uint32_t owner{no_player};
-    /// Share of the brew that the newest ingredient has reached, 0 to 1 (fluid::filled_share)
+    /// Share of the brew that the newest ingredient fills, 0 to 1 (fluid::filled_share). This is another
+    /// measure than Cauldron::reached.
     double mixed{};
     /// Lightness: 0 for the density of a pure brew, 1 for a brew light enough to lift wizards.
     double heat{};
@@ -59,7 +60,8 @@ struct CauldronPicture {
     double whole_time_s{};
     double fresh{};       ///< spoils_in_s as a share of the whole time, 0 to 1
     double well_mixed{};  ///< value of `mixed` from which the owner is rewarded
-    /// Time until the owner gains the boon, if the brew stays well mixed (s); 0: not soon.
+    /// Time until the owner gains the boon, if the brew stays well mixed (s); 0: the brew is not well mixed,
+    /// or has already given its boon.
     double boon_in_s{};
     bool boon_open{};                   ///< true: the brew can still heal its owner
     std::uint32_t boon_for{no_player};  ///< player whom the boon heals now; no_player: none

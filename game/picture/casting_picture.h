@@ -85,14 +85,14 @@ struct CastingPicture {
     std::optional<vec3> recalled{};  ///< position of the thing that flies to the wizard (m, world)
     StrokePicture stroke;
     Slip slip{};             ///< why the last stroke was not read, if it was not
-    double slip_age_s{1e6};  ///< time since the end of the last stroke that was not read (s)
+    double slip_age_s{1e6};  ///< time since the end of the last stroke, read or not (s)
     ReadingPicture reading;
     /// How the effect of a spell has ended after its cast, in words; empty: nothing to show.
     std::string outcome{};
     double outcome_age_s{1e6};  ///< time since the effect of the spell has ended (s)
     FreePicture free;
     std::shared_ptr<const GestureSet> gestures;  ///< the wizard's own gestures, or those of the match
-    const SpellStats* first_spell{};  ///< the first spell in the list; null if the match has no spells
+    const SpellStats* first_spell{};  ///< the spell with the lowest wand key; null if the match has no spells
     const CastingRules* rules{};      ///< rules of the match's data; null if the match has no spells
 };
 

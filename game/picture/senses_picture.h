@@ -12,7 +12,8 @@
 
 namespace thaum::game {
 
-/// Cells of the figure that shows what a body feels: 4 x 5 in front from the top left of the wearer, then the back.
+/// Cells of the figure that shows what a body feels: 4 x 5 in front from the top
+/// left of the wearer, then the back.
 inline constexpr std::size_t figure_cells = 40;
 
 /// Time for which a mark shows the direction of a hurt.

@@ -1,4 +1,5 @@
-// game/picture/stations_picture.h: one moment of a wizard's work at cauldron, orb and crystals, as plain data.
+// game/picture/stations_picture.h: one moment of a wizard's work at
+// cauldron, orb and crystals, as plain data.
 #pragma once
 #include <string_view>
 

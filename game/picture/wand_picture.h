@@ -22,10 +22,12 @@ struct WandPicture {
     vec3 turn{};         ///< rotation about its tip by the stylus: axis times angle (rad, eye frame)
     vec3 reach{};        ///< displacement of its tip by the hand (m, eye frame)
     bool holds_thing{};  ///< the wand holds a thing that can be thrown
-    /// Points of the way that a shot would fly which the player is drawing, the first `arc_points` (m, world).
+    /// Points of the way that a shot would fly which the player is drawing,
+    /// the first `arc_points` (m, world).
     std::array<vec3, 24> arc{};
     std::uint32_t arc_points{};
-    /// Displacement of the resting end of a drawn wand's spring from wand_tip (m, eye frame); std::nullopt: no spring.
+    /// Displacement of the resting end of a drawn wand's spring from wand_tip (m, eye
+    /// frame); std::nullopt: no spring.
     std::optional<vec3> spring{};
     std::optional<vec3> held{};  ///< place that the wand holds or hangs on (m, world)
 };

@@ -77,7 +77,8 @@ public:
     void follow_lessons();
     /// The lessons; null on the range.
     game::Apprentice* apprentice() { return apprentice_ ? &*apprentice_ : nullptr; }
-    /// Takes the player's next strokes for a gesture, by its number in the match's set. Unknown numbers do nothing.
+    /// Takes the player's next strokes for a gesture, by its number in the match's
+    /// set. Unknown numbers do nothing.
     void draw_gesture(std::uint32_t number);
     /// Looks at the strokes of the practising player after a tick.
     void follow_gestures();

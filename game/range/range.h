@@ -19,7 +19,7 @@ struct RangeData {
 /// in one atomic word.
 struct alignas(2) RangeChanges {
     bool endless_energy = false;  ///< true: wands are always full
-    bool harmless_brew = false;   ///< true: the brew has no effect on wizards
+    bool harmless_brew = false;   ///< true: the brew neither slows, lifts nor hurts wizards
     bool operator==(const RangeChanges&) const = default;
 };
 /// The data with these changes applied.

@@ -1,4 +1,5 @@
-// game/range/range_request.h: a request to the practice on the range, as a value that one thread hands to another.
+// game/range/range_request.h: a request to the practice on the range, as a value
+// that one thread hands to another.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -10,8 +11,9 @@ namespace thaum::app {
 
 class Practice;
 
-/// Any small plain struct that has `void carry_out(Practice&) const`. The list of such structs is open, so that neither the
-/// menu nor the session nor the simulation knows them: whoever asks names the struct, and the struct acts.
+/// Any small plain struct that has `void carry_out(Practice&) const`. The list of such structs is
+/// open, so that neither the menu nor the session nor the simulation knows them: whoever asks names
+/// the struct, and the struct acts.
 class RangeRequest {
 public:
     static constexpr std::size_t most_bytes = 8;

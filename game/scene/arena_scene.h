@@ -55,7 +55,8 @@ struct ArenaScene {
     render::MeshId stone{}, lamps{};    ///< masonry with decoration, and lamps (world frame)
     std::vector<render::MeshId> wands;  ///< meshes of wands, by number of the wand as in Presentation::wands
     render::MeshId skyline{}, runes{}, ember{}, bubble{};
-    render::MeshId beam{}, bead{};  ///< white meshes: 1 m along -z with radius 1 m; a ball of radius 1 m
+    /// White meshes: a beam 1 m long along -z with radius 1 m, and a ball of radius 1 m.
+    render::MeshId beam{}, bead{};
     /// White meshes of ingredients, by IngredientShape.
     std::array<render::MeshId, ingredient_shapes> ingredients{};
     render::MeshId contact{};  ///< contact shade below things and wizards

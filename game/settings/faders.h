@@ -30,7 +30,7 @@ double moved_share(double share, int steps, int in_all);
 
 /// Text of a fader's value: "75 %", "off (75 %)".
 std::string shown(const Fader& fader);
-/// Changes the fader by `steps` of 5 %, or switches it on or off.
+/// Changes the share of a fader by `steps` of 5 %, whether the fader is on or off.
 void change(Fader& fader, int steps);
 
 /// Reads one player's table in the settings file: a number for each source, and `off`, a list of source

@@ -97,9 +97,8 @@ struct Settings {
     double sound_master = 0.8, sound_effects = 1, sound_music = 0.5, sound_interface = 0.7;
     /// True: headphones; the sound for a single listener has directions as heard by two ears (HRTF)
     bool headphones = false;
-    bool ears_apart =
-        /// True: with two players, the first hears only the left loudspeaker, the second only the right.
-        false;
+    /// True: with two players, the first hears only the left loudspeaker, the second only the right.
+    bool ears_apart = false;
     std::array<PlayerSettings, 2> players{};
     std::array<Faders, 2> cauldron{};  ///< faders of each player for the cauldron's forces
     int countdown_s = 3;               ///< time from the start screen to the start of a match (s)
@@ -185,8 +184,9 @@ std::span<const PlayerSetting> player_settings();
 /// Names of force_choices.
 const std::vector<std::string_view>& force_names();
 
-// Reads a value from its key in a table of the file. Without the key the value is not changed. The type Of is
-// Settings or PlayerSettings.
+// In these templates, the type Of is Settings or PlayerSettings.
+
+/// Reads a value from its key in a table of the file. Without the key the value is not changed.
 template <class Of>
 void read(const ConfigTable& table, const SettingOf<Of>& setting, Of& values);
 /// Value as written in the file (`written`) and as shown on the settings page (`shown`).
@@ -194,7 +194,8 @@ template <class Of>
 std::string written(const SettingOf<Of>& setting, const Of& values);
 template <class Of>
 std::string shown(const SettingOf<Of>& setting, const Of& values);
-/// Changes a value by `steps`, within its range. After the last choice comes the first.
+/// Changes a value by `steps`, within its range. An odd number of steps toggles a flag. After the last
+/// choice comes the first.
 template <class Of>
 void change(const SettingOf<Of>& setting, Of& values, int steps);
 /// Copies a value.

@@ -20,7 +20,8 @@ public:
           sight_(root.number("sight_m", {0.1, 100})),
           lasts_(root.number("lasts_s", {0, 3600})) {}
 
-    /// The cloud is larger and lasts longer in proportion to the strength.
+    /// The ground that the cloud covers and its duration are proportional to the strength, so the radius is
+    /// proportional to the square root.
     void cast(const SpellCast& cast) const override {
         auto& world = cast.context.world;
         const auto& now = std::as_const(world);

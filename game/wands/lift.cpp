@@ -380,9 +380,9 @@ int holders(const ecs::World& world, ecs::Entity thing) {
     return count;
 }
 
-/// Velocity after the expected effect of an obstacle in the next step (m/s). An obstacle that has just
-/// changed the thing's velocity by `blow` is expected to do so again, at most by as much. Otherwise the hand
-/// would feel a thing at a wall as if it were still moving.
+/// Change of the thing's velocity that an obstacle is expected to make in the next step (m/s). An obstacle
+/// that has just changed the thing's velocity by `blow` is expected to do so again, at most by as much.
+/// Otherwise the hand would feel a thing at a wall as if it were still moving.
 vec3 held_back(vec3 velocity, vec3 blow) {
     const double size = glm::length(blow);
     if (!(size > 0)) return vec3(0);

@@ -29,7 +29,8 @@ double error_of(const Flow& flow, const Scheme& scheme, int n, double step = flo
 /// Order of convergence between a grid and one of half the cell size.
 double order_between(double coarse, double fine) { return std::log2(coarse / fine); }
 
-// ---- convergence ------------------------------------------------------------------------------------------------
+// ---- convergence
+// ------------------------------------------------------------------------------------------------
 
 TEST(FluidAccuracy, ADriftingVortexConvergesInFourthOrder) {
     for (const Flow& flow : {flows::taylor_green_moving(), flows::taylor_green_oblique()}) {

@@ -153,8 +153,8 @@ TEST(FluidSolids, AFastTurningFluidKeepsItsEnergyAlongASlippingBowl) {
 }
 
 TEST(FluidSolids, AStirredBowlWithoutFrictionKeepsMostOfItsEnergy) {
-    // When the energy of small openings counted as that of whole faces, the whole flow was slowed for it, and kept
-    // two thirds.
+    // When the energy of small openings counted as that of whole faces, the whole flow was
+    // slowed for it, and kept two thirds.
     auto fluid = flows::slipping_bowl(24).value();
     const Solids solids(fluid.lattice, fluid.settings.solid, open_least_where_slipping);
     Random random = random_stream(1, 0);
@@ -265,7 +265,8 @@ TEST(FluidSolids, AThickBrewIsStiller) {
     EXPECT_GT(thin, 0);
 }
 
-// ---- implicit viscosity -----------------------------------------------------------------------------------------
+// ---- implicit viscosity
+// -----------------------------------------------------------------------------------------
 
 void spread(const Lattice& lattice, double nu, double dt, std::array<Samples, 3>& velocity) {
     Viscosity viscosity(lattice);

@@ -149,7 +149,8 @@ TransportReport carry(const Lattice& l, const Velocity& velocity, Samples& densi
 
 const auto nothing_closed = [](int, int, int) { return false; };
 
-// ---- convergence ------------------------------------------------------------------------------------------------
+// ---- convergence
+// ------------------------------------------------------------------------------------------------
 
 /// Error after a translation by a quarter of the box along x and an eighth along y and z.
 double translation_error(int n, double courant) {
@@ -378,7 +379,8 @@ TEST(Transport, AnEmptyOrMotionlessDensityVisitsNoCells) {
     EXPECT_GE(carry(l, still, some, 0.1, 1, {.diffusion = 0.01}).cells, 8 * 8 * 8);
 }
 
-// ---- symmetry ---------------------------------------------------------------------------------------------------
+// ---- symmetry
+// ---------------------------------------------------------------------------------------------------
 
 /// A lattice seen with permuted and mirrored axes.
 struct View {
@@ -461,7 +463,8 @@ TEST(Transport, MirrorsAndTheExchangeOfXAndYHoldToTheBit) {
     }
 }
 
-// ---- solids -----------------------------------------------------------------------------------------------------
+// ---- solids
+// -----------------------------------------------------------------------------------------------------
 
 Velocity apertures(const Lattice& l, const std::function<bool(int, int, int)>& closed) {
     Velocity result{make_samples(l), make_samples(l), make_samples(l)};
@@ -529,7 +532,8 @@ TEST(TransportSolids, HalfOpenFacesLetHalfThrough) {
     EXPECT_LE(error(l, through_half, slower), 1e-6);
 }
 
-// ---- diffusion --------------------------------------------------------------------------------------------------
+// ---- diffusion
+// --------------------------------------------------------------------------------------------------
 
 double diffusion_error(int n) {
     const Lattice l = make_lattice({n, n, 4}, 1.0 / n, {Edge::free_slip, Edge::no_slip, Edge::periodic});

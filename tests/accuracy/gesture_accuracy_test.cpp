@@ -138,8 +138,8 @@ TEST_F(GesturePublicData, GesturesAreSpottedInContinuousMotion) {
     const auto result = evaluate_spotting(*sessions, *labels, set.strokes, settings).value();
     EXPECT_EQ(result.labels, 300U);
     EXPECT_GE(result.best.f1, 0.88);
-    // The sessions hold 59 strokes that to the eye are gestures and have no label: attempts that were to be repeated.
-    // The publishers of the set count reports of such attempts neither as right nor as wrong.
+    // The sessions hold 59 strokes that to the eye are gestures and have no label: attempts that were to be
+    // repeated. The publishers of the set count reports of such attempts neither as right nor as wrong.
     settings.ignored = ignored;
     const auto fair = evaluate_spotting(*sessions, *labels, set.strokes, settings).value();
     EXPECT_GE(fair.best.f1, 0.96);

@@ -1,4 +1,5 @@
-// Surfaces of sampled bodies: a hand feels what a picture shows of them (haptics/volume/detail/body_search.h).
+// Surfaces of sampled bodies: a hand feels what a picture shows of them
+// (haptics/volume/detail/body_search.h).
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -159,8 +159,8 @@ TEST(OrbForce, IsThatOfTheFormula) {
         for (const std::uint64_t seed : {1U, 2U, 3U}) {
             const auto [others, largest] =
                 share_of_others(static_cast<std::uint8_t>(mode + 1), modes[mode].second, seed);
-            // Where the formula throws the proxy back and forth, as on the ridges of a gradient, the proxy settles between
-            // the two places (haptics/primitives/settling.h).
+            // Where the formula throws the proxy back and forth, as on the ridges of a gradient, the proxy
+            // settles between the two places (haptics/primitives/settling.h).
             EXPECT_LT(others, std::string_view(modes[mode].first) == "gradient" ? 0.25 : 0.02)
                 << modes[mode].first << ", seed " << seed;
             EXPECT_GT(largest, 0.2) << modes[mode].first << ": something was felt";

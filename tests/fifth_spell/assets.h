@@ -4,7 +4,8 @@
 
 namespace thaum::game::test {
 
-/// A folder of links to all assets, and to mend.toml and w.toml among the spells and the gestures. Removed at the end.
+/// A folder of links to all assets, and to mend.toml and w.toml among the spells and
+/// the gestures. Removed at the end.
 class FifthSpellAssets {
 public:
     FifthSpellAssets() {

@@ -1,6 +1,6 @@
-// Drops a ball on a box in the installed physics and prints the state's hash, then mixes a sound, prints its size, and looks
-// for pads.
-// install_probe FILE also writes a picture by the installed renderer's code. It does not compile without the flags that the package carries.
+// Drops a ball on a box in the installed physics and prints the state's hash, then mixes a sound, prints its
+// size, and looks for pads. install_probe FILE also writes a picture by the installed renderer's code. It
+// does not compile without the flags that the package carries.
 #include <algorithm>
 #include <array>
 #include <iostream>

@@ -35,9 +35,8 @@ inline double hostile_strength(Random& random, bool bounded) {
 inline field::TransferFunction hostile_function(Random& random, double from, double to, bool bounded) {
     std::array<vec2, 8> points{};
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const double x =
-            // Two points at each x make a jump.
-            from + (to - from) * std::floor(static_cast<double>(i) / 2) / 3;
+        // Two points at each x make a jump.
+        const double x = from + (to - from) * std::floor(static_cast<double>(i) / 2) / 3;
         points[i] = {x, hostile_strength(random, bounded)};
     }
     return field::transfer_function(points).value_or(field::constant(1));

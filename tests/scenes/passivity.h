@@ -19,7 +19,7 @@ struct PassiveEnergy {
     /// Energy that passed between sources and hand in both directions (J). If it is zero, the test proves
     /// nothing.
     double moved{};
-    double held{};         ///< most energy that a tether stored (J)
+    double held{};         ///< most energy that tether and touched surface stored (J)
     double most_booked{};  ///< largest value of the simulation's own observer (J), only for comparison
     std::size_t rows{};
 };

@@ -123,10 +123,9 @@ struct Pressed {
     double depth{};    ///< mean depth in the last second (m)
     double shake{};    ///< largest deviation from the mean depth in the last second (m)
     double settled{};  ///< time after which the depth stays within a tenth of force / stiffness (s)
-    double
-        /// Largest force beyond stiffness * depth before the last second (N): from damping, controller and
-        /// shaking.
-        added{};
+    /// Largest force beyond stiffness * depth before the last second (N): from
+    /// damping, controller and shaking.
+    double added{};
     double added_later{};  ///< largest force beyond stiffness * depth in the last second (N)
     double created{};      ///< largest energy that the wall gave beyond what the wall received (J)
 };

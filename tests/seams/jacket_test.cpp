@@ -1,4 +1,5 @@
-// A maker of jackets that no file of the game knows: this source alone. A real one stands in game/jackets/makers/NAME.cpp.
+// A maker of jackets that no file of the game knows: this source alone. A real one
+// stands in game/jackets/makers/NAME.cpp.
 #include <gtest/gtest.h>
 
 #include <thread>

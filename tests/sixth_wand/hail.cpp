@@ -1,5 +1,5 @@
-// The hail wand, a sixth wand that only the tests have. With its data file it is all that a new wand needs: no file
-// of the game knows it.
+// The hail wand, a sixth wand that only the tests have. With its data file it is all that a new wand
+// needs: no file of the game knows it.
 #include <algorithm>
 
 #include "game/components/hand_state.h"

@@ -53,8 +53,8 @@ const std::set<std::pair<std::string, std::string>> level_includes = {{"input", 
 /// Parts that take and return plain data. They must not include the ECS.
 const std::set<std::string, std::less<>> numerical = {"field", "fluid", "haptics", "tactile", "gesture"};
 
-/// Folders of the engine with baselines and audits, each a library of its own. Commands, benchmarks and tests may include
-/// them, and nothing that a program needs.
+/// Folders of the engine with baselines and audits, each a library of its own. Commands, benchmarks and tests
+/// may include them, and nothing that a program needs.
 const std::set<std::string, std::less<>> folders_apart = {"fluid/classic", "gesture/trials", "haptics/audit",
                                                           "render/audit"};
 
@@ -212,7 +212,8 @@ std::size_t find_path(const std::string& text, const std::string& path) {
     return at;
 }
 
-// ---- opened files ------------------------------------------------------------------------------------------
+// ---- opened files
+// ------------------------------------------------------------------------------------------
 
 /// Files that may open other files directly, each with the reason.
 const std::map<std::string, std::string_view, std::less<>> may_open = {

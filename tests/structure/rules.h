@@ -21,11 +21,13 @@ Faults unbuilt_tests(const std::filesystem::path& root);
 /// Every header directly in an engine folder must open with "// part/name.h: purpose".
 Faults headers_without_title(const std::filesystem::path& root);
 
-/// Headers of engine/ beside detail/ that nothing outside their folder includes, itself or by a header of that folder.
+/// Headers of engine/ beside detail/ that nothing outside their folder includes,
+/// itself or by a header of that folder.
 Faults internal_headers(const std::filesystem::path& root);
 
-/// No file of engine/, game/ or tools/ may open files itself, except those listed: other readers would not declare what
-/// they read (core/write_rule.h). Only those listed may read a file as the program's own, or an environment variable.
+/// No file of engine/, game/ or tools/ may open files itself, except those listed: other readers would
+/// not declare what they read (core/write_rule.h). Only those listed may read a file as the program's
+/// own, or an environment variable.
 Faults opens_around_the_rule(const std::filesystem::path& root);
 
 /// A source in engine/, game/, tools/ or tests/ has at most 600 lines.

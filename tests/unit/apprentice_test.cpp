@@ -12,7 +12,7 @@
 namespace thaum::game::test {
 namespace {
 
-// File of lessons -----------------------------------------------------------------------------------------------
+// File of lessons ------------------------------------------------------------------------------------------
 
 /// A correct file with one step, in which the given lines replace the step's keys.
 std::string file_with(std::string_view text_line, std::string_view goal, std::string_view more = "") {

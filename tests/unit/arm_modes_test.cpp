@@ -27,9 +27,8 @@ namespace {
 using fake_hd::Ending;
 using fake_hd::Mode;
 
-constexpr std::int64_t hangs_after_ns =
-    // A generous limit, which only a hanging process reaches.
-    90'000'000'000;
+/// A generous limit, which only a hanging process reaches (ns).
+constexpr std::int64_t hangs_after_ns = 90'000'000'000;
 
 /// A process that runs arm_probe.
 struct Probe {

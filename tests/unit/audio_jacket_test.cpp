@@ -1,5 +1,5 @@
-// Shakers on the channels of a sound device: the right channel has the wave, nothing clicks, and it ends after its time
-// to live. OpenAL renders into memory, and a second fake keeps the blocks themselves.
+// Shakers on the channels of a sound device: the right channel has the wave, nothing clicks, and it ends
+// after its time to live. OpenAL renders into memory, and a second fake keeps the blocks themselves.
 #include "game/jackets/makers/audio.h"
 
 #include <gtest/gtest.h>

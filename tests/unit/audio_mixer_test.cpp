@@ -18,7 +18,8 @@ protected:
     Recorder recorder{mixing};
 };
 
-// ---- place ------------------------------------------------------------------------------------------------------
+// ---- place
+// ------------------------------------------------------------------------------------------------------
 
 TEST_F(MixerTest, ASoundAtOneSideIsLouderThere) {
     recorder.play(frame_with({voice(hum, {3, 0, 0})}), second);
@@ -118,7 +119,7 @@ TEST_F(MixerTest, HrtfTurnsOnAndOffWithoutAClickAndOnlyForOneListener) {
     EXPECT_LT(recorder.largest_step(), smooth_step(0.75));
 }
 
-// ---- beginning, lasting and ending voices -----------------------------------------------------------------------
+// ---- beginning, lasting and ending voices ----------------------------------------------------------------
 
 TEST_F(MixerTest, ASoundThatBeginsPlaysOnceToItsEnd) {
     recorder.play(frame_with({}, {voice(bell, {2, 0, 0})}));
@@ -189,7 +190,8 @@ TEST_F(MixerTest, AVoicePlayedFasterSoundsHigher) {
     EXPECT_GT(recorder.band(375, 470), 50 * recorder.band(187, 282));
 }
 
-// ---- too many voices --------------------------------------------------------------------------------------------
+// ---- too many voices
+// --------------------------------------------------------------------------------------------
 
 TEST_F(MixerTest, TheQuietestVoicesAreLeftOutAndCounted) {
     for (std::uint32_t i = 0; i < 200; ++i) {
@@ -235,7 +237,8 @@ TEST_F(MixerTest, ALouderVoiceTakesASourceAndTheOtherFades) {
     EXPECT_LT(recorder.largest_step(), smooth_step(0.5));
 }
 
-// ---- two listeners ----------------------------------------------------------------------------------------------
+// ---- two listeners
+// ----------------------------------------------------------------------------------------------
 
 AudioFrame two_listeners(std::initializer_list<Voice> lasts = {}) {
     auto frame = frame_with(lasts);
@@ -298,7 +301,8 @@ TEST_F(MixerTest, PlayersComeAndSpeakersChangeWithoutAClick) {
     EXPECT_LT(recorder.largest_step(), smooth_step(0.75));
 }
 
-// ---- faders and limits ------------------------------------------------------------------------------------------
+// ---- faders and limits
+// ------------------------------------------------------------------------------------------
 
 TEST(Mixer, EachGroupHasItsFader) {
     const auto level = [](const MixSettings& settings, std::uint32_t sound) {
@@ -358,7 +362,7 @@ TEST_F(MixerTest, ManyFullVoicesNeverClip) {
     EXPECT_NEAR(recorder.levels(10).right, 0.5, 2e-3);
 }
 
-// ---- invalid input ----------------------------------------------------------------------------------------------
+// ---- invalid input ---------------------------------------------------------------------------------------
 
 TEST(Mixer, BadValuesAreClippedAndCounted) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -414,7 +418,7 @@ TEST(Mixer, SoundsThatAreNotNumbersAreSilent) {
     EXPECT_EQ(empty.largest(), 0);
 }
 
-// ---- repeatability ----------------------------------------------------------------------------------------------
+// ---- repeatability ---------------------------------------------------------------------------------------
 
 /// A busy second: voices begin, move and end, and two listeners turn.
 std::vector<float> lively_second(const MixSettings& settings) {

@@ -117,7 +117,8 @@ public:
             most = std::max(most, std::abs(samples[i] - samples[i - 2]));
         return most;
     }
-    /// Energy of the left channel from `low` to `high` (Hz), by a Fourier transform of the last 4,096 samples.
+    /// Energy of the left channel from `low` to `high` (Hz), by a Fourier
+    /// transform of the last 4,096 samples.
     double band(double low, double high) const {
         constexpr std::size_t size = 4096;
         double energy = 0;

@@ -59,7 +59,7 @@ struct WordsRig {
     std::unique_ptr<Senses> senses;
 };
 
-// ---- captions of all sources --------------------------------------------------------------------------------
+// ---- captions of all sources -----------------------------------------------------------------------------
 
 /// One thing that is heard or felt, and its caption.
 struct Source {
@@ -130,7 +130,7 @@ TEST(FeltWords, EachEventWithASoundOrAnEffectIsToldWhenItHappens) {
     }
 }
 
-// ---- captions of hurts --------------------------------------------------------------------------------------
+// ---- captions of hurts -----------------------------------------------------------------------------------
 
 TEST(FeltWords, TheOwnHitHasItsSideAndIsToldOnce) {
     constexpr std::array<std::pair<vec3, const char*>, 4> places{{{{0, 0, -3}, "hit from ahead"},
@@ -176,7 +176,7 @@ TEST(FeltWords, WithoutASoundTheEffectTellsTheSide) {
     EXPECT_EQ(rig.lines(), std::vector<std::string>{"bolt strikes from behind"});
 }
 
-// ---- captions of forces -------------------------------------------------------------------------------------
+// ---- captions of forces ----------------------------------------------------------------------------------
 
 TEST(FeltWords, EachForceOnTheHandIsToldWithItsDirection) {
     WordsRig rig;

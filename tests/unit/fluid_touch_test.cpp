@@ -226,7 +226,8 @@ TEST(FluidTouch, AnOldModelContinuesLikeANewOne) {
 
 // ---- wall -------------------------------------------------------------------------------------------------
 
-/// Largest distance by which a place is outside some part of the profile (m); negative inside.
+/// Distance of a place from the inside of the bowl, the largest over the segments of
+/// the profile (m); negative inside.
 double outside_by(const BowlWall& wall, vec3 place) {
     const vec3 off = place - wall.centre;
     const vec2 at{std::sqrt(off.x * off.x + off.z * off.z), off.y};

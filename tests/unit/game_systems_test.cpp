@@ -110,8 +110,8 @@ std::set<std::string_view> systems_of(Simulation& match) {
     return names;
 }
 
-// The schedule checks every access. Matches in which every system runs therefore show whether each declaration
-// is wide enough.
+// The schedule checks every access. Matches in which every system runs therefore show
+// whether each declaration is wide enough.
 TEST(GameSystemsOfBots, EverySystemRunsWithinItsDeclarations) {
     Simulation by_arm(duel_data(), {.devices = {{.player = 0, .kind = DeviceKind::arm, .name = "arm"}}});
     auto idle = systems_of(by_arm);

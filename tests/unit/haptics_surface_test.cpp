@@ -168,7 +168,8 @@ TEST(Surface, AFlatMeshFeelsLikeAPlane) {
     }
 }
 
-// ---- friction -----------------------------------------------------------------------------------------------------
+// ---- friction
+// -----------------------------------------------------------------------------------------------------
 
 TEST(Surface, ItSticksUpToTheStaticConeAndSlidesAtTheDynamicOne) {
     for (const double depth : {0.0005, 0.005}) {
@@ -249,7 +250,8 @@ TEST(Surface, WhatIsTouchedHasItsShareOfTheForce) {
     EXPECT_EQ(wall.force.y, 0);
 }
 
-// ---- moving bodies ------------------------------------------------------------------------------------------------
+// ---- moving bodies
+// ------------------------------------------------------------------------------------------------
 
 TEST(Surface, AWallThatMovesIsFeltInEveryTickItOverlaps) {
     for (const bool mesh : {false, true}) {

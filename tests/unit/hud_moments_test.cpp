@@ -114,7 +114,7 @@ TEST(WandStrip, ShowsWhatTakesTheNextWandWhereWandsHaveNoKeys) {
     EXPECT_NE(text_item(overlay_of(picture, settings), "2"), nullptr);
 }
 
-// ---- cause of a death ---------------------------------------------------------------------------------------
+// ---- cause of a death ------------------------------------------------------------------------------------
 
 Event death_by_thing(std::uint32_t killer) {
     return {.kind = EventKind::death,
@@ -181,7 +181,7 @@ TEST(Feed, FindsTheThingInTheVictimsLastBlow) {
     EXPECT_TRUE(has_text(overlay_of(picture), "thrown barrel"));
 }
 
-// ---- captions of forces -------------------------------------------------------------------------------------
+// ---- captions of forces ----------------------------------------------------------------------------------
 
 TEST(FeltSource, IsTheStrongestOfAll) {
     auto hand = empty_hand_state();
@@ -232,7 +232,7 @@ TEST(FeltSource, IsSaidWithABarAndWithoutNumbersUnlessTheCurveIsShown) {
     EXPECT_FALSE(has_text(overlay_of(picture), "Recoil")) << "a force that nobody feels";
 }
 
-// ---- path of a shot while it is drawn -----------------------------------------------------------------------
+// ---- path of a shot while it is drawn --------------------------------------------------------------------
 
 /// Distance of a point from the drawn path of a shot (m).
 double distance_from_way(const PlayerPicture& drawn, vec3 point) {

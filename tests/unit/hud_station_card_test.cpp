@@ -255,7 +255,7 @@ TEST(StationCard, HalvesOfTheGreatWorkAreInTheBoxOfTheHealth) {
     EXPECT_EQ(gold(), 4U);
 }
 
-// ---- cards from a match -------------------------------------------------------------------------------------
+// ---- cards from a match ----------------------------------------------------------------------------------
 
 TEST(StationPicture, TellsWhatAWizardDoesAtTheOrb) {
     auto match = new_match();

@@ -57,7 +57,8 @@ TEST(InputLog, ABlockThatClaimsMoreThanItCanHoldIsRefused) {
     EXPECT_LT(zeros.size(), 5000U);
     for (const std::size_t claim : {std::size_t{22'000'000}, detail::raw_limit, std::size_t{1000}})
         EXPECT_TRUE(refused(zeros, claim)) << claim;
-    // The block holds two frames, where one would do. The second one is refused as needless work.
+    // The block has two zstd frames, of which the second is empty. It is refused,
+    // because it would cost needless work.
     auto two = packed(1000);
     const auto more = packed(0);
     two.insert(two.end(), more.begin(), more.end());

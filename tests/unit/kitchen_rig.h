@@ -15,8 +15,8 @@ inline StrokeReading drawn(std::uint32_t gesture, double force, double turns = 0
     return {.gesture = gesture, .probability = 1, .force = force, .turns = turns};
 }
 
-/// A match whose first wizard stands at the rim and stirs. Its fluid is coarse, and the share that an ingredient has
-/// reached is what the test says.
+/// A match whose first wizard stands at the rim and stirs. Its fluid is coarse, and the share that an
+/// ingredient has reached is what the test says.
 class Kitchen {
 public:
     explicit Kitchen(std::vector<std::string> overrides = {}, std::uint64_t seed = 1,

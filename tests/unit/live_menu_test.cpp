@@ -69,7 +69,7 @@ protected:
     static constexpr auto first = LiveMenu::repeat_after_ns, next = LiveMenu::repeat_every_ns;
 };
 
-// ---- changes while the menu is open -------------------------------------------------------------------------
+// ---- changes while the menu is open ----------------------------------------------------------------------
 
 TEST_F(LiveMenuTest, AJoystickThatIsPluggedInLeavesTheChosenRowChosen) {
     menu_.open("start");

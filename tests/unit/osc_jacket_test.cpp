@@ -1,5 +1,5 @@
-// A jacket by UDP and OSC: its bytes, when they go out, and that a dead jacket costs nothing. The byte traces in
-// tests/tactile are of the VRCH server's protocol, and were not made by this program.
+// A jacket by UDP and OSC: its bytes, when they go out, and that a dead jacket costs nothing. The byte traces
+// in tests/tactile are of the VRCH server's protocol, and were not made by this program.
 #include "game/jackets/makers/osc.h"
 
 #include <gtest/gtest.h>

@@ -9,8 +9,8 @@
 
 namespace thaum::render {
 
-/// A square picture of `Side` px. All tests of a suite share one renderer, because compiling its shaders takes longer
-/// than drawing all pictures.
+/// A square picture of `Side` px. All tests of a suite share one renderer, because compiling its shaders
+/// takes longer than drawing all pictures.
 template <int Side>
 class RendererTest : public testing::Test {
 protected:

@@ -1,6 +1,7 @@
-// A player who knows only what is on the screen goes from the first start through the Apprentice to a won round
-// against the bot of level 0. The test takes the place of the window, its clock, the render thread and the simulation
-// thread: it passes events to the session as the window does, and plays the match that the session starts.
+// A player who knows only what is on the screen goes from the first start through the Apprentice to
+// a won round against the bot of level 0. The test takes the place of the window, its clock, the
+// render thread and the simulation thread: it passes events to the session as the window does, and
+// plays the match that the session starts.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -19,7 +19,7 @@ using audio::Mixer;
 
 constexpr double block_us = 1e6 * audio::frame_samples / audio::sample_rate;
 constexpr double hum_size = 0.25;
-/// Numbers of the sounds below.
+/// Numbers of the two sounds in bench_sounds().
 constexpr std::uint32_t hum = 0, knock = 1;
 
 audio::SoundBank bench_sounds() {
@@ -109,7 +109,7 @@ void mix_row(const Options& options, Report& report, const MixCase& mixed) {
          .hash = hex(hash)});
 }
 
-// ---- error of the level -----------------------------------------------------------------------------------------
+// ---- error of the level ----------------------------------------------------------------------------------
 
 /// Gains of both channels for a sound at an angle from straight ahead (rad, positive to the right), as OpenAL
 /// pans: the front half is spread by a factor of 1.5, a source of 0.25 m radius covers an angle, and

@@ -76,8 +76,7 @@ void add_flow(const Flow& flow, int n, const std::vector<std::pair<std::string, 
     }
 }
 
-// ---- flows with known solutions
-// -----------------------------------------------------------------------------------
+// ---- flows with known solutions --------------------------------------------------------------------------
 
 void vortices(const Options& options, Report& report) {
     const std::vector<int> sizes = options.quick ? std::vector{16, 32} : std::vector{15, 16, 24, 32, 48, 64};
@@ -118,7 +117,7 @@ void viscous(const Options& options, Report& report) {
         add_flow(flows::high_viscosity(ratio, n), n, {{"nu_dt_per_h2", ratio}}, report);
 }
 
-// ---- lid-driven cavity ------------------------------------------------------------------------------------------
+// ---- lid-driven cavity -----------------------------------------------------------------------------------
 
 double change_since(const Fluid& fluid, fluid::Samples& before) {
     double most = 0;
@@ -161,7 +160,7 @@ void cavities(const Options& options, Report& report) {
     }
 }
 
-// ---- substances -------------------------------------------------------------------------------------------------
+// ---- substances ------------------------------------------------------------------------------------------
 
 struct TurnedShape {
     const char* name;
@@ -249,7 +248,7 @@ void deformations(const Options& options, Report& report) {
         for (const int n : sizes) add_deformation(shape, n, report);
 }
 
-// ---- heavy and light substances ---------------------------------------------------------------------------------
+// ---- heavy and light substances --------------------------------------------------------------------------
 
 /// Largest allowed excess of kinetic plus potential energy over that at the start, as a share of the released
 /// energy.
@@ -288,7 +287,7 @@ void weighings(const Options& options, Report& report) {
                     add_weighing(weighing, in_bowl, n, viscosity, report);
 }
 
-// ---- the cauldron -----------------------------------------------------------------------------------------------
+// ---- the cauldron ----------------------------------------------------------------------------------------
 
 /// The load of a match: two ladles and three substances in a bowl, one of them viscous. It is compared with
 /// an empty box with the same number of cells.
@@ -321,7 +320,7 @@ void cauldron(const Options& options, Report& report) {
     }
 }
 
-// ---- coming to rest, and attacks --------------------------------------------------------------------------------
+// ---- coming to rest, and attacks -------------------------------------------------------------------------
 
 void rest(const Options& options, Report& report) {
     const int steps = options.quick ? 100 : 10'000;
@@ -377,7 +376,7 @@ void hostile(const Options& options, Report& report) {
     for (const int n : {24, 32}) hostile_of(n, options, report);
 }
 
-// ---- stress test ------------------------------------------------------------------------------------------------
+// ---- stress test -----------------------------------------------------------------------------------------
 
 constexpr std::uint64_t usual_strikes = 100'000;
 

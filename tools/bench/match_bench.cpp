@@ -239,10 +239,9 @@ struct Feature {
     const char* idle_state;  ///< name of the idle state, such as "absent" or "asleep"
     Stir stir;
     std::vector<std::string> overrides{};
-    Tick
-        /// Ticks between half a second of activity and the measurement of the idle feature. 0: no activity
-        /// before.
-        rest{};
+    /// Ticks between half a second of activity and the measurement of the idle feature. 0: no activity
+    /// before.
+    Tick rest{};
 };
 
 struct Cost {

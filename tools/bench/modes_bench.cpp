@@ -7,9 +7,9 @@
 //     held_on_sphere  the same by a simulated hand and device, with the servo in the loop
 //     edge_vibration  the same on a block with hard edges: on a face, along an edge, across it
 //
-// Methods: "isosurface" holds the proxy at the true surface (local distance by Newton's method). "density" is that of
-// paper 003: a force along the gradient at the tip that grows with the density there. Kernels: "smooth" is
-// SmoothGrid. "ball" is spherical contact, the mean of 8 places on a ball of 0.87 samples.
+// Methods: "isosurface" holds the proxy at the true surface (local distance by Newton's method). "density" is
+// that of paper 003: a force along the gradient at the tip that grows with the density there. Kernels:
+// "smooth" is SmoothGrid. "ball" is spherical contact, the mean of 8 places on a ball of 0.87 samples.
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -245,8 +245,8 @@ haptics::DeviceSpec touch_device(bool ideal) {
     return spec;
 }
 
-/// A simulated hand presses a device on the sphere and draws it along a great circle at 0.1 m/s. The servo and its
-/// safety stage are in the loop, so an unstable surface would shake here.
+/// A simulated hand presses a device on the sphere and draws it along a great circle at 0.1 m/s. The servo
+/// and its safety stage are in the loop, so an unstable surface would shake here.
 struct HeldSlide {
     Feeler feeler;
     haptics::DeviceSpec spec;

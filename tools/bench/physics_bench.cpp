@@ -59,7 +59,7 @@ struct Outcome {
 
 BodyDesc ball() { return {.shape = Shape::sphere, .size = {0.1, 0, 0}, .mass = 1}; }
 
-// ---- free flight ------------------------------------------------------------------------------------------------
+// ---- free flight -----------------------------------------------------------------------------------------
 
 /// Distance from the closed form of the free flight after 2 s.
 Outcome flight(Run& run, vec3 velocity) {
@@ -72,7 +72,7 @@ Outcome flight(Run& run, vec3 velocity) {
     return {.error = glm::length(state.position - exact), .hash = hash_value(state)};
 }
 
-// ---- pendulum ---------------------------------------------------------------------------------------------------
+// ---- pendulum --------------------------------------------------------------------------------------------
 
 constexpr double swing_seconds = 10;
 constexpr double rod = 1;  // length of the rod (m)
@@ -139,7 +139,7 @@ Outcome pendulum(Run& run) {
             .hash = hash_value(state)};
 }
 
-// ---- stacks -----------------------------------------------------------------------------------------------------
+// ---- stacks ----------------------------------------------------------------------------------------------
 
 constexpr std::size_t stack_count = 32;
 
@@ -218,7 +218,7 @@ Outcome stacks(Run& run) {
             .hash = drift.hash};
 }
 
-// ---- rows of the report -----------------------------------------------------------------------------------------
+// ---- rows of the report ----------------------------------------------------------------------------------
 
 struct Case {
     std::string name;
@@ -288,7 +288,7 @@ void measure_case(const Case& one, const Options& options, Report& report) {
         report.rows.push_back(row_of(one, settings[i], outcomes[i], samples[i]));
 }
 
-// ---- contacts ---------------------------------------------------------------------------------------------------
+// ---- contacts --------------------------------------------------------------------------------------------
 
 /// One row with the shipped settings, whose error must stay below a bound.
 struct Stress {

@@ -1,5 +1,5 @@
-// Benchmark of the proxy of haptic primitives (engine/haptics/primitives/balance.h): run time and remaining sum of
-// forces.
+// Benchmark of the proxy of haptic primitives (engine/haptics/primitives/balance.h): run
+// time and remaining sum of forces.
 //
 // "exact" is the shipped method. "iterative" is the usual method, which minimises the length of the sum in
 // eq. 8 numerically: damped steps along the sum, halved if the length does not fall, at most 200.

@@ -31,7 +31,7 @@ Expected<Layout> layout_of(const std::string& name) {
     return tactile::load_layout(game::find_assets() / "tactile/layouts" / (name + ".toml"));
 }
 
-// ---- time of a frame -------------------------------------------------------------------------------------------
+// ---- time of a frame -------------------------------------------------------------------------------------
 
 /// An effect of each pattern that lasts longer than the benchmark, except a clip, which ends after a minute.
 EffectBank lasting_effects() {
@@ -50,7 +50,7 @@ EffectBank lasting_effects() {
         effect.length_ms = lasting_ms;
         effect.to = tactile::BodyPoint{tactile::Part::front, {0.1, 1, 0.09}};
         if (pattern == Pattern::heartbeat) effect.envelope.hold = 1e3;
-        // a sweep that moves and outlasts the benchmark
+        // Long enough that the sweep over the body is still moving when the benchmark ends.
         if (pattern == Pattern::sweep) effect.length_ms = 6e5;
         bank.effects.push_back(std::move(effect));
     }
@@ -115,7 +115,7 @@ void mixing(const Options& options, const Layout& layout, Report& report) {
         report.rows.push_back(row_of(runs[i], samples[i], runs[i].mixer->playing(), layout.actuators.size()));
 }
 
-// ---- places between actuators ----------------------------------------------------------------------------------
+// ---- places between actuators ----------------------------------------------------------------------------
 
 /// Wanted places on the chart of the torso, within the cells of the front.
 std::vector<vec2> wanted_places(const Layout& layout) {
@@ -226,7 +226,7 @@ void placing(const Options& options, const std::string& name, const Layout& layo
         report.rows.push_back(row_of(renderers[i], samples[i]));
 }
 
-// ---- hostile input ---------------------------------------------------------------------------------------------
+// ---- hostile input ---------------------------------------------------------------------------------------
 
 /// Fifty random hits in each frame, for one minute or ten. Counts frames that exceed a limit, and events that
 /// are lost.

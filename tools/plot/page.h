@@ -17,10 +17,9 @@ struct SvgFile {
 struct Page {
     std::string html;
     std::vector<SvgFile> figures;
-    std::size_t
-        /// number of cases and areas that got no figure because the page already has most_figures; they are
-        /// still in the tables
-        not_drawn{};
+    /// Number of cases and areas that got no figure because the page already has most_figures. They are still
+    /// in the tables.
+    std::size_t not_drawn{};
 };
 
 inline constexpr std::size_t most_figures = 200;

@@ -38,8 +38,8 @@ inline Switch read_environment() {
     return result;
 }
 
-/// Returns true if the mutant is active, and notes that its line was reached. Works in constructors of static objects and
-/// on any thread. Allocates nothing.
+/// Returns true if the mutant is active, and notes that its line was reached. Works in constructors of static
+/// objects and on any thread. Allocates nothing.
 inline bool on(int mutant) {
     static const Switch the_switch = read_environment();
     // A byte that is set already is not written again, so that threads do not compete for the cache line.

@@ -9,8 +9,8 @@ namespace {
 constexpr double least_gain = 1e-5;
 /// Factor on the gain of a voice that already plays: a new voice must be louder by this to take its source.
 constexpr double keep_factor = 1.1;
-/// Largest change of the damping in one block: all of it takes 0.4 s. The filter's output jumps by as much of the
-/// signal as its gain changes, for some samples; 2 % cannot be heard as a click.
+/// Largest change of the damping in one block: all of it takes 0.4 s. The filter's output jumps by as much of
+/// the signal as its gain changes, for some samples; 2 % cannot be heard as a click.
 constexpr double most_muffle_change = 0.02;
 /// Offset between the starting samples of loops with neighbouring keys, so that equal sounds do not add up
 /// wave by wave.

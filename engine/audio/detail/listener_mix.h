@@ -1,8 +1,8 @@
 // audio/detail/listener_mix.h: the voices that one listener hears.
 //
-// Each block: frees the sources that have ended or faded, finds the gain of every voice, gives the 64 loudest a source,
-// and lets the others fade out within the block. OpenAL moves each gain evenly over the block that it renders, so
-// neither a change nor a fade clicks.
+// Each block: frees the sources that have ended or faded, finds the gain of every voice, gives the 64 loudest
+// a source, and lets the others fade out within the block. OpenAL moves each gain evenly over the block that
+// it renders, so neither a change nor a fade clicks.
 #pragma once
 #include <array>
 #include <memory>
@@ -24,8 +24,8 @@ public:
     /// `index` is the listener's number, 0 or 1. The facts must outlive this object.
     ListenerMix(std::unique_ptr<Loopback> device, std::span<const SoundFacts> sounds, std::uint32_t index);
 
-    /// Renders one block. `clock` is the number of samples since the mixer was made; `faders` holds the gain of each
-    /// group.
+    /// Renders one block. `clock` is the number of samples since the mixer was made;
+    /// `faders` holds the gain of each group.
     void block(const Listener& listener, BlockVoices voices, const std::array<double, sound_groups>& faders,
                std::uint64_t clock, MixReport& report, std::span<float> stereo);
     /// True if a block without voices would be silent.

@@ -1,7 +1,8 @@
-// audio/detail/loopback.h: one loopback device of OpenAL with the sounds of a bank and a fixed pool of sources.
+// audio/detail/loopback.h: one loopback device of OpenAL with the sounds of a
+// bank and a fixed pool of sources.
 //
-// A new buffer in a source costs OpenAL an allocation. So there are four sources for each voice that may be heard; each
-// keeps its buffer, and a sound takes a source that has had its buffer before.
+// A new buffer in a source costs OpenAL an allocation. So there are four sources for each voice that may be
+// heard; each keeps its buffer, and a sound takes a source that has had its buffer before.
 #pragma once
 #include <array>
 #include <memory>

@@ -18,8 +18,9 @@ struct OpenAl {
     PFNALCGETTHREADCONTEXTPROC thread_context{};
 };
 
-/// Prepares OpenAL once for the process, then finds the functions. Call it first while one thread runs, because it sets
-/// environment variables: messages of OpenAL are off, and devices play in short periods, unless the user has chosen.
+/// Prepares OpenAL once for the process, then finds the functions. Call it first while one thread runs,
+/// because it sets environment variables: messages of OpenAL are off, and devices play in short
+/// periods, unless the user has chosen.
 Expected<OpenAl> find_openal();
 
 /// Makes a context current for this thread; the destructor makes the former one current again.

@@ -1,4 +1,5 @@
-// audio/detail/oscillator.h: the small parts of the sound generator, all with the same bits on every processor.
+// audio/detail/oscillator.h: the small parts of the sound generator, all with
+// the same bits on every processor.
 //
 // Gains and frequencies are computed at the ends of blocks of samples. Within a block, a gain changes
 // linearly and a frequency is constant.
@@ -55,7 +56,8 @@ double length_of(const Envelope& envelope, double decay);
 /// Frequency at `time` after the start of the part (Hz).
 double hz_at(const Pitch& pitch, double time);
 
-/// The samples of a sound while its parts are added. In a looping sound, the sample after the last is the first.
+/// The samples of a sound while its parts are added. In a looping sound, the
+/// sample after the last is the first.
 class Canvas {
 public:
     Canvas(double seconds, bool loops);

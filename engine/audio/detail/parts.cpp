@@ -109,7 +109,8 @@ void add_partial(Canvas& canvas, const Envelope& envelope, std::span<const doubl
     });
 }
 
-/// Two state-variable filters in a row, in the form of A. Simper: "Linear trapezoidal state variable filter" (2013).
+/// Two state-variable filters in a row, in the form of A. Simper: "Linear
+/// trapezoidal state variable filter" (2013).
 class NoiseShaper {
 public:
     NoiseShaper(NoiseFilter filter, double sharpness) : filter_(filter), damping_(1 / sharpness) {}

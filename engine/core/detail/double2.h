@@ -1,5 +1,5 @@
-// core/detail/double2.h: double-double arithmetic: a number is a double plus its rounding error, about 106 bits in
-// all.
+// core/detail/double2.h: double-double arithmetic: a number is a double plus its
+// rounding error, about 106 bits in all.
 //
 // It uses only +, - and *, without fused operations, so every processor computes the same bits.
 //

@@ -148,7 +148,7 @@ Footprint footprint_of(const VoxelView& body, const Extent& extent, vec3 place, 
 }
 
 Footprint plate_of(const VoxelView& body, const Extent& extent, vec3 place, vec3 motion, const mat3& turn) {
-    // Distance between voxels, converted to the extent's unit.
+    // Factor from m to the extent's unit, along each axis.
     const vec3 step = extent.in_metres ? vec3(1) : 1.0 / body.spacing;
     const vec3 way = motion * step;
     const double length = glm::length(way);

@@ -1,8 +1,9 @@
-// field/detail/carving_extent.h: which voxels an operation reaches, and the weight of each (field/carving_tools.h).
+// field/detail/carving_extent.h: which voxels an operation reaches, and the
+// weight of each (field/carving_tools.h).
 //
-// The rim of a hard shape falls from 1 to 0 over two voxels, so that a carved surface lies between voxels where the
-// surface of the shape is. A narrower rim lets forces follow the voxels' stairs. Spheres of 12.3 voxels, carved at
-// random places and read with the kernel catmull_rom:
+// The rim of a hard shape falls from 1 to 0 over two voxels, so that a carved surface lies between voxels
+// where the surface of the shape is. A narrower rim lets forces follow the voxels' stairs. Spheres of 12.3
+// voxels, carved at random places and read with the kernel catmull_rom:
 //
 //     rim (voxels)               1       1.5     2       3
 //     surface off by, at most    0.097   0.039   0.013   0.006   voxels
@@ -29,8 +30,8 @@ struct Footprint {
 /// The footprint has no voxels if `place` is outside the body or if a number is not finite.
 Footprint footprint_of(const VoxelView& body, const Extent& extent, vec3 place, const mat3& turn);
 
-/// Like footprint_of, for a plate that reaches from one place to the next. Its z axis lies along the motion, its y
-/// axis as near to the tool's as that allows. Without motion it is a box.
+/// Like footprint_of, for a plate that reaches from one place to the next. Its z axis lies along the motion,
+/// its y axis as near to the tool's as that allows. Without motion it is a box.
 Footprint plate_of(const VoxelView& body, const Extent& extent, vec3 place, vec3 motion, const mat3& turn);
 
 /// A number for each voxel of a part of at most 8 x 8 x 8 voxels, x fastest.

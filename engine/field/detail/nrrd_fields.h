@@ -52,7 +52,8 @@ public:
     std::vector<std::optional<double>> numbers(std::string_view field, std::size_t count);
     /// Reads words in quotes: "mm" "mm" "mm".
     std::vector<std::string> quoted(std::string_view field, std::size_t count);
-    /// Reads vectors of three numbers: none (1,0,0) (0,1,0) (0,0,1); (nan,nan,nan) is none. Reports a wrong count or form.
+    /// Reads vectors of three numbers: none (1,0,0) (0,1,0) (0,0,1); (nan,nan,nan) is
+    /// none. Reports a wrong count or form.
     std::vector<std::optional<vec3>> vectors(std::string_view field, std::size_t count);
     /// Reads one of the names in any case, and returns its index. Reports a missing field or another name.
     std::size_t choice(std::string_view field, std::string_view names_for_message,

@@ -17,9 +17,9 @@ struct NrrdSamples {
     std::span<const std::byte> all{};  ///< the samples, a part of one of the buffers above
 };
 
-/// Reads the samples behind the header in `out.file`, or those of the files that it names: bytes of the header's type,
-/// or doubles if they stand in text. Sets files and notes of the volume. The error names the header's line, and says so
-/// if the bytes are of another encoding.
+/// Reads the samples behind the header in `out.file`, or those of the files that it names: bytes of the
+/// header's type, or doubles if they stand in text. Sets files and notes of the volume. The error names the
+/// header's line, and says so if the bytes are of another encoding.
 Expected<void> read_nrrd_samples(const NrrdHeader& header, const std::filesystem::path& path,
                                  std::size_t most_bytes, NrrdSamples& out, Volume& volume);
 

@@ -43,7 +43,8 @@ struct StoredSamples {
 enum class ByteOrder : std::uint8_t {
     plausible,
     doubtful,  ///< every sample is an integer multiple of 256
-    /// Many floats are too large or too small for any quantity, and none is in the other byte order.
+    /// Many floats are too large or too small for any physical quantity. With the other byte order, no float
+    /// would be.
     wrong,
 };
 ByteOrder check_byte_order(const StoredSamples& stored);

@@ -43,9 +43,9 @@ struct LevelFaces {
         }
     }
     Floats8 open_at(std::ptrdiff_t at) const { return open != nullptr ? load(open + at) : zero8 + 1.0F; }
-    /// Sum of the weights on both sides of a face. At order 4 the flow through a face is
-    /// (26 u[0] - u[-1] - u[1]) / 24. The densities beside the face get the same weights. Force times velocity
-    /// then equals the potential energy that the flow carries down.
+    /// Sum of the weights on both sides of a face. At order 4 the flow through a face is (26 u[0] - u[-1] -
+    /// u[1]) / 24. The densities beside the face get the same weights. Force times velocity then equals the
+    /// potential energy that the flow carries down.
     Floats8 both_sides(std::ptrdiff_t at) const {
         const auto s = rows.lattice.stride[axis];
         const Floats8 near = load(weight + at) + load(weight + at - s);

@@ -19,7 +19,7 @@ namespace {
 /// Densities along one axis: a cell and three cells on each side, mirrored at walls and solids.
 struct DensityStencil {
     std::array<float, 7> value{};
-    bool narrow{};  ///< true: there are walls on both sides
+    bool narrow{};  ///< true: both sides of the cell have a wall or solid within three cells
 };
 
 /// Reads the densities around a cell. `aperture` points to the open share of the face below the cell;

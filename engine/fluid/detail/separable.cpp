@@ -11,7 +11,7 @@
 namespace thaum::fluid {
 namespace {
 
-// ---- waves ------------------------------------------------------------------------------------------------------
+// ---- waves -----------------------------------------------------------------------------------------------
 
 struct Wave {
     double angle;  ///< phase per cell (rad)
@@ -105,8 +105,7 @@ void fold_waves(const std::vector<SampledWave>& columns, const CellRange& places
     fold_waves(antisymmetric, {places.first + half, places.count - half}, waves);
 }
 
-// ---- transform to waves and back
-// --------------------------------------------------------------------------------------
+// ---- transform to waves and back -------------------------------------------------------------------------
 
 /// Number of columns that are transformed together.
 constexpr std::ptrdiff_t wide = 16;

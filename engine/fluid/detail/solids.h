@@ -23,9 +23,9 @@ struct CutFace {
     vec3 middle{};     ///< centre of the open part (m)
 };
 
-/// Faces with a smaller open share count as closed, and the flow through them is lost. With 0.125 this loss was 8 to 10 %
-/// of the squared error of a flow in a bowl, and more on finer grids. Smaller openings do not add iterations to the
-/// pressure solve.
+/// Faces with a smaller open share count as closed, and the flow through them is lost. With 0.125 this loss
+/// was 8 to 10 % of the squared error of a flow in a bowl, and more on finer grids. Smaller openings do not
+/// add iterations to the pressure solve.
 inline constexpr double open_least = 0.02;
 /// Smallest open share of a face along which the fluid slips, where the flow beside the wall is as fast as
 /// elsewhere. What is lost through a small closed opening is pushed through others by the pressure. With

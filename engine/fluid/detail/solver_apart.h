@@ -1,4 +1,5 @@
-// fluid/detail/solver_apart.h: a solver in a library of its own. A program that does not link it has no such fluids.
+// fluid/detail/solver_apart.h: a solver in a library of its own. A program that
+// does not link it has no such fluids.
 #pragma once
 #include <memory>
 

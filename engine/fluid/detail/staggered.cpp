@@ -26,7 +26,7 @@ constexpr double weight_2 = (1.0 / 6 - weight_3 * (0.5 - place_1)) / place_1;
 constexpr double weight_1 = 1 - weight_2 - weight_3 - weight_4;
 
 /// Largest distance that the flow may move in a sub-step, summed over the axes (cells). At order 4 the phase
-/// of the shortest wave advances by 1.37 times that (rad).
+/// of the fastest wave, which is 3.5 cells long, advances by 1.37 times that (rad).
 constexpr double carried_most = 2.0;
 /// Largest nu dt / h^2 for which the stages include viscosity. For the shortest wave, rate times dt is 16
 /// times that: 2.4.
@@ -161,8 +161,8 @@ void StaggeredSolver::gather_forces(const Settings& settings, const State& now, 
     if (solids_) subtract_gradient(rows_, 2, now.pressure, force_);
 }
 
-/// Sets mixed_property_ to base plus, for each substance, density times its property `part`. Fills the rows and
-/// their ghosts.
+/// Sets mixed_property_ to base plus, for each substance, density times its property `part`.
+/// Fills the rows and their ghosts.
 void StaggeredSolver::mix_property(const Settings& settings, const State& now, double base,
                                    double Substance::*part) {
     each_row(rows_, [&](Row row) {

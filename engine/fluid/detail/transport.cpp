@@ -28,7 +28,8 @@
 // LeVeque's flow with 0.226; with a quarter they are 1.8e-4 and 0.249. With no bias at all short waves lag
 // behind, and the first is 1.0e-3.
 //
-// A body with sharp edges, which the flow of high order would round off, gets one flux more, against its slope:
+// A body with sharp edges, which the flow of high order would round off, gets
+// one flux more, against its slope:
 //
 //     |u| sharpness minmod(c - b, d - c, e - d)
 //
@@ -271,7 +272,7 @@ template <TransportTerms terms>
     for (std::size_t lane = 0; lane < lanes; ++lane) flush(lane, *levels);
 }
 
-// ---- fluxes over the whole lattice -------------------------------------------------------------------------------
+// ---- fluxes over the whole lattice -----------------------------------------------------------------------
 
 /// Arguments and arrays of one sub-step.
 struct SubstepContext {
@@ -420,7 +421,7 @@ Substep substep_of(SubstepScale scale) {
     return substep<TransportTerms{solids, false, false}>;
 }
 
-// ---- number of sub-steps -----------------------------------------------------------------------------------------
+// ---- number of sub-steps ---------------------------------------------------------------------------------
 
 struct Schedule {
     int substeps;

@@ -12,9 +12,10 @@
 //        than the cell has, nor fill it beyond the highest density of the lattice. The limit allows for
 //        smooth hills whose top lies between cells, so they are not clipped.
 //
-// Sharp edges: a body of one density would be smeared out, as the limit stops what the fluxes of fifth order would
-// take back from outside. If most of a substance lies in cells of its highest density (sums.h, `segregation`), its
-// fluxes carry a share of the slope back. A smooth hill, a mixture and a substance that diffuses are left as they are.
+// Sharp edges: a body of one density would be smeared out, as the limit stops what the fluxes of fifth
+// order would take back from outside. If most of a substance lies in cells of its highest density (sums.h,
+// `segregation`), its fluxes carry a share of the slope back. A smooth hill, a mixture and a substance
+// that diffuses are left as they are.
 //
 // Sub-steps are so short that the first-order fluxes take at most `courant_most` of any cell. There is
 // no splitting by direction: the fluxes of all three axes act at once.

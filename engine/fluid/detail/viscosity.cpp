@@ -37,8 +37,8 @@ Slabs slabs_along(const Lattice& lattice, std::size_t across) {
     return {beside, 3 - across - beside, round_up_to_8(lattice.cells[beside])};
 }
 
-/// Parallel lines with their layout and their ends. Row r holds place r of every line and begins `row` values
-/// after row r - 1.
+/// Parallel lines of velocities, which are solved together: where they lie in memory, and what is at their
+/// ends. Row r has the r-th velocity of every line, and begins `row` values after row r - 1.
 struct Lines {
     float* value;
     const float* coefficient;  ///< values of face_coefficients_
@@ -123,8 +123,8 @@ std::array<float, 2> links_to_walls(const Lines& lines) {
     return {wall, wall};
 }
 
-/// Coefficients of place r of each line. Beyond the ends they are closed, or those of the other end of periodic
-/// lines.
+/// Coefficients of place r of each line. Beyond the ends they are closed, or those of
+/// the other end of periodic lines.
 const float* coefficients_at(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r) {
     if (r < 0 || r >= lines.count) {
         if (lines.edge != Edge::periodic) return buffers.closed;
@@ -153,8 +153,8 @@ bool may_hold_interface(const Lines& lines, const RowBuffers& buffers, std::ptrd
     return any_of(any);
 }
 
-/// Coefficients of the links from place r to place r + 1, including links that a wall cuts. `layered`: whether one
-/// of the two may hold an interface.
+/// Coefficients of the links from place r to place r + 1, including links that a wall cuts. `layered`:
+/// whether one of the two may hold an interface.
 void find_links(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r, bool layered,
                 std::span<const CutLink>& cuts) {
     const bool holds = lines.no_slip_at_solids || (lines.through && lines.edge != Edge::periodic);
@@ -339,7 +339,8 @@ void solve(const Lines& lines, const RowBuffers& buffers, const EliminationFacto
         }
     }
     if constexpr (!ring) return;
-    // Correction of Sherman and Morrison with the second solution.
+    // Formula of Sherman and Morrison: subtracts the multiple of the second solution (in
+    // `corner`) that closes the ring.
     const auto end = (n - 1) * w;
     for (std::ptrdiff_t i = 0; i < w; i += 8) {
         const Floats8 by = (load(lines.value + i) - load(lines.value + (n - 1) * lines.row + i)) /

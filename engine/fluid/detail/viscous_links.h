@@ -7,9 +7,10 @@
 
 namespace thaum::fluid {
 
-/// Coefficient of the link between two places: the harmonic mean of theirs, because the layers between the
-/// places resist one after the other. It is exact where the viscosity jumps halfway. With the arithmetic mean, a
-/// thin layer beside a thick one is half a cell too thin. A negative coefficient marks a closed place.
+/// Coefficient of the link between two places: the harmonic mean of theirs, because the layers
+/// between the places resist one after the other. It is exact where the viscosity jumps halfway. With
+/// the arithmetic mean, a thin layer beside a thick one is half a cell too thin. A negative
+/// coefficient marks a closed place.
 inline Floats8 link(bool holds, const Floats8& a, const Floats8& b) {
     const Floats8 low = smaller(a, b), high = larger(a, b);
     // This order of operations leaves equal coefficients unchanged, to the bit.

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::uint32_t none = 0xffffffff;
 constexpr double false_accepts_wanted = 0.01;
-/// Number of strokes to which weights are fitted at most: a random half of the strokes would be enough, and
-/// there may be very many.
+/// Number of strokes to which weights are fitted, at most. Of more strokes, only every second, third or so is
+/// taken: the weights need no more, and there may be very many.
 constexpr std::size_t most_fitted = 20'000;
 
 using Numbers = std::vector<std::vector<std::size_t>>;

@@ -1,16 +1,18 @@
-// gesture/trials/evaluation.h: how often a method is right on strokes of a data set, and how well it knows that.
+// gesture/trials/evaluation.h: how often a method is right on strokes of a
+// data set, and how well it knows that.
 //
-// Protocols:
-//   user_dependent   templates are K random strokes of each gesture of a user; that user's other strokes are tested
-//   leave_user_out   templates are K random strokes of each gesture of the other users; all strokes of the user are
-//   tested
-//   random           templates are K random strokes of each gesture; all others are tested
+// Protocols, by where the K random strokes of each gesture come from that are templates:
 //
-// Each is repeated with other random templates. In an open set, a random share of the gestures has no templates:
-// strokes of these are tested too, and the right answer is "nothing".
+//     user_dependent   from one user; that user's other strokes are tested
+//     leave_user_out   from all users but one; all strokes of that one are tested
+//     random           from all users; all other strokes are tested
 //
-// Probabilities and thresholds for the strokes of one group are fitted to the strokes of the other groups. A group is
-// a user; where the data have one user, the strokes with odd numbers and those with even numbers are two groups.
+// Each is repeated with other random templates. In an open set, a random share of the gestures has no
+// templates: strokes of these are tested too, and the right answer is "nothing".
+//
+// Probabilities and thresholds for the strokes of one group are fitted to the strokes of the other
+// groups. A group is a user; where the data have one user, the strokes with odd numbers and those
+// with even numbers are two groups.
 #pragma once
 #include <array>
 #include <functional>
@@ -24,13 +26,13 @@
 
 namespace thaum::gesture {
 
-/// Whose strokes are templates for whose.
+/// Whose strokes are templates, and whose are tested (see above).
 enum class Protocol : std::uint8_t { user_dependent, leave_user_out, random };
 
-/// Protocol of a name, if there is one.
+/// The protocol with this name; std::nullopt: there is none.
 std::optional<Protocol> protocol_of(std::string_view name);
 
-/// What is tried, and how.
+/// Settings of an evaluation.
 struct EvaluationSettings {
     Method method = Method::standard;
     Protocol protocol = Protocol::leave_user_out;
@@ -100,15 +102,15 @@ struct Certainty {
     double told{};
     double right{};  ///< share of the sure answers that are right; 0 if there are none
 };
-/// Counts the trials whose probability is at least this.
+/// Certainty with which answers of at least this probability are told.
 Certainty certainty_of(const Evaluation& evaluation, double least_probability);
 
 /// Templates of one fold.
 std::vector<Gesture> gestures_of(std::span<const Stroke> strokes, const GestureIndex& index,
                                  std::span<const std::vector<std::size_t>> templates);
 
-/// Random templates of one fold: numbers of strokes for each gesture. `user` is the user of the fold; not used by the
-/// protocol `random`.
+/// Random templates of one fold: numbers of strokes for each gesture. `user` is the user of the fold;
+/// not used by the protocol `random`.
 std::vector<std::vector<std::size_t>> draw_templates(const GestureIndex& index, Protocol protocol,
                                                      std::uint32_t user, std::size_t count, Random& random);
 

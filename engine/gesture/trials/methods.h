@@ -16,19 +16,19 @@ namespace thaum::gesture {
 /// (prefix.h).
 enum class Method : std::uint8_t { dot, tdnn, directions, elastic, standard, early };
 
-/// Their names, in their order.
+/// Names of all methods, in the order of Method.
 std::span<const std::string_view> method_names();
-/// Method of a name, if there is one.
+/// The method with this name; std::nullopt: there is none.
 std::optional<Method> method_of(std::string_view name);
 
-/// What a method says of a stroke.
+/// Answer of a method to one stroke.
 struct Answer {
     std::uint32_t gesture = 0xffffffff;  ///< 0xffffffff for a stroke without a shape
     Evidence evidence{};
     double probability{};  ///< probability by the method's own calibration, 0 to 1; 1 if the method has none
 };
 
-/// A trained method.
+/// A method that was given its templates.
 class Classifier {
 public:
     virtual ~Classifier() = default;
@@ -36,7 +36,7 @@ public:
     virtual Answer classify(Points stroke) = 0;
 };
 
-/// How a method is trained.
+/// Settings of a method.
 struct MethodSettings {
     Channels channels{};
     std::uint64_t seed = 1;

@@ -1,5 +1,5 @@
-// gesture/trials/network.h: a network of one hidden layer, trained by back-propagation (Rumelhart, Hinton, Williams
-// 1986).
+// gesture/trials/network.h: a network of one hidden layer, trained by back-propagation
+// (Rumelhart, Hinton, Williams 1986).
 //
 //     hidden = tanh(W1 input + b1)        output = tanh(W2 hidden + b2)
 //
@@ -31,7 +31,7 @@ struct TrainingSample {
     std::size_t output{};  ///< number of the right output
 };
 
-/// How a network is trained.
+/// Settings of a training.
 struct TrainingSettings {
     std::uint64_t seed = 1;
     std::size_t epochs = 60;

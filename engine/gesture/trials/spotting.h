@@ -1,10 +1,11 @@
 // gesture/trials/spotting.h: how well gestures are found in continuous motion.
 //
-// Templates come from other users than the session's. The session is fed to the spotter in ticks of 1 ms; between two
-// points of the session the hand rests at the earlier one. A report is right if it names the gesture of a label and
-// overlaps the label by half of the shorter of both, once for each label. All other reports are false, except those
-// that overlap an ignored stroke of the same gesture, which count neither way. Such strokes are attempts without a label,
-// as in the protocol of Taranta et al. (2020), whose sessions hold many of them.
+// Templates come from other users than the session's. The session is fed to the spotter in ticks of 1 ms;
+// between two points of the session the hand rests at the earlier one. A report is right if it names the
+// gesture of a label and overlaps the label by half of the shorter of both, once for each label. All
+// other reports are false, except those that overlap an ignored stroke of the same gesture, which count
+// neither way. Such strokes are attempts without a label, as in the protocol of Taranta et al. (2020),
+// whose sessions hold many of them.
 //
 // For each user, the threshold of the score is chosen on the sessions of the other users.
 #pragma once
@@ -18,7 +19,7 @@
 
 namespace thaum::gesture {
 
-/// How that is measured.
+/// Settings of an evaluation of the spotter.
 struct SpottingSettings {
     std::size_t templates = 1;  ///< number of templates of each gesture
     std::size_t repeats = 3;    ///< number of rounds, each with other random templates

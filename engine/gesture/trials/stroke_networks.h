@@ -8,9 +8,9 @@
 // each: the steps in x and y. The grid here is the square around the stroke, because strokes of data sets
 // come without a workspace. The answer to a whole stroke is the sum of the outputs over its windows.
 //
-// Directional vectors (paper 000, section 8). "Haptic proxy positions were converted to directional vectors (e.g.
-// Right: 1,0,0; 1,0,0; ...)." The paper gives no size: here 16 unit vectors at equal steps of arc length, 24 hidden
-// nodes.
+// Directional vectors (paper 000, section 8). "Haptic proxy positions were converted to directional
+// vectors (e.g. Right: 1,0,0; 1,0,0; ...)." The paper gives no size: here 16 unit vectors at equal
+// steps of arc length, 24 hidden nodes.
 #pragma once
 #include <array>
 #include <span>
@@ -21,7 +21,7 @@
 
 namespace thaum::gesture {
 
-/// What a network gets of a stroke.
+/// Form in which a network gets a stroke.
 enum class NetworkKind : std::uint8_t { tdnn, directions };
 
 inline constexpr std::size_t grid_side = 5;
@@ -37,8 +37,8 @@ struct StrokeNetwork {
     bool operator==(const StrokeNetwork&) const = default;
 };
 
-/// Windows of transitions of a stroke. A stroke of fewer than 8 transitions gives one window with zeros in front; a
-/// stroke without a transition, or with values that are not finite, gives none.
+/// Windows of transitions of a stroke. A stroke of fewer than 8 transitions gives one window with zeros in
+/// front; a stroke without a transition, or with values that are not finite, gives none.
 std::vector<std::vector<double>> transition_windows(Points stroke);
 
 /// Unit vectors from point to point, three numbers each; empty for a stroke without two different places.

@@ -203,7 +203,8 @@ bool SafetyAudit::is_cool(const SafetyLimits& limits) const {
     return memory_sum_ <= surely_cool * budget;
 }
 
-/// Length by which an offset fades in a tick: by the slew, and by that of a cap which comes down if no energy is left.
+/// Length by which an offset fades in a tick: by the slew, and by that of a cap which
+/// comes down if no energy is left.
 double fading_step(const SafetyLimits& limits, const SafetyInput& input) {
     const double slow = limits.slew * tick_seconds;
     const double left = std::fmin(1, std::fmax(0, input.fade_energy / energy_of_a_switch));
@@ -235,7 +236,8 @@ void SafetyAudit::begin_fade(const SafetyLimits& limits, const SafetyInput& inpu
     may_be_fading_ = true;
 }
 
-/// Largest share of the offset that is no farther from the remnant than the goal is long, or else the nearest one.
+/// Largest share of the offset that is no farther from the remnant than the goal
+/// is long, or else the nearest one.
 double SafetyAudit::share_that_hides(vec3 goal) const {
     const double square = glm::dot(offset_, offset_);
     if (!(square > 0)) return 1;
@@ -243,8 +245,9 @@ double SafetyAudit::share_that_hides(vec3 goal) const {
     return std::fmax(nearest, share_within(length_of_vector(goal), -remnant_, offset_));
 }
 
-/// Smallest share of the offset with which the output jumps no farther than a cap that comes down and a spring of the
-/// device's stiffness explain, found by bisection; if none does, the share with the smallest jump.
+/// Smallest share of the offset with which the output jumps no farther than a cap that comes
+/// down and a spring of the device's stiffness explain, found by bisection; if none does,
+/// the share with the smallest jump.
 double SafetyAudit::steady_share(vec3 goal, const SafetyInput& input) const {
     const double square = glm::dot(offset_, offset_);
     if (!(input.stiffness > 0 && square > 0)) return 0;
@@ -263,8 +266,8 @@ double SafetyAudit::steady_share(vec3 goal, const SafetyInput& input) const {
     return steady;
 }
 
-/// Shortens the offset by time, by the work that it does, so far that the sum stays within the cap, and to what it hides.
-/// At its beginning and with a reserve, its work is at most that of the whole output.
+/// Shortens the offset by time, by the work that it does, so far that the sum stays within the cap, and to
+/// what it hides. At its beginning and with a reserve, its work is at most that of the whole output.
 void SafetyAudit::fade_on(const SafetyLimits& limits, vec3 goal, const SafetyInput& input, bool begins,
                           bool goes_on) {
     const vec3 moved = begins && !goes_on ? vec3(0) : input.tip - tip_;

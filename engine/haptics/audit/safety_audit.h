@@ -22,7 +22,7 @@
 
 namespace thaum::haptics {
 
-/// What a commanded force must keep.
+/// Rules that every commanded force must obey.
 enum class SafetyRule : std::uint32_t {
     finite,
     cap,     ///< length at most the cap, to the bit, or on the way down to a lowered one

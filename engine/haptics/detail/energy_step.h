@@ -1,4 +1,5 @@
-// haptics/detail/energy_step.h: the servo's account of energy in one tick: before the safety stage, and after it.
+// haptics/detail/energy_step.h: the servo's account of energy in one tick:
+// before the safety stage, and after it.
 #pragma once
 #include "haptics/detail/felt_patch.h"
 #include "haptics/detail/sources.h"
@@ -12,8 +13,8 @@ struct EnergyLimits {
     double fade_energy{};            ///< work that fading offsets may do (J)
 };
 
-/// Updates the passivity observer. Limits active sources to their budget, and after a switch the springs to their
-/// reserve.
+/// Updates the passivity observer. Limits active sources to their budget, and after a
+/// switch the springs to their reserve.
 EnergyLimits update_energy(const Servo& servo, ServoState& state, const HapticModel& model,
                            const Tether& tether, const Tip& tip, const SurfaceForces& surfaces,
                            const FluidForces& fluid, Sources& sources);

@@ -5,8 +5,8 @@
 namespace thaum::haptics {
 namespace {
 
-/// Share of the device's damping by which the viscosity of a space changes in a tick. Beside each other, two materials may
-/// differ tenfold, and which of them is at the tip is known by whole voxels.
+/// Share of the device's damping by which the viscosity of a space changes in a tick. Beside each other, two
+/// materials may differ tenfold, and which of them is at the tip is known by whole voxels.
 constexpr double viscosity_pace = 1.0 / 32;
 
 /// Leads the viscosity to that of the space. Returns true if the space became viscous or free.

@@ -1,4 +1,5 @@
-// haptics/detail/felt_fluid.h: what the servo feels of the space around the tip: its viscosity, and a stirred fluid.
+// haptics/detail/felt_fluid.h: what the servo feels of the space around the tip:
+// its viscosity, and a stirred fluid.
 #pragma once
 #include "haptics/detail/sources.h"
 #include "haptics/servo.h"

@@ -47,8 +47,8 @@ bool knows(const SeenBodies& seen, const SurfaceBody& body) {
     return false;
 }
 
-/// Returns true if a touched body is new or has another stiffness. Other bodies may come and go: their forces begin at
-/// zero.
+/// Returns true if a touched body is new or has another stiffness. Other bodies may come
+/// and go: their forces begin at zero.
 bool has_new_contact(const SeenBodies& seen, const SurfacePatch& patch, const SurfaceState& surface) {
     for (std::uint32_t i = 0; i < surface.contacts; ++i)
         for (std::size_t b = 0; b < bodies_of(patch); ++b)

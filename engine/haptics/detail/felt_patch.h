@@ -1,5 +1,5 @@
-// haptics/detail/felt_patch.h: what the servo feels of a patch of surfaces: its force, what moves and what it stores,
-// and whether a body came or went under the tip.
+// haptics/detail/felt_patch.h: what the servo feels of a patch of surfaces: its force, what moves and what it
+// stores, and whether a body came or went under the tip.
 #pragma once
 #include "haptics/servo.h"
 

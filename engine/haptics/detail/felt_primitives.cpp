@@ -10,7 +10,8 @@ namespace {
 /// better of two forces. It is right for the found proxy even if the shares of the primitives are unknown.
 constexpr double solved_residual = 1e-9;
 
-/// Ticks after a jump of the set in which the proxy may still find its place: modes read their fields where it was.
+/// Ticks after a jump of the set in which the proxy may still find its place:
+/// modes read their fields where it was.
 constexpr std::uint32_t unsettled_ticks = first_ticks;
 
 /// Returns true if the set appeared, ended or jumped.

@@ -1,4 +1,5 @@
-// The hand slides along the vector and meets resistance across it: a line through the proxy (paper 001, eq. 12).
+// The hand slides along the vector and meets resistance across it: a line
+// through the proxy (paper 001, eq. 12).
 #include "haptics/modes.h"
 
 namespace thaum::haptics {

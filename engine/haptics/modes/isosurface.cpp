@@ -1,11 +1,12 @@
-// A wall on the surface where the field has one value: a bone in a scan, or an implicit object (haptics/volume/implicit.h).
+// A wall on the surface where the field has one value: a bone in a scan, or an implicit
+// object (haptics/volume/implicit.h).
 //
-// A plane holds the proxy at the true surface (haptics/volume/level_contact.h); of a field of samples, that is the one that is
-// drawn. The plane gives way at its strength, and a proxy that was pressed in deeper than the reach is through. Friction
-// grows with the depth of the tip (paper 004, 3.1): its coefficient is a function of the depth, and it acts on the normal
-// force of the last tick. A magnetic surface also holds a proxy that lies in front of it, by a plane that faces inward. It
-// goes by the height of the tip: by that of the proxy it would let go all at once, because a proxy that is let go is
-// farther away.
+// A plane holds the proxy at the true surface (haptics/volume/level_contact.h); of a field of samples, that
+// is the one that is drawn. The plane gives way at its strength, and a proxy that was pressed in deeper than
+// the reach is through. Friction grows with the depth of the tip (paper 004, 3.1): its coefficient is a
+// function of the depth, and it acts on the normal force of the last tick. A magnetic surface also holds a
+// proxy that lies in front of it, by a plane that faces inward. It goes by the height of the tip: by that of
+// the proxy it would let go all at once, because a proxy that is let go is farther away.
 #include <algorithm>
 
 #include "haptics/modes.h"

@@ -1,7 +1,8 @@
-// The hand snaps to the core of a vortex: a line along the curl, at the nearest place where nothing flows across it.
+// The hand snaps to the core of a vortex: a line along the curl, at the nearest
+// place where nothing flows across it.
 //
-// The place is found by one Newton step in the plane across the curl, from the gradient at the proxy. In a core that
-// turns like a solid body the step is exact. Elsewhere it improves as the proxy comes nearer.
+// The place is found by one Newton step in the plane across the curl, from the gradient at the proxy. In a
+// core that turns like a solid body the step is exact. Elsewhere it improves as the proxy comes nearer.
 #include <algorithm>
 
 #include "haptics/modes.h"

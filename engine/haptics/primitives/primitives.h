@@ -1,6 +1,6 @@
-// haptics/primitives/primitives.h: haptic primitives, forces on a proxy that a spring ties to the probe (Lundin,
-// Cooper, Persson, Evestedt, Ynnerman 2007, "Enabling design and interactive selection of haptic modes", section
-// 2.3).
+// haptics/primitives/primitives.h: haptic primitives, forces on a proxy that a spring ties to the
+// probe (Lundin, Cooper, Persson, Evestedt, Ynnerman 2007, "Enabling design and interactive
+// selection of haptic modes", section 2.3).
 #pragma once
 #include <algorithm>
 #include <array>
@@ -61,10 +61,10 @@ public:
     /// The primitives in the order of their addition.
     std::span<const Primitive> items() const noexcept { return {items_.data(), count_}; }
 
-    /// Whether some primitives were chosen by where the proxy was in the last tick, as modes choose them. The servo lets
-    /// the proxy of such a set settle (haptics/primitives/settling.h).
+    /// Whether some primitives were chosen by where the proxy was in the last tick, as modes choose them. The
+    /// servo lets the proxy of such a set settle (haptics/primitives/settling.h).
     bool by_proxy() const noexcept { return by_proxy_ != 0; }
-    /// Marks the set so.
+    /// Marks the set as chosen by the proxy's place.
     void set_by_proxy() noexcept { by_proxy_ = 1; }
 
 private:

@@ -6,22 +6,23 @@
 namespace thaum::haptics {
 namespace {
 
-/// Factors of the bound in each tick: from first_pace to most_pace in `first_ticks`, and from there to least_pace in 227.
+/// Factors of the bound in each tick: from first_pace to most_pace in `first_ticks`, and
+/// from there to least_pace in 227.
 constexpr double beginning = 0.7, calming = 0.97;
-/// Rise of the bound for each newton by which motion stretches the spring. At a steady speed, the bound is thus 5 times
-/// the stretch of one tick.
+/// Rise of the bound for each newton by which motion stretches the spring. At a steady speed, the bound is
+/// thus 5 times the stretch of one tick.
 constexpr double freeing = 5 * (1 - calming);
-/// Cosines of the angle between two ways from which on the proxy goes straight on: if the balance moves as the proxy and
-/// the tip explain, and if it moves farther.
+/// Cosines of the angle between two ways from which on the proxy goes straight on: if the balance moves as
+/// the proxy and the tip explain, and if it moves farther.
 constexpr double straight_on = 0.5, straight_astray = 0.97;
-/// Factors of the pace. The first one shrinks it at a turn. The second is so small that a proxy that crosses a ridge
-/// every second or third tick still comes to rest. No such proxy goes straight on for longer than `few` ticks, so the
-/// last one may be large.
+/// Factors of the pace. The first one shrinks it at a turn. The second is so small that a proxy that crosses
+/// a ridge every second or third tick still comes to rest. No such proxy goes straight on for longer than
+/// `few` ticks, so the last one may be large.
 constexpr double at_turn = 0.5, after_turn = 1.2, later = 2;
 constexpr std::uint64_t few = 2;
 
-/// Whether the balance has moved farther than the proxy and the tip together. Then the proxy's own step was too large: a
-/// whole step to the balance would not come nearer to where all forces cancel.
+/// Whether the balance has moved farther than the proxy and the tip together. Then the proxy's own step was
+/// too large: a whole step to the balance would not come nearer to where all forces cancel.
 bool is_astray(const Settling& state, const ProxyWay& way, double moved) {
     const double own = glm::length(state.step) + moved + least_pace / way.spring.stiffness;
     return glm::distance(way.balance, state.balance) > own;
@@ -59,14 +60,15 @@ void adapt_bound(Settling& state, const ProxyWay& way, double field_motion) {
 /// Force of the spring on the hand (N).
 vec3 force_at(const ProxyWay& way, vec3 proxy) { return way.spring.stiffness * (proxy - way.spring.centre); }
 
-/// Pull of the hand's place and velocity at the proxy (N), up to a constant, since only its changes are used. The damper's
-/// hold on the place where the proxy was is left out.
+/// Pull of the hand's place and velocity at the proxy (N), up to a constant, since only its changes are used.
+/// The damper's hold on the place where the proxy was is left out.
 vec3 pull_of_hand(const ProxyWay& way) {
     return way.spring.stiffness * way.spring.centre - (way.spring.stiffness - way.stiffness) * way.from;
 }
 
-/// Largest share of a way, 0 to 1, that changes the force by at most `most` (N). `start` is the change without any of the
-/// way, `along` that by the way itself (N). If no share does, the one with the least change.
+/// Largest share of a way, 0 to 1, that changes the force by at most `most` (N). `start`
+/// is the change without any of the way, `along` that by the way itself (N). If no share
+/// does, the one with the least change.
 double share_within(vec3 start, vec3 along, double most) {
     const double square = glm::dot(along, along);
     if (!(square > 0)) return 0;

@@ -1,28 +1,29 @@
-// haptics/primitives/settling.h: how far the proxy goes in one tick, so that a still hand feels a still force and a
-// hand that creeps or trembles feels no chatter.
+// haptics/primitives/settling.h: how far the proxy goes in one tick, so that a still hand feels a still force
+// and a hand that creeps or trembles feels no chatter.
 //
 //     proxy of the last tick, balance of spring and primitives --> settle --> proxy of this tick
 //
-// Modes read their field at the proxy of the last tick. On the ridge of a field both sides push towards it. There the
-// balance throws the proxy across in every tick, with the whole strength, and no two ticks agree. The place on the ridge
-// at which all forces cancel lies between. In the core of a vortex the balance throws the proxy round the axis instead.
-// A proxy that goes only part of the way comes to rest in both:
+// Modes read their field at the proxy of the last tick. On the ridge of a field both sides push towards it.
+// There the balance throws the proxy across in every tick, with the whole strength, and no two ticks agree.
+// The place on the ridge at which all forces cancel lies between. In the core of a vortex the balance throws
+// the proxy round the axis instead. A proxy that goes only part of the way comes to rest in both:
 //
-//   - A proxy that has to turn back goes half as far as before, and farther again as soon as it goes straight on. If the
-//     balance moves farther than proxy and tip explain, a smaller turn is enough: such a proxy circles the place of rest.
-//   - The way of a tick shrinks steadily, whatever the field and the modes. So at a fixed reading the force changes by at
-//     most `least_pace` a tick after about 240 ticks.
-//   - The hand explains as much change as its place and velocity stretch spring and damper, and a field as much as its way
-//     stretches the spring. Beyond that the force changes by at most `most_pace` a tick, and at a steady speed by at most
-//     five times what the hand explains. So a moving hand feels a prompt force, and a wall that lets go, or takes hold,
-//     takes some ticks for that.
+//   - A proxy that has to turn back goes half as far as before, and farther again as soon as it goes straight
+//     on. If the balance moves farther than proxy and tip explain, a smaller turn is enough: such a proxy
+//     circles the place of rest.
+//   - The way of a tick shrinks steadily, whatever the field and the modes. So at a fixed reading the force
+//     changes by at most `least_pace` a tick after about 240 ticks.
+//   - The hand explains as much change as its place and velocity stretch spring and damper, and a field as
+//     much as its way stretches the spring. Beyond that the force changes by at most `most_pace` a tick, and
+//     at a steady speed by at most five times what the hand explains. So a moving hand feels a prompt force,
+//     and a wall that lets go, or takes hold, takes some ticks for that.
 //
-// The limits are those of the force, not of the proxy's way: a damper makes of a way of the proxy several times the force
-// that the spring makes of it. The damper of a proxy that a wall stops needs more than that. The hand then feels that part
-// of the force a little later.
+// The limits are those of the force, not of the proxy's way: a damper makes of a way of the proxy several
+// times the force that the spring makes of it. The damper of a proxy that a wall stops needs more than that.
+// The hand then feels that part of the force a little later.
 //
-// A proxy that goes only part of the way to the balance loses energy: the energy of spring and primitives is convex and
-// least at the balance. So passive primitives stay passive.
+// A proxy that goes only part of the way to the balance loses energy: the energy of spring and primitives is
+// convex and least at the balance. So passive primitives stay passive.
 #pragma once
 #include <cstdint>
 
@@ -31,8 +32,8 @@
 
 namespace thaum::haptics {
 
-/// Largest change of the spring's force in a tick besides that by the hand's motion (N): when the proxy begins, while the
-/// tip moves, and at rest.
+/// Largest change of the spring's force in a tick besides that by the hand's motion (N): when the proxy
+/// begins, while the tip moves, and at rest.
 inline constexpr double first_pace = 10, most_pace = 0.09, least_pace = 9e-5;
 
 /// Ticks after which a proxy that began changes the force by no more than `most_pace`.
@@ -66,8 +67,8 @@ struct ProxyWay {
     double field_motion{};  ///< motion of the fields behind the primitives in this tick (m)
 };
 
-/// Returns the proxy of this tick (m): the balance itself, or a place on the way to it. The hand feels the force of spring
-/// and damper, plus the lag of the state.
+/// Returns the proxy of this tick (m): the balance itself, or a place on the way to it. The hand feels the
+/// force of spring and damper, plus the lag of the state.
 vec3 settle(Settling& state, const ProxyWay& way) noexcept;
 
 }  // namespace thaum::haptics

@@ -29,7 +29,8 @@
 //
 //     impact   (paper 004, F_mag)   beneath the surface itself: depth + h, along the surface's normal n
 //     vibration (paper 004, F_vec)  beneath h: depth + h, along the unit normal of the texture, n - grad h
-//     bumps    (paper 002, 5)       beneath h: depth + h, times n - grad h: minus the gradient of the spring's energy
+//     bumps    (paper 002, 5)       beneath h: depth + h, times n - grad h: minus the gradient of the
+//                                   spring's energy
 //
 // Here depth is the tip's depth beneath the surface, negative above it. Bumps are passive on one plane. On a
 // curved surface the proxy does not move as far as the tip, and in a crease the heights of the walls change

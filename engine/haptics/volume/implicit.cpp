@@ -8,7 +8,8 @@ namespace {
 
 using field::Scalar;
 
-/// Distance to a core that has the offset `off` to the place, less a radius. On the core any direction is right.
+/// Distance to a core that has the offset `off` to the place, less a radius. On
+/// the core any direction is right.
 Scalar round_about(vec3 off, double radius) {
     const double length = glm::length(off);
     return {length - radius, length > 0 ? off / length : vec3(0, 1, 0)};

@@ -1,11 +1,13 @@
-// haptics/volume/implicit.h: implicit surfaces, objects given by a potential f(x) that is positive outside, zero on the
-// surface and negative inside (Kim and others, "Virtual reality game modeling for a haptic jacket", section 3).
+// haptics/volume/implicit.h: implicit surfaces, objects given by a potential f(x) that is positive
+// outside, zero on the surface and negative inside (Kim and others, "Virtual reality game modeling
+// for a haptic jacket", section 3).
 //
-//     shapes (f in metres) --> Merged (one surface of several objects) --> Thickened, Decorated --> mode isosurface
+//     shapes (f in metres) --> Merged (one surface of several objects) --> Thickened, Decorated
+//                          --> mode isosurface
 //
-// Each is a scalar field. The mode isosurface, with level 0 and solid_below, gives the contact point, friction that
-// grows with depth, and the magnetic surface. Away from edges and from the middle of a shape, the length of the
-// gradient of each shape is 1, so f is the distance to the surface.
+// Each is a scalar field. The mode isosurface, with level 0 and solid_below, gives the contact point,
+// friction that grows with depth, and the magnetic surface. Away from edges and from the middle of a shape,
+// the length of the gradient of each shape is 1, so f is the distance to the surface.
 //
 // Wholly constant: views and numbers, no allocation.
 #pragma once
@@ -59,9 +61,9 @@ struct Ring {
     field::Scalar operator()(vec3 place) const;
 };
 
-/// Several objects as one: f = -blend log sum exp(-f_i / blend). Its surface joins theirs by fillets of about the
-/// size of `blend`. Where two surfaces coincide, the common one lies blend log 2 further out. The order of the parts
-/// changes nothing but rounding.
+/// Several objects as one: f = -blend log sum exp(-f_i / blend). Its surface joins theirs by fillets of about
+/// the size of `blend`. Where two surfaces coincide, the common one lies blend log 2 further out. The order
+/// of the parts changes nothing but rounding.
 struct Merged {
     std::span<const field::ScalarField> parts{};
     double blend{};  ///< > 0 (m)
@@ -69,8 +71,9 @@ struct Merged {
     field::Scalar operator()(vec3 place) const;
 };
 
-/// The offset surface of an object: larger by a distance. A tip cannot fall through a sheet thinner than its motion
-/// in a tick if the sheet is felt `distance` before it. The gradient, and so the force's direction, is the object's own.
+/// The offset surface of an object: larger by a distance. A tip cannot fall through a sheet thinner
+/// than its motion in a tick if the sheet is felt `distance` before it. The gradient, and so the
+/// force's direction, is the object's own.
 struct Thickened {
     field::ScalarField object{};
     double distance{};  ///< distance by which the object grows (m)
@@ -78,7 +81,8 @@ struct Thickened {
     field::Scalar operator()(vec3 place) const;
 };
 
-/// An object with a texture on its potential: f minus the height at the place. Its axes are fixed in the field's frame.
+/// An object with a texture on its potential: f minus the height at the place. Its
+/// axes are fixed in the field's frame.
 struct Decorated {
     field::ScalarField object{};
     Texture texture{};

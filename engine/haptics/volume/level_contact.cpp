@@ -82,8 +82,9 @@ private:
         return std::nullopt;
     }
 
-    /// A Newton search that leaves the neighbourhood has found another part of the surface. Where two faces meet
-    /// the gradient may be that of the other face. The way that the search took is a better normal there.
+    /// A Newton search that leaves the neighbourhood has found another part of the surface.
+    /// Where two faces meet the gradient may be that of the other face. The way that the
+    /// search took is a better normal there.
     std::optional<ContactPlane> kept(vec3 x, vec3 place, const Reading& here) const {
         constexpr double near_enough = 1.5, same_face = 0.8;
         const vec3 way = x - place;
@@ -138,8 +139,8 @@ vec3 onto_three(std::span<const ContactPlane> p, vec3 x) {
                    volume;
 }
 
-/// Moves a plane back if the place on the first plane is behind it. All planes then have that place in common, so
-/// that planes of a rough field cannot wedge the proxy out and away from the tip.
+/// Moves a plane back if the place on the first plane is behind it. All planes then have that place in
+/// common, so that planes of a rough field cannot wedge the proxy out and away from the tip.
 ContactPlane in_front(ContactPlane plane, const ContactPlane& first) {
     if (behind(plane, first.place, 0)) plane.place = first.place;
     return plane;

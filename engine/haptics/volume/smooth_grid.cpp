@@ -79,8 +79,8 @@ struct SmoothSums {
     SmoothLanes value{}, along_y{}, along_z{};
 };
 
-/// Acts on differences from `base`, so that equal samples give exact zeros (as in field::Grid). `lanes_of` gives the
-/// samples of a row along x.
+/// Acts on differences from `base`, so that equal samples give exact zeros (as in field::Grid). `lanes_of`
+/// gives the samples of a row along x.
 template <class LanesOf>
 SmoothSums sums_of(const float* first, double base, const SmoothTaps& y, const SmoothTaps& z,
                    LanesOf lanes_of) {

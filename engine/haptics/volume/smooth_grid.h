@@ -1,11 +1,12 @@
 // haptics/volume/smooth_grid.h: a sampled field as a hand should feel it, smoothed over about one sample.
 //
-// A scanner's edge is one or two samples wide. A kernel that passes through the samples shows the steps between
-// them. Along each axis, this kernel is a cubic B-spline over samples that are averaged 1 : 4 : 6 : 4 : 1. Its
-// standard deviation is 1.15 samples. Value and gradient are continuous, and so are the gradient's derivatives.
+// A scanner's edge is one or two samples wide. A kernel that passes through the samples shows the
+// steps between them. Along each axis, this kernel is a cubic B-spline over samples that are averaged
+// 1 : 4 : 6 : 4 : 1. Its standard deviation is 1.15 samples. Value and gradient are continuous, and
+// so are the gradient's derivatives.
 //
-// The force's direction on a sphere with a radius of 40 samples, of 8-bit densities that the samples cover in part
-// (the hardest edge), and the noise of a tip that slides on the flat face of such a block with 1 N:
+// The force's direction on a sphere with a radius of 40 samples, of 8-bit densities that the samples cover in
+// part (the hardest edge), and the noise of a tip that slides on the flat face of such a block with 1 N:
 //
 //     kernel                                    largest    median    noise     time
 //     this one                                  0.8 deg    0.09 deg   0.6 %    0.19 us
@@ -17,16 +18,16 @@
 //     linear                                    11         4.6        10
 //     Catmull-Rom                               13         5.3        11       0.10
 //
-// The price is detail. A sheet one sample thick keeps a third of its height, and one of three samples four fifths.
-// The surface of a body of radius r lies 1.3 h^2 / r too deep, for samples h apart.
+// The price is detail. A sheet one sample thick keeps a third of its height, and one of three samples four
+// fifths. The surface of a body of radius r lies 1.3 h^2 / r too deep, for samples h apart.
 #pragma once
 #include "field/placement.h"
 
 namespace thaum::haptics {
 
-/// A view of a grid's samples. Its own kernel replaces the grid's. Outside the samples the value is that of the
-/// nearest place inside. A grid without samples and a place that is not finite give zeros. Near a sample that is not
-/// finite, all samples count as a picture shows them.
+/// A view of a grid's samples. Its own kernel replaces the grid's. Outside the samples the value is that of
+/// the nearest place inside. A grid without samples and a place that is not finite give zeros. Near a sample
+/// that is not finite, all samples count as a picture shows them.
 struct SmoothGrid {
     field::Grid grid{};
     field::Grid averages{};     ///< averages of blocks of its samples (field/block_averages.h); may have none

@@ -37,8 +37,8 @@ void feel_shell(const DensityShell& shell, double density, VolumeFelt& felt) {
     felt.viscosity += shell.retarding * share + shell.retarding_always;
 }
 
-/// Adds S as a plane at which the spring has just that force. It faces against the gradient, or along it if S pulls
-/// towards larger densities.
+/// Adds S as a plane at which the spring has just that force. It faces against the gradient, or along it if
+/// S pulls towards larger densities.
 void add_stiffness(double stiff, const Direction& up, const ModeInput& input, PrimitiveSet& set) {
     const double strength = up.length > 0 ? std::min(std::abs(stiff), most_pull) : 0;
     const vec3 way = stiff < 0 ? up.unit : -up.unit;

@@ -1,5 +1,5 @@
-// haptics/volume/volume_feel.h: the feel of a volume (Avila and Sobierajski 1996, "A haptic interaction method for
-// volume visualization", section 4).
+// haptics/volume/volume_feel.h: the feel of a volume (Avila and Sobierajski 1996, "A haptic interaction
+// method for volume visualization", section 4).
 //
 //     F = A + R(v) + S(n)
 //
@@ -8,16 +8,18 @@
 //     S   along the gradient: grows with the opacity, or with the density within a shell
 //     walls: surfaces of one density that hold the proxy up to a strength (haptics/volume/level_contact.h)
 //
-// The opacity is the picture's: a transfer function of the density times one of the gradient's length. So the hand
-// feels what the eye sees. Walls and shells read densities alone. So a skin that a tool made invisible is still felt.
+// The opacity is the picture's: a transfer function of the density times one of the gradient's
+// length. So the hand feels what the eye sees. Walls and shells read densities alone. So a skin that
+// a tool made invisible is still felt.
 //
-// S is a function of the density at the tip. A plane placed so that the spring between tip and proxy stretches by
-// exactly S / stiffness gives that force, to rounding, while the tip rests. While it moves, the force follows with the
-// spring's stiffness for one tick. Foreseeing the tip's motion would double the noise of the device's quantum.
+// S is a function of the density at the tip. A plane placed so that the spring between tip and proxy
+// stretches by exactly S / stiffness gives that force, to rounding, while the tip rests. While it moves,
+// the force follows with the spring's stiffness for one tick. Foreseeing the tip's motion would double
+// the noise of the device's quantum.
 //
-// S of a shell in a density that rises evenly is the gradient of a potential. Any other S may create energy in a
-// closed loop. As a plane it counts as a passive source, so the passivity controller takes most of that out: of 64
-// hostile volumes, the worst gave 27 mJ in 20 s. R goes to HapticModel::viscosity.
+// S of a shell in a density that rises evenly is the gradient of a potential. Any other S may create energy
+// in a closed loop. As a plane it counts as a passive source, so the passivity controller takes most of that
+// out: of 64 hostile volumes, the worst gave 27 mJ in 20 s. R goes to HapticModel::viscosity.
 //
 // All functions are plain and do not allocate. Device frame, lengths in m.
 #pragma once
@@ -41,7 +43,8 @@ struct MaterialField {
     }
 };
 
-/// Makes a material field from any object with a member function `material(place)`. The object must outlive it.
+/// Makes a material field from any object with a member function
+/// `material(place)`. The object must outlive it.
 template <class Source>
 MaterialField material_field_of(const Source& source) {
     return {&source, [](const void* what, vec3 place) -> std::uint8_t {
@@ -71,13 +74,13 @@ struct OpacityFeel {
     double stiffness{};                  ///< S = stiffness a (N)
     double retarding{};                  ///< R = (retarding a + retarding_always) v (N s/m)
     double retarding_always{};           ///< drag that does not depend on the opacity (N s/m)
-    /// Inverted mapping: S pulls towards larger densities and is stiffness (1 - a), so that the tip follows a thin
-    /// structure instead of slipping off.
+    /// Inverted mapping: S pulls towards larger densities and is stiffness (1 - a), so that the tip follows a
+    /// thin structure instead of slipping off.
     bool attracts{};
 };
 
-/// A penetrable shell between two densities, viscous inside: S rises from 0 at `low` to `stiffness` at `high`, and
-/// is none beyond. R = (retarding (d - low) / (high - low) + retarding_always) v within.
+/// A penetrable shell between two densities, viscous inside: S rises from 0 at `low` to `stiffness` at
+/// `high`, and is none beyond. R = (retarding (d - low) / (high - low) + retarding_always) v within.
 struct DensityShell {
     double low{}, high{};       ///< densities, low < high
     double stiffness{};         ///< force at the density `high` (N)
@@ -85,8 +88,8 @@ struct DensityShell {
     double retarding_always{};  ///< drag everywhere within the shell (N s/m)
 };
 
-/// The surface of one density. It holds the proxy up to its strength, times the material's stiffness: a stronger
-/// push pokes through. Larger densities are solid.
+/// The surface of one density. It holds the proxy up to its strength, times the material's stiffness: a
+/// stronger push pokes through. Larger densities are solid.
 struct DensityWall {
     double density{};
     double strength{};  ///< push at which it lets the hand through (N)

@@ -35,7 +35,7 @@ thread_local char thread_mark = 0;  ///< the address of this variable identifies
 
 constexpr std::uint64_t word(std::uint64_t number, Phase phase) { return number << 2U | phase; }
 
-/// The slot of a tick number.
+/// The slot that the ticks with this number use.
 Slot& slot_of(std::uint64_t number) { return slots[number % slots.size()]; }
 
 bool change(std::uint64_t number, Phase from, Phase to) {

@@ -1,5 +1,5 @@
-// Preamble and checksum of the log's header, and the limits that writer and reader enforce. The body has a file for
-// each format: header_1.cpp and header_2.cpp.
+// Preamble and checksum of the log's header, and the limits that writer and reader enforce. The body has a
+// file for each format: header_1.cpp and header_2.cpp.
 #include "input/detail/header.h"
 
 #include <algorithm>

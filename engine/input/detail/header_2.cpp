@@ -181,7 +181,8 @@ std::vector<ProfileData> get_profile(ByteReader& in) {
     });
 }
 
-/// Reads one section. Returns false if its tag is unknown. `fault` receives the first fault of a device's settings.
+/// Reads one section. Returns false if its tag is unknown. `fault` receives the
+/// first fault of a device's settings.
 bool get_section(Section tag, ByteReader& in, LogHeader& h, std::string& fault) {
     switch (tag) {
         case Section::match: get_match(in, h); return true;

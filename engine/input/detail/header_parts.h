@@ -1,8 +1,8 @@
 // input/detail/header_parts.h: lists and records of a log's header, and the parts that all formats share.
 //
-// A record is a value with a tag and its size. A reader can therefore skip a record that it does not know, and a
-// later version adds values without a new format. A record that changes the match is marked as needed, so that no
-// older reader skips it by mistake.
+// A record is a value with a tag and its size. A reader can therefore skip a record that it does not know,
+// and a later version adds values without a new format. A record that changes the match is marked as needed,
+// so that no older reader skips it by mistake.
 #pragma once
 #include <cstring>
 
@@ -72,8 +72,9 @@ void put_record(Bytes& out, Tag tag, std::uint16_t flags, Put put) {
     std::memcpy(out.data() + begin - sizeof size, &size, sizeof size);
 }
 
-/// Reads records to the end of `in`. `take(tag, content)` reads one record and returns whether it knows the tag.
-/// Returns the first fault; empty if there is none. `what` names a record in the fault, such as "section".
+/// Reads records to the end of `in`. `take(tag, content)` reads one record and returns
+/// whether it knows the tag. Returns the first fault; empty if there is none. `what` names a
+/// record in the fault, such as "section".
 template <class Take>
 std::string read_records(ByteReader& in, std::string_view what, Take take) {
     std::uint16_t before = 0;

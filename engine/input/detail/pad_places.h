@@ -22,8 +22,8 @@ struct PadPlace {
 };
 using PadPlaces = std::array<PadPlace, 4>;
 
-/// Frees the places of unplugged pads and gives places to new ones: the place that such a pad had, else one that no pad
-/// had, else any free place.
+/// Frees the places of unplugged pads and gives places to new ones: the place that such a pad had, else one
+/// that no pad had, else any free place.
 void place_pads(PadPlaces& places, const std::vector<PluggedPad>& plugged);
 
 }  // namespace thaum::input

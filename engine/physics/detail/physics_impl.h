@@ -1,4 +1,5 @@
-// physics/detail/physics_impl.h: the data behind Physics: the bodies, Bullet's world, and the pairs in contact.
+// physics/detail/physics_impl.h: the data behind Physics: the bodies,
+// Bullet's world, and the pairs in contact.
 #pragma once
 #include <algorithm>
 #include <memory>

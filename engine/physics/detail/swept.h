@@ -11,7 +11,7 @@
 
 namespace thaum::physics::detail {
 
-/// Spheres inside one body, and limits for casting them.
+/// Spheres that are cast instead of one body, and the path length from which on they are cast.
 struct InnerSpheres {
     std::array<vec3, 24> centres{};  ///< centres of the spheres (m, body frame)
     std::size_t count{};

@@ -40,7 +40,7 @@ void fit_cone(const MeshData& mesh, PlacedPatch& patch) {
         const float area = glm::length(n);
         if (area <= 0) continue;
         const float along = glm::dot(axis, n) / area;
-        // In such a wide cone there is hardly a place from which all triangles face away.
+        // Such a wide cone is of no use: there is hardly a place from which all triangles face away.
         if (along < 0.2F) return;
         widest = std::min(widest, along);
         const fvec3 corner = mesh.vertices[mesh.indices[i]].position;

@@ -27,7 +27,8 @@ bool is_inside(const Volume& volume, fvec3 eye) {
     return eye.y < volume.centre.y && glm::dot(from, from) < 1;
 }
 
-/// Pixels of the view that the skin may cover, with one more pixel on each side for interpolation.
+/// Part of the view that the volume's skin (its upper surface) may cover, with one more
+/// pixel on each side for interpolation.
 Rect part_of(const Volume& volume, const Sight& sight, const Rect& view) {
     fvec3 low(std::numeric_limits<float>::max()), high(-low);
     for (const auto& v : volume.skin) low = glm::min(low, v.position), high = glm::max(high, v.position);

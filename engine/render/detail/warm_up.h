@@ -4,8 +4,8 @@
 
 namespace thaum::render::detail {
 
-/// Draws one picture of each kind that this quality has. Drivers compile a shader at its first use, which took a
-/// software rasteriser 20 to 260 ms each.
+/// Draws one picture of each kind that this quality has. Drivers compile a shader at its first use, which
+/// took a software rasteriser 20 to 260 ms each.
 void warm_up(Renderer& renderer, Quality quality);
 
 }  // namespace thaum::render::detail

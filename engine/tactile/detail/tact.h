@@ -3,16 +3,18 @@
 // The format, as derived from public sample files (JSON):
 //
 //     project.tracks[].effects[]   startTime, offsetTime (its length), modes.VestFront and modes.VestBack:
-//         DOT_MODE    dotMode.feedback[]: startTime, endTime, playbackType NONE, FADE_IN, FADE_OUT or FADE_IN_OUT,
-//                     pointList[]: index 0 to 19, intensity 0 to 1. dotConnected: each step fades into the next.
+//         DOT_MODE    dotMode.feedback[]: startTime, endTime, playbackType NONE, FADE_IN, FADE_OUT or
+//                     FADE_IN_OUT, pointList[]: index 0 to 19, intensity 0 to 1. dotConnected: each step
+//                     fades into the next.
 //         PATH_MODE   pathMode.feedback[]: movingPattern CONST_SPEED or CONST_TDM, playbackType, pointList[]:
 //                     x and y from 0 (left, top) to 1, intensity, time (ms)
-//     feedback                     "MS": [{position, mode, values[20] of 0 to 100}], for players that cannot draw paths
+//     feedback                     "MS": [{position, mode, values[20] of 0 to 100}], for players that cannot
+//                                  draw paths
 //
-// Numbers may be strings ("0.500"). The tracks are read if they have anything for the vest. Otherwise the
-// frames in `feedback` are read, which hold zeros in files with paths. Parts for arms, head and hands are
-// skipped and counted. A point on a path is felt between cells by the same law as phantom actuators
-// (phantom.h).
+// Numbers may be strings ("0.500"). The tracks are read if they have anything for the vest, otherwise the
+// frames in `feedback`. The frames do not come first, because files with paths have zeros there. Parts for
+// arms, head and hands are skipped and counted. A point on a path is felt between cells by the same law as
+// phantom actuators (phantom.h).
 #pragma once
 #include <string_view>
 
@@ -29,8 +31,8 @@ struct TactImport {
     std::size_t skipped{};  ///< number of parts for other devices, and of entries of unknown form
 };
 
-/// Reads a .tact file. The error is one line: too large, nested too deep, not JSON, longer than a minute, too much to
-/// draw, or nothing for the vest.
+/// Reads a .tact file. The error is one line: too large, nested too deep, not JSON, longer than a minute, too
+/// much to draw, or nothing for the vest.
 Expected<TactImport> import_tact(std::string_view json);
 
 }  // namespace thaum::tactile

@@ -1,8 +1,9 @@
-// game/jackets/makers/audio.h: speakers or shakers that are worn on the body, on the channels of a sound device. Each
-// actuator of the layout is one channel: a sine wave of its frame's amplitude and frequency (audio/channels.h).
+// game/jackets/makers/audio.h: speakers or shakers that are worn on the body, on the channels of a
+// sound device. Each actuator of the layout is one channel: a sine wave of its frame's amplitude
+// and frequency (audio/channels.h).
 //
-// The device is fed in blocks of 8 ms. A wave ends within a block after its frame's time to live, whether or not
-// anybody calls. If the thread stops, the device has a few blocks left, at most 0.2 s.
+// The device is fed in blocks of 8 ms. A wave ends within a block after its frame's time to live, whether or
+// not anybody calls. If the thread stops, the device has a few blocks left, at most 0.2 s.
 #pragma once
 #include <memory>
 #include <string>
@@ -12,8 +13,8 @@
 
 namespace thaum::app {
 
-/// `channels`: 2, or 8 in the order of audio::surround_channels; the device must have as many. `name`: words for
-/// messages.
+/// `channels`: 2, or 8 in the order of audio::surround_channels; the device must have as
+/// many. `name`: words for messages.
 std::unique_ptr<input::TactileOutput> audio_jacket(std::string name, std::size_t channels,
                                                    std::unique_ptr<audio::SoundDevice> device);
 

@@ -1,10 +1,10 @@
-// game/jackets/makers/bhaptics.h: a vest of bHaptics, by the WebSocket of the Player that it is paired with. The Player is
-// a program of bHaptics, or one that takes its place, such as the VRCH server.
+// game/jackets/makers/bhaptics.h: a vest of bHaptics, by the WebSocket of the Player that it is paired with.
+// The Player is a program of bHaptics, or one that takes its place, such as the VRCH server.
 //
-// A request goes out when the frame has changed, and after half of its time to live. Requests are absolute, so one that
-// waits for a slow Player is replaced by the next. A Player is disconnected if it takes no request for half a second,
-// answers no ping for a second, or sends a message of more than 64 KiB. So a slow one plays no old requests for long.
-// Motors that are on then stop by the duration of their request.
+// A request goes out when the frame has changed, and after half of its time to live. Requests are absolute,
+// so one that waits for a slow Player is replaced by the next. A Player is disconnected if it takes no
+// request for half a second, answers no ping for a second, or sends a message of more than 64 KiB. So a slow
+// one plays no old requests for long. Motors that are on then stop by the duration of their request.
 #pragma once
 #include <memory>
 

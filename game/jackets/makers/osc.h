@@ -1,4 +1,5 @@
-// game/jackets/makers/osc.h: a jacket that takes OSC messages by UDP, such as the Wi-Fi vests of the VRCH server.
+// game/jackets/makers/osc.h: a jacket that takes OSC messages by UDP, such as
+// the Wi-Fi vests of the VRCH server.
 //
 // Each message is absolute: the strengths of all motors. A message is sent when they have changed, and again
 // after half of the frame's time to live. UDP loses messages, so the message that stops all motors is sent

@@ -47,8 +47,8 @@ private:
     std::string fault_{};  ///< why the recording was given up; empty: it was not
 };
 
-/// Starts a file with the first name that no file has: FILE.csv, FILE_2.csv, ... Another program may take a name between
-/// the look and the start, and then the next one is tried.
+/// Starts a file with the first name that no file has: FILE.csv, FILE_2.csv, ... Another program may take a
+/// name between the look and the start, and then the next one is tried.
 Expected<FileWriter> start_new(const std::filesystem::path& wanted, std::filesystem::path& name) {
     for (int i = 1; i < most_names; ++i) {
         name = wanted;

@@ -1,6 +1,7 @@
-// game/senses/sound/heard.h: captions of what is heard and felt, for players who do not hear or feel it:
-// "step, behind", "weight pulls down". Each sound that starts or continues in an audio frame gives a caption,
-// so none is missed. Other code in game/senses adds what hand and body feel.
+// game/senses/sound/heard.h: captions of what is heard and felt, for players who do not hear or feel
+// it: "step, behind", "weight pulls down". Each audible sound that has a caption shows it when the
+// sound starts and while it lasts (music only when it starts), so none is missed. Other code in
+// game/senses adds what hand and body feel.
 #pragma once
 #include <array>
 #include <bitset>

@@ -31,7 +31,8 @@ struct Heard {
     bool sided{};               ///< true: played at the ear, but the caption names the side of `place`
 };
 
-/// Starts a voice, muffled by walls. Its pitch differs slightly from that of the previous voice.
+/// Starts a voice. A voice with a position is muffled by walls, and its pitch differs slightly from that of
+/// the previous voice.
 void begin(SoundWriting& writing, SoundNumber sound, const Heard& heard);
 void begin(SoundWriting& writing, Cue cue, const Heard& heard);
 /// Adds a lasting voice. The key is the same in each frame while the voice lasts.

@@ -46,7 +46,8 @@ struct SoundMemory {
     std::array<WizardSoundMemory, players> wizards{};
     std::vector<ThingSoundMemory> things;  ///< memory about loose things, indexed by their entity index
     std::array<WallSoundMemory, 16> walls{};
-    std::uint32_t wall_turn{};     ///< index of the lasting voice whose walls are checked next
+    /// Counter of checks of walls. Modulo the number of lasting voices, it is the voice to be checked next.
+    std::uint32_t wall_turn{};
     std::uint32_t voices_begun{};  ///< number of voices so far, which varies their pitch slightly
     Tick fought_at{};              ///< when a wizard last was hurt or fired a shot (ticks of play)
     int second{-1};                ///< last announced second of the countdown or of the last ten seconds

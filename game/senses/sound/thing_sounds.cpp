@@ -7,9 +7,8 @@
 namespace thaum::game {
 namespace {
 
-constexpr double heard_change = 1.2,
-                 /// Changes of speed in one frame that are audible, and that are loudest (m/s)
-    loud_change = 8;
+/// Changes of speed in one frame from which on a blow is audible, and has full loudness (m/s).
+constexpr double heard_change = 1.2, loud_change = 8;
 constexpr double usual_mass = 40;   ///< mass of a thing that gives the sound its recorded pitch (kg)
 constexpr Tick between_blows = 96;  ///< minimum time between two sounds of a thing (ticks)
 

@@ -10,8 +10,8 @@ namespace thaum::game {
 namespace {
 
 constexpr double jump_speed = 2;  ///< upward speed above which leaving the ground counts as a jump (m/s)
-constexpr double land_speed = 2,
-                 hard_landing = 9;  ///< landing speeds that are audible, and that are loudest (m/s)
+/// Speeds from which on a landing is audible, and has full loudness (m/s).
+constexpr double land_speed = 2, hard_landing = 9;
 constexpr double slow_heart_hz = 1.2, fast_heart_hz = 2.4;
 constexpr double loud_hold_n = 1200;  ///< holding force of a wand at which its sound has full loudness (N)
 

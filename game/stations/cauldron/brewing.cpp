@@ -157,8 +157,8 @@ void drop_all(MatchContext& context, Cauldron& cauldron, Tick tick) {
 
 // ---- ownership -------------------------------------------------------------------------------------------
 
-/// If both ladles are in the brew, the player whose ladle did more work becomes the brew's owner. A brew
-/// without ingredients has no owner.
+/// If both ladles are in the brew, the player whose ladle did more work becomes the brew's owner, provided
+/// that this work is at least CauldronRules::wrest_least. A brew without ingredients has no owner.
 void wrest(MatchContext& context, Cauldron& cauldron, Tick tick) {
     if (cauldron.begun == 0) return;
     std::array<double, players> work{-1, -1};
@@ -325,8 +325,8 @@ void add_put_away_system(MatchContext& context, ecs::Schedule& schedule) {
                  [&](ecs::Entity e, const Wizard& wizard, const Controls& controls, const Motion& motion,
                      const Pouch& pouch) {
                      const bool asks = (controls.pressed & bit(Button::throw_)) != 0;
+                     // Over the brew, fire drops the ingredient instead.
                      const bool drops = (controls.pressed & bit(Button::fire)) != 0 &&
-                                        // True: the ingredient is dropped into the brew.
                                         std::as_const(context.world).has<Ladle>(e);
                      if (asks && !drops && !holds_thing(context, e))
                          put_away(context, e, wizard.player, motion.position, pouch, tick);

@@ -6,7 +6,8 @@
 namespace thaum::game {
 namespace {
 
-/// Speed below which drag is linear (m/s). Well above this speed, drag grows with the square of the speed.
+/// Speed that is added to the slip in the law of drag (m/s). Well below it, drag is proportional to the slip;
+/// well above it, drag grows with the square of the slip.
 constexpr double slow = 1.5;
 constexpr std::size_t most_dips = 8;
 

@@ -1,5 +1,5 @@
 // game/stations/cauldron/splash.h: loose things that fall into the brew, and lobs that burst over it.
-// Whatever momentum a thing gains, the brew loses.
+// Whatever momentum the brew gives a thing, the brew loses.
 #pragma once
 #include "game/stations/cauldron/cauldron.h"
 

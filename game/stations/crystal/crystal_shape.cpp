@@ -19,7 +19,7 @@ constexpr float solid = 0.5F;
 /// Minimum share of the key's volume that bites remove, and overlap below which no more lumps are added.
 constexpr double bitten = 0.2, rough_overlap = 0.52;
 
-/// A box of positions (voxels of a body with usual_voxels, relative to the middle).
+/// A box, relative to the body's middle. Its unit is a voxel of a body with `usual_voxels` along each edge.
 struct Bounds {
     vec3 low{}, high{};
 };

@@ -4,7 +4,7 @@
 //     Stir held at the orb -> AtStation, Scrying; focus decreases, and none comes back
 //     key of a wand        -> its mode is switched on or off; next and previous wand change the newest mode
 //     Trace held           -> the hand draws the strength curve of the newest mode, and feels no mode
-//     probe near the core  -> after the hold time the orb shows the wizard the orders of recipes, once in a life
+//     probe near the core  -> after the hold time the orb shows the player's own recipe orders, once a life
 #pragma once
 #include "game/components/orb.h"
 #include "game/context/match_context.h"

@@ -1,6 +1,6 @@
-// haptics/primitives/detail/active_set.h: step 2 of balance.cpp: finds the minimum on the intersection of the active
-// kinks. That is a flat, an affine subspace of dimension 0 to 3. The other terms are smooth there, so Newton's method
-// applies.
+// haptics/primitives/detail/active_set.h: step 2 of balance.cpp: finds the minimum on the intersection of
+// the active kinks. That is a flat, an affine subspace of dimension 0 to 3. The other terms are smooth
+// there, so Newton's method applies.
 #pragma once
 #include "haptics/primitives/detail/balance_problem.h"
 

@@ -1,6 +1,7 @@
-// haptics/primitives/detail/balance_descent.h: descent from kink to kink, for sets on which the path of balance.cpp
-// fails. It is slower: the steepest direction at a meeting of kinks is found by iterating over their forces. It
-// serves a few sets in a million, for example kinks that miss each other by a billionth of the problem's size.
+// haptics/primitives/detail/balance_descent.h: descent from kink to kink, for sets on which the path
+// of balance.cpp fails. It is slower: the steepest direction at a meeting of kinks is found by
+// iterating over their forces. It serves a few sets in a million, for example kinks that miss each
+// other by a billionth of the problem's size.
 #pragma once
 #include "haptics/primitives/detail/optimality_check.h"
 

@@ -1,5 +1,5 @@
-// haptics/primitives/detail/balance_problem.h: the problem that balance() solves, in a frame of its own: a spring,
-// constant forces, and terms with kinks. Only balance.cpp and its steps use it.
+// haptics/primitives/detail/balance_problem.h: the problem that balance() solves, in a frame of its own: a
+// spring, constant forces, and terms with kinks. Only balance.cpp and its steps use it.
 //
 // A plane is a directed force of s/2 plus s/2 |q.(x - p)|. So all kinks have one form, s |P (x - p)|, with an
 // orthogonal projector P of rank 3 (point), 2 (line) or 1 (plane): a sum of Euclidean norms.

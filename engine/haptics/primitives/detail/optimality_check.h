@@ -1,6 +1,6 @@
-// haptics/primitives/detail/optimality_check.h: step 3 of balance.cpp: checks whether the active kinks can exert the
-// missing force. If so, all forces sum to zero and each is one that its primitive can exert. Only the minimum allows
-// that, however the active set was guessed.
+// haptics/primitives/detail/optimality_check.h: step 3 of balance.cpp: checks whether the active kinks can
+// exert the missing force. If so, all forces sum to zero and each is one that its primitive can exert. Only
+// the minimum allows that, however the active set was guessed.
 #pragma once
 #include "haptics/primitives/detail/active_set.h"
 

@@ -1,5 +1,5 @@
-// haptics/surface/detail/walls.h: planes that hold the proxy, the place in front of all of them that is nearest to the
-// tip, and the reach of their friction.
+// haptics/surface/detail/walls.h: planes that hold the proxy, the place in front of all of them that is
+// nearest to the tip, and the reach of their friction.
 #pragma once
 #include "haptics/surface/detail/scene.h"
 

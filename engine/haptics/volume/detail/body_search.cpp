@@ -13,30 +13,37 @@ namespace {
 constexpr std::array<double, 2> first_looks{0.1, 0.5};
 constexpr double look_samples = 0.5;
 constexpr int most_looks = 16;
-/// Distance from the start of a search up to which the slope there serves for the surface too, and the same where drawn
-/// and smooth surface lie apart (samples). Farther away, the tangent would put the plane of a sheet now here, now there.
+/// Distance from the start of a search up to which the slope there serves for the surface too, and the
+/// same where drawn and smooth surface lie apart (samples). Farther away, the tangent would put the
+/// plane of a sheet now here, now there.
 constexpr double same_slope = 0.5, same_slope_apart = 0.02;
 /// Distance between drawn and smooth surface from which on they lie apart (samples).
 constexpr double apart = 0.25;
-/// Distance between drawn and smooth surface from which on it is no step of samples, but a sheet or a cut face (samples).
+/// Distance between drawn and smooth surface from which on it is no step of samples, but
+/// a sheet or a cut face (samples).
 constexpr double largest_step = 0.5;
-/// Largest distance from the drawn surface at which a plane is put, as a share of the tip's depth and in samples.
+/// Largest distance from the drawn surface at which a plane is put, as a share
+/// of the tip's depth and in samples.
 constexpr double depth_share = 0.3, most_eased = 0.5;
-/// The same while a tip slides: shares of its depth for a plane that rises and for one that sinks, and samples along the
-/// normal.
+/// The same while a tip slides: shares of its depth for a plane that rises and for one that
+/// sinks, and samples along the normal.
 constexpr double rising_share = 0.88, sinking_share = 8, most_late = 1;
 /// Least share of the slew for a plane that moves the same way as the tip does.
 constexpr double least_slew = 0.25;
-/// A tip less deep behind the smooth surface, in samples along the normal, may be let go by steps of samples ahead.
+/// A tip less deep behind the smooth surface, in samples along the normal, may be
+/// let go by steps of samples ahead.
 constexpr double let_go = 0.75;
-/// Depth that the way ahead must leave a tip, as a share of the height of its plane above it. It is more than what the
-/// sinking plane needs, since the looks may miss the top of a step.
+/// Depth that the way ahead must leave a tip, as a share of the height of its plane above it. It is more than
+/// what the sinking plane needs, since the looks may miss the top of a step.
 constexpr double depth_ahead = 0.45;
-/// Distance between looks ahead (samples), their largest number, and the shortest way that is looked at (samples).
+/// Distance between looks ahead (samples), their largest number, and the shortest
+/// way that is looked at (samples).
 constexpr double look_ahead = 0.25, most_looks_ahead = 32, least_ahead = 0.01;
-/// Motion of a tip in a tick whose way ahead is looked at (m). A faster one would be let go long before most of its steps.
+/// Motion of a tip in a tick whose way ahead is looked at (m). A faster one would be let
+/// go long before most of its steps.
 constexpr double most_motion = 5e-5;
-/// How far below the tip the body must go on, or the tip leaves a sheet through its back (samples along the normal).
+/// How far below the tip the body must go on, or the tip leaves a sheet through its
+/// back (samples along the normal).
 constexpr double ground_below = 0.5;
 /// Ways of a plane that sinks before a step, in slews, and the share of the depth that remains felt.
 constexpr std::array<double, 3> early{0, 1, 1.5};
@@ -166,8 +173,8 @@ std::optional<BodySearch::Slope> BodySearch::slope_of(const field::Scalar& here)
     return Slope{here.gradient, (surface_.solid_below ? -1 : 1) * (here.value - surface_.level) / length};
 }
 
-/// The slope of the field, with the direction of that of the averages where both agree on the side and the averages have
-/// their surface near: those of a thin sheet may not.
+/// The slope of the field, with the direction of that of the averages where both agree on the side and the
+/// averages have their surface near: those of a thin sheet may not.
 std::optional<BodySearch::Slope> BodySearch::slope_at(vec3 place) {
     constexpr double differs = 0.1, agrees = 0.4;  // cosines
     ++contact_.reads;
@@ -188,8 +195,8 @@ std::optional<BodySearch::Slope> BodySearch::slope_at(vec3 place) {
     return fine;
 }
 
-/// Turns a direction out of the body towards the normals of faces that are near. `depth` is that of the place in the
-/// body behind its surface (m).
+/// Turns a direction out of the body towards the normals of faces that are near. `depth` is that of the place
+/// in the body behind its surface (m).
 vec3 BodySearch::at_box(vec3 out, double depth, vec3 place) const {
     vec3 face(0);
     int nearest = 0;
@@ -223,7 +230,8 @@ double BodySearch::sample_along(vec3 out) const { return glm::length(out / sampl
 
 // ---- searching --------------------------------------------------------------------------------------------
 
-/// The place where the way through a bracket crosses the surface (regula falsi that halves the weight of an end that stays).
+/// The place where the way through a bracket crosses the surface (regula falsi that halves
+/// the weight of an end that stays).
 vec3 BodySearch::crossing(Bracket b, double accuracy) {
     const bool from_solid = is_solid(b.at_from);
     double low = 0, high = 1, at_low = b.at_from, at_high = b.at_to, t = 0;
@@ -263,9 +271,9 @@ BodySearch::Found BodySearch::found_at(vec3 place, vec3 start, const Way& way) {
     return {place, {way.out, way.gradient, smooth}};
 }
 
-/// Whether a tip of this depth that moves on along the surface stays deep enough for its plane, if the plane sinks by the
-/// slew from now on. `height` is that of the plane above the tip. Also true for a tip at rest, and for one near the back of
-/// a sheet, where a free place ahead is no step.
+/// Whether a tip of this depth that moves on along the surface stays deep enough for its plane, if the plane
+/// sinks by the slew from now on. `height` is that of the plane above the tip. Also true for a tip at rest,
+/// and for one near the back of a sheet, where a free place ahead is no step.
 bool BodySearch::stays_in(vec3 target, vec3 out, double depth, double height) {
     const vec3 along = motion_ - glm::dot(motion_, out) * out;
     const double moved = glm::length(along), reach = std::min(moved, most_motion) * height / surface_.slew;
@@ -283,8 +291,8 @@ bool BodySearch::stays_in(vec3 target, vec3 out, double depth, double height) {
     return true;
 }
 
-/// Distance along the way out from a place on the drawn surface to its plane, for a tip at `target`. Towards the smooth
-/// surface, and from the last tick's plane, on which the proxy lies, no farther than the slew.
+/// Distance along the way out from a place on the drawn surface to its plane, for a tip at `target`. Towards
+/// the smooth surface, and from the last tick's plane, on which the proxy lies, no farther than the slew.
 double BodySearch::eased(const Found& found, vec3 proxy, vec3 target) {
     const auto& [place, way] = found;
     const double depth = std::max(0.0, glm::dot(place - target, way.out)), sample = sample_along(way.out);
@@ -352,8 +360,8 @@ std::optional<BodySearch::Found> BodySearch::entering(vec3 place, double at_plac
     return std::nullopt;
 }
 
-/// The place where the way along the gradient of the drawn samples leaves the body. In a crevice of a few samples, the
-/// smooth field may lead deeper.
+/// The place where the way along the gradient of the drawn samples leaves the body. In a crevice of a few
+/// samples, the smooth field may lead deeper.
 std::optional<BodySearch::Found> BodySearch::out_of_crevice(vec3 place, double at_place) {
     if (box_.drawn.first == nullptr) return std::nullopt;
     ++contact_.reads;
@@ -365,8 +373,8 @@ std::optional<BodySearch::Found> BodySearch::out_of_crevice(vec3 place, double a
                    {side / length * drawn.gradient, length / box_.placement.scale, HUGE_VAL});
 }
 
-/// The place on the surface of the smooth field near a place, if the tip is deep enough for a plane just there. It is
-/// the plane of the drawn surface that eased() would put there, in fewer reads.
+/// The place on the surface of the smooth field near a place, if the tip is deep enough for a plane just
+/// there. It is the plane of the drawn surface that eased() would put there, in fewer reads.
 std::optional<BodySearch::Found> BodySearch::on_smooth(vec3 place, const Way& way, vec3 target) {
     const double most = most_eased * fine_;
     if (!(std::abs(way.smooth) <= std::min(surface_.slew, most))) return std::nullopt;

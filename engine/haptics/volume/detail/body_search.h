@@ -1,21 +1,23 @@
 // haptics/volume/detail/body_search.h: search for the surface of a body of samples, as its picture shows it
 // (haptics/volume/level_contact.h).
 //
-// The place of the surface comes from the samples that are drawn, linear between them. So sheets of one sample are felt
-// too. Its direction comes from the field, which a hand should feel smooth (haptics/volume/smooth_grid.h). Averages of blocks
-// of samples give a less rough direction, where the box has them and both agree on the side. A field that no picture
-// shows, such as a filtered one, gives both.
+// The place of the surface comes from the samples that are drawn, linear between them. So sheets of one
+// sample are felt too. Its direction comes from the field, which a hand should feel smooth
+// (haptics/volume/smooth_grid.h). Averages of blocks of samples give a less rough direction, where the box
+// has them and both agree on the side. A field that no picture shows, such as a filtered one, gives both.
 //
-// Samples make small steps in a surface, which a hand would feel as chatter. So a plane is put where the smooth field has
-// its surface, as far as a share of the tip's depth allows. Then the tip still feels the plane if and only if it is in
-// the body that is drawn. Where a tip slides over deeper steps, the plane follows them by a limited way in each tick.
-// The proxy lies on the plane of the last tick, so the way begins there. A step ahead may let go of the tip or nearly so.
-// Then the force would fall at once. So the plane sinks before such a step, over the ticks that the tip needs to get there.
+// Samples make small steps in a surface, which a hand would feel as chatter. So a plane is put where the
+// smooth field has its surface, as far as a share of the tip's depth allows. Then the tip still feels the
+// plane if and only if it is in the body that is drawn. Where a tip slides over deeper steps, the plane
+// follows them by a limited way in each tick. The proxy lies on the plane of the last tick, so the way begins
+// there. A step ahead may let go of the tip or nearly so. Then the force would fall at once. So the plane
+// sinks before such a step, over the ticks that the tip needs to get there.
 //
 // Samples that are not finite count as a picture shows them (field::ShownRange).
 //
-// The body ends at the box of the samples. Where it reaches a face, the cut face is a wall with the face's normal.
-// Within one sample of an edge, of the box or between cut face and surface, the normal turns from one to the other.
+// The body ends at the box of the samples. Where it reaches a face, the cut face is a wall with the
+// face's normal. Within one sample of an edge, of the box or between cut face and surface, the
+// normal turns from one to the other.
 #pragma once
 #include <optional>
 
@@ -24,7 +26,8 @@
 
 namespace thaum::haptics {
 
-/// Searches in a frame with the middle of the box as its origin and the axes of the samples, in lengths of the reader.
+/// Searches in a frame with the middle of the box as its origin and the axes of the
+/// samples, in lengths of the reader.
 class BodySearch {
 public:
     BodySearch(const LevelSurface& surface, const field::SampleBox& box, LevelContact& contact);
@@ -62,7 +65,8 @@ private:
     vec3 to_samples(vec3 place) const;
     bool in_box(vec3 place) const;
     bool is_solid(double inside) const;
-    /// Depth in the body, in units of the field; -infinity outside of the box and where the field has no number.
+    /// Depth in the body, in units of the field; -infinity outside of the box
+    /// and where the field has no number.
     double inside(vec3 place);
     bool solid(vec3 place) { return is_solid(inside(place)); }
     std::optional<Way> way_out(vec3 place);
