@@ -36,10 +36,12 @@ vec3 tether_force(const Tether& tether, vec3 tip, vec3 velocity) {
 }
 
 TetherForce feel_tether(ServoState& state, const Tether& tether, std::uint32_t age, const Tip& tip) {
-    TetherForce felt{.tether = moved_on(tether, age)};
-    felt.force = tether_force(felt.tether, tip.position, tip.velocity);
+    TetherForce felt;
     felt.switched = tether.number != state.tether_number;
     state.tether_number = tether.number;
+    if (!(tether.stiffness > 0)) return felt;
+    felt.tether = moved_on(tether, age);
+    felt.force = tether_force(felt.tether, tip.position, tip.velocity);
     return felt;
 }
 

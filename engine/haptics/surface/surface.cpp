@@ -51,8 +51,8 @@ SurfacePatch moved_on(SurfacePatch patch, double seconds) {
     return patch;
 }
 
-ContactResult touch(const SurfacePatch& patch, SurfaceState& state, const SurfaceTip& tip,
-                    double dt) noexcept {
+[[gnu::flatten]] ContactResult touch(const SurfacePatch& patch, SurfaceState& state, const SurfaceTip& tip,
+                                     double dt) noexcept {
     if (!is_finite(tip.position)) {
         state = {};
         return {.proxy = tip.position};

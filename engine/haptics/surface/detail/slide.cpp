@@ -20,7 +20,7 @@ void settle(const Scene& scene, SlideState& slide, vec3 tip, const Walls& held) 
 
 }  // namespace
 
-SlideState slide_to(const Scene& scene, vec3 start, vec3 tip, bool was_sliding) {
+[[gnu::flatten]] SlideState slide_to(const Scene& scene, vec3 start, vec3 tip, bool was_sliding) {
     SlideState slide{.x = start};
     Walls held;
     vec3 cleared{}, last = start;
