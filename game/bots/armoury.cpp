@@ -110,7 +110,12 @@ bool in_hand(const Self& self, Mind& mind) {
     return false;
 }
 
-bool choose_wand(const Simulation& match, const Self& self, const Seat& seat, Mind& mind, Tick tick) {
+bool choose_wand(const BotTurn& turn) {
+    const auto& match = turn.match;
+    const auto& self = turn.self;
+    const auto& seat = turn.seat;
+    auto& mind = turn.mind;
+    const Tick tick = turn.tick;
     const auto& belt = match.world().get<WandBelt>(wizard_of(match.world(), seat.player));
     const bool readying = self.shot.held && (mind.buttons & bit(Button::fire)) != 0;
     if (!readying) {

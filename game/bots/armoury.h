@@ -1,7 +1,7 @@
 // game/bots/armoury.h: chooses the wand of a bot by the foe's distance and cover and by the energy left. Bots
 // know wands only by the flight of their shots.
 #pragma once
-#include "game/bots/mind.h"
+#include "game/bots/turn.h"
 
 namespace thaum::game {
 
@@ -11,6 +11,6 @@ bool in_hand(const Self& self, Mind& mind);
 
 /// Chooses mind.wand and mind.readiness from time to time, and selects the wand. Returns true if mind.wand is
 /// in hand.
-bool choose_wand(const Simulation& match, const Self& self, const Seat& seat, Mind& mind, Tick tick);
+bool choose_wand(const BotTurn& turn);
 
 }  // namespace thaum::game

@@ -10,12 +10,11 @@
 #include "game/bots/armoury.h"
 #include "game/bots/errands.h"
 #include "game/bots/lifting.h"
-#include "game/bots/mind.h"
-#include "game/bots/nav.h"
 #include "game/bots/senses.h"
 #include "game/bots/spellcasting.h"
 #include "game/bots/stirring.h"
 #include "game/bots/swinging.h"
+#include "game/bots/turn.h"
 
 // Bots act in every gameplay tick: a bot looks, chooses an aim and a way, and spreads its turn over the ticks
 // until the next gameplay tick.
@@ -73,21 +72,26 @@ void unstick(const Self& self, Mind& mind, Tick tick) {
 }
 
 /// Whether the next side step heeds no edge. A bot that is badly hurt and under fire may panic.
-bool forgets_edges(const Self& self, const Seat& seat, Mind& mind, Tick tick) {
-    const bool under_fire = self.hit_at != 0 && tick < self.hit_at + under_fire_for;
-    const double share = seat.skill.edge.heedless;
-    const bool panics = under_fire && share > 0 && self.health < seat.skill.edge.panic;
-    return panics && mind.random.uniform() < share;
+bool forgets_edges(const BotTurn& turn) {
+    const auto& self = turn.self;
+    const auto& skill = turn.seat.skill.edge;
+    const bool is_shot_at = self.hit_at != 0 && turn.tick < self.hit_at + under_fire_for;
+    const double share = skill.heedless;
+    const bool panics = is_shot_at && share > 0 && self.health < skill.panic;
+    return panics && turn.mind.random.uniform() < share;
 }
 
-void choose_step(const Simulation& match, const Self& self, const Seat& seat, Mind& mind, Tick tick) {
+void choose_step(const BotTurn& turn) {
+    const auto& seat = turn.seat;
+    auto& mind = turn.mind;
+    const Tick tick = turn.tick;
     if (tick >= mind.strafe_until) {
         const bool steps = mind.random.uniform() < seat.skill.strafe;
         mind.strafe = !steps ? 0 : mind.random.below(2) == 0 ? -1 : 1;
         mind.strafe_until = tick + ticks(seconds(seat.skill.strafe_step) * mind.random.uniform(0.6, 1.4));
-        mind.heedless = forgets_edges(self, seat, mind, tick) ? 1 : 0;
+        mind.heedless = forgets_edges(turn) ? 1 : 0;
     }
-    const auto aside = seat.skill.dodges != 0 ? step_aside(match, self, seat, mind) : 0;
+    const auto aside = seat.skill.dodges != 0 ? step_aside(turn.match, turn.self, seat, mind) : 0;
     if (aside == 0) return;
     mind.strafe = aside;
     mind.strafe_until = tick + ticks(0.25);
@@ -99,7 +103,10 @@ vec3 unit_or_zero(vec3 v) {
 }
 
 /// Displacement to the middle of the next cell on the way to `goal`. Zero at the goal, or if there is no way.
-vec3 next_step(const Self& self, const WalkGrid& grid, vec3 goal, WalkGrid::Ways& ways) {
+vec3 next_step(const BotTurn& turn, vec3 goal) {
+    const auto& self = turn.self;
+    const auto& grid = turn.grid;
+    auto& ways = turn.ways.to_goal;
     const int to = grid.cell_at(goal);
     if (ways.goal != to) grid.find_ways(to, ways);
     const int cell = grid.cell_at(self.centre);
@@ -108,10 +115,13 @@ vec3 next_step(const Self& self, const WalkGrid& grid, vec3 goal, WalkGrid::Ways
 }
 
 /// Direction of the next step to mind.goal; zero at the goal, or if there is no way.
-vec3 way_to_goal(const Self& self, const WalkGrid& grid, Mind& mind, WalkGrid::Ways& ways, Tick tick) {
-    const vec3 step = next_step(self, grid, mind.goal, ways);
+vec3 way_to_goal(const BotTurn& turn) {
+    const auto& self = turn.self;
+    const auto& grid = turn.grid;
+    auto& mind = turn.mind;
+    const vec3 step = next_step(turn, mind.goal);
     if (glm::length(step) > 0) return step;
-    mind.goal_until = tick;  // the goal is reached, or there is no way to it
+    mind.goal_until = turn.tick;  // the goal is reached, or there is no way to it
     const vec3 last = vec3(mind.goal.x, 0, mind.goal.z) - vec3(self.centre.x, 0, self.centre.z);
     const bool same_cell = grid.cell_at(mind.goal) == grid.cell_at(self.centre);
     return same_cell && glm::length(last) > 0.3 ? last : vec3(0, 0, 0);
@@ -119,14 +129,16 @@ vec3 way_to_goal(const Self& self, const WalkGrid& grid, Mind& mind, WalkGrid::W
 
 /// Direction of walking in a fight: comes nearer along walkable cells, keeps its distance, steps sideways,
 /// never over an edge.
-vec3 way_in_a_fight(const Self& self, const Seat& seat, const WalkGrid& grid, Mind& mind,
-                    WalkGrid::Ways& ways) {
+vec3 way_in_a_fight(const BotTurn& turn) {
+    const auto& self = turn.self;
+    const auto& grid = turn.grid;
+    auto& mind = turn.mind;
     const vec3 to_foe = vec3(mind.foe.x - self.centre.x, 0, mind.foe.z - self.centre.z);
     const double distance = glm::length(to_foe);
     if (distance < 1e-6) return {0, 0, 0};
-    const double keep = seat.skill.keep;
+    const double keep = turn.seat.skill.keep;
     vec3 way{0, 0, 0}, next{0, 0, 0};
-    if (distance > 1.3 * keep) next = way = unit_or_zero(next_step(self, grid, mind.foe, ways));
+    if (distance > 1.3 * keep) next = way = unit_or_zero(next_step(turn, mind.foe));
     if (distance < 0.6 * keep) way = -to_foe / distance;
     const vec3 right = glm::cross(to_foe / distance, vec3(0, 1, 0)) * static_cast<double>(mind.strafe);
     const auto safe = [&](vec3 by) {
@@ -147,146 +159,135 @@ vec3 way_in_a_fight(const Self& self, const Seat& seat, const WalkGrid& grid, Mi
 
 /// Direction of walking. An errand comes first. In sight of the foe the bot fights. Otherwise it goes to the
 /// foe's last known place, then to random places.
-vec3 choose_way(const Self& self, const Seat& seat, const WalkGrid& grid, Mind& mind, WalkGrid::Ways& ways,
-                Tick tick) {
-    if (mind.errand != Errand::none) return way_to_goal(self, grid, mind, ways, tick);
+vec3 choose_way(const BotTurn& turn) {
+    const auto& self = turn.self;
+    auto& mind = turn.mind;
+    const Tick tick = turn.tick;
+    if (mind.errand != Errand::none) return way_to_goal(turn);
     const bool knows = mind.foe_seen_at != 0 && tick - mind.foe_seen_at < forget_after;
-    if (knows && tick - mind.foe_seen_at < ticks(0.5)) return way_in_a_fight(self, seat, grid, mind, ways);
+    if (knows && tick - mind.foe_seen_at < ticks(0.5)) return way_in_a_fight(turn);
     const bool there =
         glm::distance(vec2(mind.goal.x, mind.goal.z), vec2(self.centre.x, self.centre.z)) < reached;
     if (there || tick >= mind.goal_until) {
-        mind.goal = knows ? mind.foe : random_place(grid, mind.random);
+        mind.goal = knows ? mind.foe : random_place(turn.grid, mind.random);
         mind.goal_until = tick + ticks(8.0);
         // The last known place is searched only once.
         if (knows) mind.foe_seen_at = tick - std::min(tick, forget_after);
     }
-    return way_to_goal(self, grid, mind, ways, tick);
+    return way_to_goal(turn);
 }
 
 /// Direction out of a cell that leads nowhere, once the bot has stood there for a while; zero before.
-vec3 way_out(const Simulation& match, const Self& self, const WalkGrid& grid, Mind& mind, Tick tick) {
+vec3 way_out(const BotTurn& turn) {
+    const auto& self = turn.self;
+    const auto& grid = turn.grid;
+    auto& mind = turn.mind;
     const int cell = grid.cell_at(self.centre);
-    if (grid.in_large_region(cell)) mind.stranded_since = tick;
-    if (tick - mind.stranded_since < stranded_after) return {0, 0, 0};
-    const vec3 feet = self.centre - vec3(0, match.data().wizard.height / 2, 0);
+    if (grid.in_large_region(cell)) mind.stranded_since = turn.tick;
+    if (turn.tick - mind.stranded_since < stranded_after) return {0, 0, 0};
+    const vec3 feet = self.centre - vec3(0, turn.match.data().wizard.height / 2, 0);
     const int to = grid.nearest_way(cell, feet);
     return to == cell ? vec3(0) : grid.centre_of(to) - vec3(self.centre.x, 0, self.centre.z);
 }
 
-}  // namespace
-
-/// Ways kept for a bot: to its goal, and from its position.
-struct BotWays {
-    WalkGrid::Ways to_goal, from_here;
-};
-
-namespace {
-
-/// All state of one bot that changes while it plays.
-struct Thoughts {
-    Eyes& eyes;
-    Mind& mind;
-    LiftPlan& lift_plan;
-    SwingPlan& swing_plan;
-    StirPlan& stir_plan;
-    CastPlan& cast_plan;
-};
-
-/// Knowledge of the arena, shared by all bots. It depends on the arena alone and is kept as a cache.
-struct BotSurroundings {
-    const WalkGrid& grid;
-    const std::vector<Crossing>& crossings;
-};
-
 /// Forgets everything at the beginning of a round.
-void begin_anew(const Match& match, const Thoughts& own) {
-    own.eyes.looks = 0;
-    own.eyes.back_at = {};
-    own.eyes.things = {};
-    own.mind = {.random = own.mind.random, .stranded_since = match.played, .round = match.round};
-    own.lift_plan = {};
-    own.swing_plan = {};
-    own.stir_plan = {};
-    own.cast_plan = {.style = own.cast_plan.style};
+void begin_anew(const BotTurn& turn) {
+    turn.eyes.looks = 0;
+    turn.eyes.back_at = {};
+    turn.eyes.things = {};
+    turn.mind = {.random = turn.mind.random, .stranded_since = turn.tick, .round = turn.match.match().round};
+    turn.lift_plan = {};
+    turn.swing_plan = {};
+    turn.stir_plan = {};
+    turn.cast_plan = {.style = turn.cast_plan.style};
 }
 
 /// Releases all buttons and ends all plans while the wizard is dead.
-void rest(const Match& match, const Thoughts& own) {
-    auto& mind = own.mind;
-    own.eyes.looks = 0;
+void rest(const BotTurn& turn) {
+    auto& mind = turn.mind;
+    turn.eyes.looks = 0;
     mind.right_left = mind.up_left = mind.move_strafe = mind.move_forward = 0;
     mind.buttons = mind.wand_key = 0;
     mind.foe_seen_at = 0;
-    mind.stranded_since = match.played;
+    mind.stranded_since = turn.tick;
     mind.errand = Errand::none;
-    own.lift_plan = {};
-    own.swing_plan = {};
-    own.stir_plan = {};
-    own.cast_plan = {.style = own.cast_plan.style};
+    turn.lift_plan = {};
+    turn.swing_plan = {};
+    turn.stir_plan = {};
+    turn.cast_plan = {.style = turn.cast_plan.style};
 }
 
 /// Aims and shoots at a known foe. Returns the wanted direction of view; std::nullopt if the bot has nothing
 /// to look at.
-std::optional<Aim> shoot(const Simulation& match, const Self& self, const Seat& seat, vec3 way, Mind& mind,
-                         Tick tick) {
-    const bool watches = mind.foe_seen_at != 0 && tick - mind.foe_seen_at < ticks(1.5);
+std::optional<Aim> shoot(const BotTurn& turn, vec3 way) {
+    const auto& self = turn.self;
+    const auto& seat = turn.seat;
+    auto& mind = turn.mind;
+    const bool watches = mind.foe_seen_at != 0 && turn.tick - mind.foe_seen_at < ticks(1.5);
     auto aim = watches ? aim_of_shot(self, aim_point(self, seat, mind, seat.skill.lead))
                        : aim_at(self.eye, self.eye + way);
     if (!watches) aim.pitch = 0;
-    if (choose_wand(match, self, seat, mind, tick)) choose_fire(self, seat, aim, mind, tick);
+    if (choose_wand(turn)) choose_fire(self, seat, aim, mind, turn.tick);
     return watches || glm::length(way) > 0 ? std::optional(aim) : std::nullopt;
 }
 
 /// Uses the hands for a rope, a held thing or a shot. Returns the wanted direction of view.
-std::optional<Aim> use_hands(const Simulation& match, const Self& self, const Seat& seat, vec3 way,
-                             const Thoughts& own, Tick tick) {
-    if (draws(own.cast_plan)) {
-        own.mind.wand_key = 0;  // with Trace held, a wand's key would be a chord
+std::optional<Aim> use_hands(const BotTurn& turn, vec3 way) {
+    if (draws(turn.cast_plan)) {
+        turn.mind.wand_key = 0;  // with Trace held, a wand's key would be a chord
         return std::nullopt;
     }
-    if (hands_full(own.swing_plan)) return aim_on_rope(self, own.swing_plan);
-    if (hands_full(own.lift_plan)) return handle_thing(match, self, seat, own.mind, own.lift_plan, tick);
-    return shoot(match, self, seat, way, own.mind, tick);
+    if (hands_full(turn.swing_plan)) return aim_on_rope(turn.self, turn.swing_plan);
+    if (hands_full(turn.lift_plan)) return handle_thing(turn);
+    return shoot(turn, way);
+}
+
+void look_around(const BotTurn& turn) {
+    see_foe(turn.match, turn.self, turn.seat, turn.eyes, turn.mind, turn.tick);
+    see_power_ups(turn.match, turn.self, turn.seat, turn.eyes);
+    if (turn.seat.skill.lift.share > 0) see_things(turn.match, turn.self, turn.seat, turn.eyes);
+}
+
+/// Plans what leaves the fight aside: each plan only while those before it leave the bot free.
+void make_plans(const BotTurn& turn) {
+    choose_errand(turn);
+    if (!roped(turn.swing_plan)) plan_to_lift(turn);
+    if (!roped(turn.swing_plan) && turn.lift_plan.stage == LiftStage::none) plan_to_stir(turn);
+    const bool hands_free =
+        !roped(turn.swing_plan) && !hands_full(turn.lift_plan) && turn.stir_plan.stage == StirStage::none;
+    if (hands_free) plan_to_cast(turn);
+}
+
+/// Direction of walking, on a rope too.
+vec3 walk(const BotTurn& turn) {
+    choose_step(turn);
+    vec3 way = choose_way(turn);
+    if (const vec3 out = way_out(turn); glm::length(out) > 0) way = out;
+    if (turn.lift_plan.stage == LiftStage::none && !draws(turn.cast_plan)) plan_to_swing(turn);
+    return roped(turn.swing_plan) ? swing_over(turn) : way;
 }
 
 /// One gameplay tick of a bot: senses, plans, then the device's controls until the next gameplay tick.
-void think(const Simulation& match, const Seat& seat, const Thoughts& own,
-           const BotSurroundings& surroundings, BotWays& ways) {
-    auto& mind = own.mind;
-    const Tick tick = match.match().played;
-    if (mind.round != match.match().round) begin_anew(match.match(), own);
-    const auto self = self_of(match, seat.player, mind.readiness);
-    if (!self.alive) return rest(match.match(), own);
-    see_foe(match, self, seat, own.eyes, mind, tick);
-    see_power_ups(match, self, seat, own.eyes);
-    if (seat.skill.lift.share > 0) see_things(match, self, seat, own.eyes);
-    wander_aim(seat, mind);
-    choose_errand(match, self, seat, own.eyes, surroundings.grid, ways.from_here, mind, tick);
-    if (!roped(own.swing_plan))
-        plan_to_lift(match, self, seat, own.eyes, surroundings.grid, mind, own.lift_plan, tick);
-    if (!roped(own.swing_plan) && own.lift_plan.stage == LiftStage::none)
-        plan_to_stir(match, self, seat, surroundings.grid, mind, own.stir_plan, tick);
-    const bool hands_free =
-        !roped(own.swing_plan) && !hands_full(own.lift_plan) && own.stir_plan.stage == StirStage::none;
-    if (hands_free)
-        plan_to_cast(match, self, seat, surroundings.grid, mind, own.lift_plan, own.cast_plan, tick);
-    choose_step(match, self, seat, mind, tick);
-    vec3 way = choose_way(self, seat, surroundings.grid, mind, ways.to_goal, tick);
-    if (const vec3 out = way_out(match, self, surroundings.grid, mind, tick); glm::length(out) > 0) way = out;
-    if (own.lift_plan.stage == LiftStage::none && !draws(own.cast_plan))
-        plan_to_swing(match, self, seat, surroundings.grid, surroundings.crossings, ways.to_goal, mind,
-                      own.swing_plan, tick);
-    if (roped(own.swing_plan)) way = swing_over(match, self, seat, mind, own.swing_plan, tick);
-    if (auto aim = use_hands(match, self, seat, way, own, tick)) {
+void think(BotTurn turn) {
+    auto& mind = turn.mind;
+    if (mind.round != turn.match.match().round) begin_anew(turn);
+    turn.self = self_of(turn.match, turn.seat.player, mind.readiness);
+    const auto& self = turn.self;
+    if (!self.alive) return rest(turn);
+    look_around(turn);
+    wander_aim(turn.seat, mind);
+    make_plans(turn);
+    const vec3 way = walk(turn);
+    if (auto aim = use_hands(turn, way)) {
         aim->yaw += mind.error_right;
         aim->pitch += mind.error_up;
-        turn_towards(self, seat, *aim, mind);
+        turn_towards(self, turn.seat, *aim, mind);
     }
     set_move(self, way, mind);
     mind.wishes_to_move = glm::length(way) > 0 ? 1 : 0;
-    if (hands_full(own.swing_plan)) return;
-    unstick(self, mind, tick);
-    if (tick < mind.dodge_until) mind.move_strafe = mind.strafe > 0 ? 127 : -127;
+    if (hands_full(turn.swing_plan)) return;
+    unstick(self, mind, turn.tick);
+    if (turn.tick < mind.dodge_until) mind.move_strafe = mind.strafe > 0 ? 127 : -127;
 }
 
 }  // namespace
@@ -432,8 +433,19 @@ void Bots::sample(const Simulation& match, input::InputFrame& frame) {
         [&](ecs::Entity e, const Seat& seat, Eyes& eyes, Mind& mind, LiftPlan& lift_plan,
             SwingPlan& swing_plan, StirPlan& stir_plan, CastPlan& cast_plan) {
             if (phase == 0) {
-                think(match, seat, {eyes, mind, lift_plan, swing_plan, stir_plan, cast_plan},
-                      {*in.grid, in.crossings}, in.ways[e.index]);
+                think({.match = match,
+                       .seat = seat,
+                       .grid = *in.grid,
+                       .crossings = in.crossings,
+                       .tick = match.match().played,
+                       .self = {},
+                       .eyes = eyes,
+                       .mind = mind,
+                       .lift_plan = lift_plan,
+                       .swing_plan = swing_plan,
+                       .stir_plan = stir_plan,
+                       .cast_plan = cast_plan,
+                       .ways = in.ways[e.index]});
             }
             auto& sample = frame.devices[seat.device];
             if (stirs(stir_plan)) return brew_hand(match, seat, stir_plan, match.match().played, sample);

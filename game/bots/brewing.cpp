@@ -17,11 +17,12 @@ constexpr double gentle = 0.65, plain = 1.2, hard = 1.9;  // mean force of a str
 const Cauldron& cauldron_of(const Simulation& match) { return match.world().single<Cauldron>(); }
 
 /// Niche of an ingredient that is nearest to the wizard and has some; std::nullopt if all are empty.
-std::optional<vec3> niche_of(const Simulation& match, const Seat& seat, std::uint32_t ingredient, Tick tick) {
-    const auto from = match.world().get<Motion>(wizard_of(match.world(), seat.player)).position;
+std::optional<vec3> niche_of(const BotTurn& turn, std::uint32_t ingredient) {
+    const auto& world = turn.match.world();
+    const auto from = world.get<Motion>(wizard_of(world, turn.seat.player)).position;
     std::optional<vec3> best;
-    match.world().view<const Niche, const Motion>().each([&](const Niche& niche, const Motion& motion) {
-        if (niche.ingredient != ingredient || tick < niche.back_at) return;
+    world.view<const Niche, const Motion>().each([&](const Niche& niche, const Motion& motion) {
+        if (niche.ingredient != ingredient || turn.tick < niche.back_at) return;
         if (!best || glm::distance(from, motion.position) < glm::distance(from, *best))
             best = motion.position;
     });
@@ -38,11 +39,12 @@ bool comes_near(vec3 place, vec3 from, vec3 to, double clear) {
 }
 
 /// Whether a straight way passes no niche that has something, except its goal.
-bool passes_no_niche(const Simulation& match, vec3 from, vec3 niche, Tick tick) {
+bool passes_no_niche(const BotTurn& turn, vec3 from, vec3 niche) {
+    const auto& match = turn.match;
     constexpr double room = 0.5;  // distance beyond the niche's reach that the way keeps (m)
     bool free = true;
     match.world().view<const Niche, const Motion>().each([&](const Niche& other, const Motion& motion) {
-        if (tick < other.back_at || motion.position == niche) return;
+        if (turn.tick < other.back_at || motion.position == niche) return;
         free &= !comes_near(motion.position, from, niche, match.data().cauldron->niche_radius + room);
     });
     return free;
@@ -50,15 +52,15 @@ bool passes_no_niche(const Simulation& match, vec3 from, vec3 niche, Tick tick) 
 
 /// Place to walk to for a niche: the niche, or a place beside it if another niche lies on the way. Whoever
 /// walks over a niche takes what lies there.
-vec3 way_to_niche(const Simulation& match, const WalkGrid& grid, vec3 from, vec3 niche, Tick tick) {
-    if (passes_no_niche(match, from, niche, tick)) return niche;
-    const vec3 out = niche - cauldron_of(match).middle;
+vec3 way_to_niche(const BotTurn& turn, vec3 from, vec3 niche) {
+    if (passes_no_niche(turn, from, niche)) return niche;
+    const auto& grid = turn.grid;
+    const vec3 out = niche - cauldron_of(turn.match).middle;
     const vec3 side = vec3(-out.z, 0, out.x) / std::max(1e-6, off_axis(out));
     const double sign = glm::dot(from - niche, side) < 0 ? -1 : 1;
     for (const double beside : {3.0, 4.5, 2.2, -3.0, -4.5, -2.2}) {
         const vec3 place = niche + sign * beside * side;
-        if (grid.in_large_region(grid.cell_at(place)) && passes_no_niche(match, place, niche, tick))
-            return place;
+        if (grid.in_large_region(grid.cell_at(place)) && passes_no_niche(turn, place, niche)) return place;
     }
     return niche;
 }
@@ -134,8 +136,10 @@ std::uint32_t choose_recipe(const Simulation& match, const Seat& seat, Random& r
     return chosen;
 }
 
-BrewStep next_brew_step(const Simulation& match, const Seat& seat, const WalkGrid& grid, const StirPlan& plan,
-                        Tick tick) {
+BrewStep next_brew_step(const BotTurn& turn) {
+    const auto& match = turn.match;
+    const auto& seat = turn.seat;
+    const auto& plan = turn.stir_plan;
     const auto& cauldron = cauldron_of(match);
     const auto& recipe = match.data().recipes[plan.recipe];
     const auto order = order_of(recipe, match.world(), seat.player);
@@ -155,10 +159,10 @@ BrewStep next_brew_step(const Simulation& match, const Seat& seat, const WalkGri
     if (pouch != nullptr && pouch->ingredient != wanted) return {.task = BrewTask::done};
     if (pouch != nullptr) return {.task = ripe ? BrewTask::drop : BrewTask::carry};
     if (!ripe) return {.task = BrewTask::carry};
-    const auto niche = niche_of(match, seat, wanted, tick);
+    const auto niche = niche_of(turn, wanted);
     if (!niche) return {.task = BrewTask::done};
     const auto from = match.world().get<Motion>(wizard_of(match.world(), seat.player)).position;
-    return {.task = BrewTask::fetch, .place = way_to_niche(match, grid, from, *niche, tick)};
+    return {.task = BrewTask::fetch, .place = way_to_niche(turn, from, *niche)};
 }
 
 Tick stroke_length(const Simulation& match, const Seat& seat, const StirPlan& plan) {

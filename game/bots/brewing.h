@@ -2,8 +2,7 @@
 // stirs until the moment of the next step has come, drops them in, and then draws the
 // gestures with Trace held, as a person does.
 #pragma once
-#include "game/bots/mind.h"
-#include "game/bots/nav.h"
+#include "game/bots/turn.h"
 
 namespace thaum::game {
 
@@ -23,9 +22,8 @@ struct BrewStep {
     BrewTask task{};
     vec3 place{};  ///< place to walk to (m, world)
 };
-/// Next step for the recipe of the plan.
-BrewStep next_brew_step(const Simulation& match, const Seat& seat, const WalkGrid& grid, const StirPlan& plan,
-                        Tick tick);
+/// Next step for the recipe of the plan to stir.
+BrewStep next_brew_step(const BotTurn& turn);
 
 /// Length of the stroke that the recipe of the plan wants next (ticks), with the rests before and after it.
 Tick stroke_length(const Simulation& match, const Seat& seat, const StirPlan& plan);

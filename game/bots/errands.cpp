@@ -27,10 +27,12 @@ double need(double have, double below) {
     return below > 0 ? std::clamp((below - have) / below, 0.0, 1.0) : 0;
 }
 
-double worth(const Simulation& match, const Self& self, const Seat& seat, PowerUpKind kind) {
-    const auto& gives = match.data().rules.power_ups[static_cast<std::size_t>(kind)];
-    const double health = gives.health > 0 ? need(self.health, seat.skill.vial_below) : 0;
-    const double energy = gives.energy_share > 0 ? need(self.energy_share, seat.skill.spark_below) : 0;
+double worth(const BotTurn& turn, PowerUpKind kind) {
+    const auto& self = turn.self;
+    const auto& skill = turn.seat.skill;
+    const auto& gives = turn.match.data().rules.power_ups[static_cast<std::size_t>(kind)];
+    const double health = gives.health > 0 ? need(self.health, skill.vial_below) : 0;
+    const double energy = gives.energy_share > 0 ? need(self.energy_share, skill.spark_below) : 0;
     return health * std::sqrt(gives.health / 25) + energy * gives.energy_share * 2;
 }
 
@@ -40,20 +42,22 @@ struct Choice {
     bool found = false;
 };
 
-Choice best_to_fetch(const Simulation& match, const Self& self, const Seat& seat, const Eyes& eyes,
-                     const WalkGrid& grid, WalkGrid::Ways& from_here, bool fights, Tick tick) {
+Choice best_to_fetch(const BotTurn& turn, bool fights) {
     Choice best;
     bool ways_known = false;
-    const auto& power_ups = match.data().arena.power_ups;
+    const auto& grid = turn.grid;
+    auto& from_here = turn.ways.from_here;
+    const auto& power_ups = turn.match.data().arena.power_ups;
     for (std::size_t i = 0; i < std::min(power_ups.size(), most_power_ups); ++i) {
-        const double wanted = worth(match, self, seat, power_ups[i].kind) * (fights ? in_a_fight : 1.0);
+        const double wanted = worth(turn, power_ups[i].kind) * (fights ? in_a_fight : 1.0);
         if (wanted / time_lost <= best.worth) continue;
-        if (!ways_known) grid.find_ways(grid.cell_at(self.centre), from_here);
+        if (!ways_known) grid.find_ways(grid.cell_at(turn.self.centre), from_here);
         ways_known = true;
         const auto steps = from_here.steps[static_cast<std::size_t>(grid.cell_at(power_ups[i].position))];
         if (steps == WalkGrid::unreachable) continue;
         const double way = steps / walk_speed;
-        const double wait = eyes.back_at[i] > tick ? seconds(eyes.back_at[i] - tick) : 0;
+        const Tick back_at = turn.eyes.back_at[i];
+        const double wait = back_at > turn.tick ? seconds(back_at - turn.tick) : 0;
         const double value = wanted / (time_lost + std::max(way, wait));
         if (value > best.worth) best = {value, power_ups[i].position, true};
     }
@@ -61,7 +65,10 @@ Choice best_to_fetch(const Simulation& match, const Self& self, const Seat& seat
 }
 
 /// A near place that the foe cannot see from its presumed position.
-Choice hiding_place(const Simulation& match, const Self& self, const WalkGrid& grid, Mind& mind) {
+Choice hiding_place(const BotTurn& turn) {
+    const auto& self = turn.self;
+    const auto& grid = turn.grid;
+    auto& mind = turn.mind;
     Choice best;
     double nearest = hiding_within;
     for (int i = 0; i < hiding_places_tried; ++i) {
@@ -71,7 +78,7 @@ Choice hiding_place(const Simulation& match, const Self& self, const WalkGrid& g
         const double distance = glm::distance(vec2(place.x, place.z), vec2(self.centre.x, self.centre.z));
         if (distance >= nearest || !grid.walkable(grid.cell_at(place))) continue;
         const vec3 chest{place.x, self.centre.y + 0.2, place.z};
-        if (!match.physics().ray(mind.foe, chest, layer::ground)) continue;
+        if (!turn.match.physics().ray(mind.foe, chest, layer::ground)) continue;
         nearest = distance;
         best = {1, place, true};
     }
@@ -80,12 +87,15 @@ Choice hiding_place(const Simulation& match, const Self& self, const WalkGrid& g
 
 }  // namespace
 
-void choose_errand(const Simulation& match, const Self& self, const Seat& seat, const Eyes& eyes,
-                   const WalkGrid& grid, WalkGrid::Ways& from_here, Mind& mind, Tick tick) {
+void choose_errand(const BotTurn& turn) {
+    const auto& self = turn.self;
+    const auto& seat = turn.seat;
+    auto& mind = turn.mind;
+    const Tick tick = turn.tick;
     // The two players' bots choose in different ticks, so that their work does not fall into the same tick.
     if (tick % choice_period / gameplay_period != seat.player * (choice_period / gameplay_period / 2)) return;
     const bool fights = sees_foe(mind, tick) && self.can_shoot && self.energy_share > seat.skill.reserve;
-    const auto fetch = best_to_fetch(match, self, seat, eyes, grid, from_here, fights, tick);
+    const auto fetch = best_to_fetch(turn, fights);
     if (fetch.found) {
         mind.errand = Errand::fetch;
         mind.goal = fetch.place;
@@ -93,7 +103,7 @@ void choose_errand(const Simulation& match, const Self& self, const Seat& seat, 
     }
     if (mind.errand == Errand::hide && tick < mind.errand_until) return;
     const bool hurt = self.health < seat.skill.cover_below;
-    const auto hide = hurt && sees_foe(mind, tick) ? hiding_place(match, self, grid, mind) : Choice{};
+    const auto hide = hurt && sees_foe(mind, tick) ? hiding_place(turn) : Choice{};
     mind.errand = hide.found ? Errand::hide : Errand::none;
     if (!hide.found) return;
     mind.goal = hide.place;

@@ -1,12 +1,10 @@
 // game/bots/errands.h: decides when a bot stops fighting to fetch a power-up or to hide.
 #pragma once
-#include "game/bots/mind.h"
-#include "game/bots/nav.h"
+#include "game/bots/turn.h"
 
 namespace thaum::game {
 
-/// Chooses mind.errand and mind.goal every quarter of a second. `from_here` is working memory for ways.
-void choose_errand(const Simulation& match, const Self& self, const Seat& seat, const Eyes& eyes,
-                   const WalkGrid& grid, WalkGrid::Ways& from_here, Mind& mind, Tick tick);
+/// Chooses mind.errand and mind.goal every quarter of a second.
+void choose_errand(const BotTurn& turn);
 
 }  // namespace thaum::game

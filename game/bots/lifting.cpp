@@ -36,8 +36,9 @@ struct Lifter {
     double energy;
 };
 
-std::optional<Lifter> lifter_of(const Simulation& match, const Seat& seat) {
-    const auto& belt = match.world().get<WandBelt>(wizard_of(match.world(), seat.player));
+std::optional<Lifter> lifter_of(const BotTurn& turn) {
+    const auto& match = turn.match;
+    const auto& belt = match.world().get<WandBelt>(wizard_of(match.world(), turn.seat.player));
     for (const auto& wand : match.data().wands) {
         const auto grasp = wand.rules->grasp();
         if (!grasp) continue;
@@ -64,60 +65,67 @@ double size_of(const physics::BodyDesc& body) {
 double along_ground(vec3 from, vec3 to) { return glm::length(vec2(to.x - from.x, to.z - from.z)); }
 
 /// Worth of a thing (HP/s); 0 if the thing is of no use.
-double worth_of(const Simulation& match, const Self& self, const Seat& seat, const WalkGrid& grid,
-                const Mind& mind, const Lifter& lifter, const Sighting& seen) {
+double worth_of(const BotTurn& turn, const Lifter& lifter, const Sighting& seen) {
+    const auto& match = turn.match;
+    const auto& self = turn.self;
+    const auto& skill = turn.seat.skill.lift;
     const auto key = seen.thing.index;
     if (!match.world().alive(seen.thing) || !match.physics().has(key)) return 0;
     const auto& body = match.physics().desc(key);
     const vec3 to = seen.place - self.eye;
     const double distance = glm::length(to);
     const double walk = std::max(0.0, distance - handy * lifter.grasp.reach);
-    const bool fits = body.mass <= lifter.grasp.mass_max && size_of(body) <= seat.skill.lift.largest;
-    if (!fits || walk > seat.skill.lift.seek || along_ground(self.eye, seen.place) < too_near) return 0;
+    const bool fits = body.mass <= lifter.grasp.mass_max && size_of(body) <= skill.largest;
+    if (!fits || walk > skill.seek || along_ground(self.eye, seen.place) < too_near) return 0;
     const double speed =
         throw_speed(lifter.grasp, body.mass, lifter.energy - carrying_cost - cost_per_kg * body.mass);
     const double harm = harm_of(match.data().wizard, body.mass, speed);
-    if (harm < least_harm || (walk > 0 && !grid.straight(self.centre, seen.place))) return 0;
-    const vec3 to_foe = mind.foe - self.eye;
-    const double turn = det::acos(
+    if (harm < least_harm || (walk > 0 && !turn.grid.straight(self.centre, seen.place))) return 0;
+    const vec3 to_foe = turn.mind.foe - self.eye;
+    const double angle = det::acos(
         std::clamp(glm::dot(to, to_foe) / std::max(1e-9, distance * glm::length(to_foe)), -1.0, 1.0));
-    return harm / (time_to_take + walk / walk_pace + turn / turn_pace);
+    return harm / (time_to_take + walk / walk_pace + angle / turn_pace);
 }
 
-const Sighting* best_thing(const Simulation& match, const Self& self, const Seat& seat, const Eyes& eyes,
-                           const WalkGrid& grid, const Mind& mind, const Lifter& lifter) {
+const Sighting* best_thing(const BotTurn& turn, const Lifter& lifter) {
     const Sighting* best = nullptr;
     double most = 0;
-    for (const auto& seen : eyes.things) {
+    for (const auto& seen : turn.eyes.things) {
         if (!seen.thing) continue;
-        const double worth = worth_of(match, self, seat, grid, mind, lifter, seen);
+        const double worth = worth_of(turn, lifter, seen);
         if (worth > most) most = worth, best = &seen;
     }
     return best;
 }
 
-void end(const Seat& seat, Mind& mind, LiftPlan& lift_plan, Tick tick) {
+void end_lifting(const BotTurn& turn) {
+    auto& mind = turn.mind;
+    auto& lift_plan = turn.lift_plan;
+    const Tick tick = turn.tick;
     if (hands_full(lift_plan)) {
         mind.buttons &= ~(bit(Button::fire) | bit(Button::throw_));
         mind.wand_until = tick;  // choose another wand at once
     }
     lift_plan.stage = LiftStage::none;
-    lift_plan.not_before = tick + ticks(seconds(seat.skill.lift.rest) * mind.random.uniform(0.6, 1.4));
+    lift_plan.not_before = tick + ticks(seconds(turn.seat.skill.lift.rest) * mind.random.uniform(0.6, 1.4));
     if (mind.errand == Errand::lift) mind.errand = Errand::none;
 }
 
-void consider(const Simulation& match, const Self& self, const Seat& seat, const Eyes& eyes,
-              const WalkGrid& grid, Mind& mind, LiftPlan& lift_plan, Tick tick) {
+void consider_lifting(const BotTurn& turn) {
+    const auto& self = turn.self;
+    auto& mind = turn.mind;
+    auto& lift_plan = turn.lift_plan;
+    const Tick tick = turn.tick;
     const double distance = glm::distance(self.eye, mind.foe);
     const bool knows = mind.foe_seen_at != 0 && tick <= mind.foe_seen_at + ticks(2.0);
     if (!knows || distance < near_foe || distance > far_foe || mind.errand != Errand::none) return;
     if (tick < lift_plan.not_before) return;
     lift_plan.not_before = tick + ticks(0.5);
     const bool readying = self.shot.held && (mind.buttons & bit(Button::fire)) != 0;
-    if (readying || mind.random.uniform() >= seat.skill.lift.share) return;
-    const auto lifter = lifter_of(match, seat);
+    if (readying || mind.random.uniform() >= turn.seat.skill.lift.share) return;
+    const auto lifter = lifter_of(turn);
     if (!lifter) return;
-    const auto* found = best_thing(match, self, seat, eyes, grid, mind, *lifter);
+    const auto* found = best_thing(turn, *lifter);
     if (found == nullptr) return;
     lift_plan.thing = found->thing;
     lift_plan.place = found->place;
@@ -125,41 +133,47 @@ void consider(const Simulation& match, const Self& self, const Seat& seat, const
     lift_plan.until = tick + come_time;
 }
 
-void come_nearer(const Simulation& match, const Self& self, const Seat& seat, const Eyes& eyes, Mind& mind,
-                 LiftPlan& lift_plan, Tick tick) {
-    for (const auto& seen : eyes.things) {
+void come_nearer(const BotTurn& turn) {
+    const auto& self = turn.self;
+    auto& mind = turn.mind;
+    auto& lift_plan = turn.lift_plan;
+    for (const auto& seen : turn.eyes.things) {
         if (seen.thing == lift_plan.thing) lift_plan.place = seen.place;
     }
-    const auto lifter = lifter_of(match, seat);
+    const auto lifter = lifter_of(turn);
     const bool wanted = mind.errand == Errand::none || mind.errand == Errand::lift;
-    if (!wanted || !lifter || tick >= lift_plan.until || along_ground(self.eye, lift_plan.place) < too_near)
-        return end(seat, mind, lift_plan, tick);
+    if (!wanted || !lifter || turn.tick >= lift_plan.until ||
+        along_ground(self.eye, lift_plan.place) < too_near)
+        return end_lifting(turn);
     mind.errand = Errand::lift;
     mind.goal = lift_plan.place;
     if (glm::distance(self.eye, lift_plan.place) > handy * lifter->grasp.reach) return;
-    const auto hit = match.physics().ray(self.eye, lift_plan.place, physics::all_layers, self.key);
+    const auto hit = turn.match.physics().ray(self.eye, lift_plan.place, physics::all_layers, self.key);
     if (!hit || hit->key != lift_plan.thing.index) return;
     mind.errand = Errand::none;
     mind.buttons &= ~bit(Button::fire);
     mind.wand = lifter->wand.stats.slot;
     lift_plan.stage = LiftStage::take;
-    lift_plan.until = tick + take_time;
+    lift_plan.until = turn.tick + take_time;
 }
 
 /// Presses fire when the crosshair is on the thing. If the wand took nothing, releases fire and tries again.
-Aim take_up(const Simulation& match, const Self& self, const Seat& seat, const Lifter& lifter, Mind& mind,
-            LiftPlan& lift_plan, Tick tick) {
+Aim take_up(const BotTurn& turn, const Lifter& lifter) {
+    const auto& self = turn.self;
+    auto& mind = turn.mind;
+    auto& lift_plan = turn.lift_plan;
+    const Tick tick = turn.tick;
     const auto fire = bit(Button::fire);
-    const vec3 place = match.world().get<Motion>(lift_plan.thing).position;
+    const vec3 place = turn.match.world().get<Motion>(lift_plan.thing).position;
     const Aim aim = aim_at(self.eye, place);
     if (in_hand(self, mind) && self.held) {
         lift_plan.stage = LiftStage::hold;
-        lift_plan.until = tick + seat.skill.lift.hold;
+        lift_plan.until = tick + turn.seat.skill.lift.hold;
         mind.buttons |= fire;
     } else if (tick >= lift_plan.until) {
-        end(seat, mind, lift_plan, tick);
+        end_lifting(turn);
     } else if (mind.wand == self.wand && (mind.buttons & fire) == 0) {
-        if (!crosshair_on(match, self, lift_plan.thing, lifter.grasp.reach)) return aim;
+        if (!crosshair_on(turn.match, self, lift_plan.thing, lifter.grasp.reach)) return aim;
         lift_plan.off_left = angle_between(self.yaw, aim.yaw);
         lift_plan.off_up = aim.pitch - self.pitch;
         mind.buttons |= fire;
@@ -170,28 +184,32 @@ Aim take_up(const Simulation& match, const Self& self, const Seat& seat, const L
     return aim;
 }
 
-void note_shots(const Simulation& match, const Self& self, const Seat& seat, LiftPlan& lift_plan, Tick tick) {
-    if (!sees_a_shot_come(match, self, seat)) return;
+void note_shots(const BotTurn& turn) {
+    auto& lift_plan = turn.lift_plan;
+    const Tick tick = turn.tick;
+    if (!sees_a_shot_come(turn.match, turn.self, turn.seat)) return;
     if (tick >= lift_plan.shot_at + 2 * lull) lift_plan.shots_from = tick;
     lift_plan.shot_at = tick;
 }
 
 /// Whether the bot knows that it is under fire. It knows after its reaction time, and until a moment after
 /// the last shot.
-bool under_fire(const Seat& seat, const LiftPlan& lift_plan, Tick tick) {
-    const Tick later = seat.skill.reaction;
+bool under_fire(const BotTurn& turn) {
+    const auto& lift_plan = turn.lift_plan;
+    const Tick later = turn.seat.skill.reaction, tick = turn.tick;
     return lift_plan.shot_at != 0 && tick >= lift_plan.shots_from + later &&
            tick < lift_plan.shot_at + later + lull;
 }
 
 /// Aim at which the held thing, at its present distance, stands between the foe and the bot.
-Aim aim_to_guard(const Self& self, const Mind& mind, const LiftPlan& lift_plan) {
+Aim aim_to_guard(const BotTurn& turn) {
+    const auto& self = turn.self;
     const vec3 chest = self.centre + vec3(0, shield_height, 0);
-    const vec3 way = mind.foe - chest;
+    const vec3 way = turn.mind.foe - chest;
     const double share = glm::distance(self.eye, *self.held) / std::max(1e-6, glm::length(way));
     Aim aim = aim_at(self.eye, chest + way * std::min(1.0, share));
-    aim.yaw -= lift_plan.off_left;
-    aim.pitch -= lift_plan.off_up;
+    aim.yaw -= turn.lift_plan.off_left;
+    aim.pitch -= turn.lift_plan.off_up;
     return aim;
 }
 
@@ -205,15 +223,17 @@ struct Throw {
 
 vec3 along(Aim aim) { return look_rotation(aim.yaw, aim.pitch) * vec3(0, 0, -1); }
 
-Throw plan_throw(const Simulation& match, const Self& self, const Seat& seat, const Mind& mind,
-                 const Lifter& lifter, const LiftPlan& lift_plan) {
-    const double mass = match.physics().desc(lift_plan.thing.index).mass;
+Throw plan_throw(const BotTurn& turn, const Lifter& lifter) {
+    const auto& match = turn.match;
+    const auto& self = turn.self;
+    const auto& seat = turn.seat;
+    const double mass = match.physics().desc(turn.lift_plan.thing.index).mass;
     const vec3 thing = *self.held;
     Self from_there = self;
     from_there.eye = from_there.tip = thing;
     from_there.shot = {.speed = throw_speed(lifter.grasp, mass, lifter.energy),
                        .fall = -match.physics().settings().gravity.y};
-    Throw t{.target = aim_point(from_there, seat, mind, seat.skill.lift.lead),
+    Throw t{.target = aim_point(from_there, seat, turn.mind, seat.skill.lift.lead),
             .harm = harm_of(match.data().wizard, mass, from_there.shot.speed)};
     t.wanted = along(aim_of_shot(from_there, t.target));
     const vec3 crossing = self.eye + along({self.yaw, self.pitch}) * lifter.grasp.crossing - thing;
@@ -222,26 +242,29 @@ Throw plan_throw(const Simulation& match, const Self& self, const Seat& seat, co
 }
 
 /// Holds the thing until the throw is right, or as a shield while shots come.
-Aim hold_and_throw(const Simulation& match, const Self& self, const Seat& seat, const Lifter& lifter,
-                   Mind& mind, LiftPlan& lift_plan, Tick tick) {
+Aim hold_and_throw(const BotTurn& turn, const Lifter& lifter) {
+    const auto& self = turn.self;
+    const auto& skill = turn.seat.skill.lift;
+    auto& mind = turn.mind;
+    const Tick tick = turn.tick;
     const Aim as_it_is{self.yaw, self.pitch};
-    if (!in_hand(self, mind) || !self.held || tick >= lift_plan.until + last_chance) {
-        end(seat, mind, lift_plan, tick);
+    if (!in_hand(self, mind) || !self.held || tick >= turn.lift_plan.until + last_chance) {
+        end_lifting(turn);
         return as_it_is;
     }
-    const bool waits = tick < lift_plan.until;
-    const bool guards = seat.skill.lift.guards != 0 && under_fire(seat, lift_plan, tick);
-    if (guards && waits) return aim_to_guard(self, mind, lift_plan);
+    const bool waits = tick < turn.lift_plan.until;
+    const bool guards = skill.guards != 0 && under_fire(turn);
+    if (guards && waits) return aim_to_guard(turn);
     const vec3 thing = *self.held;
-    const auto t = plan_throw(match, self, seat, mind, lifter, lift_plan);
+    const auto t = plan_throw(turn, lifter);
     if (t.harm < least_harm) {  // holding has cost too much energy
-        end(seat, mind, lift_plan, tick);
+        end_lifting(turn);
         return as_it_is;
     }
     const bool sees = mind.foe_seen_at != 0 && tick <= mind.foe_seen_at + ticks(0.4);
     const double off = det::acos(std::clamp(glm::dot(t.wanted, t.now), -1.0, 1.0));
-    if (sees && off < seat.skill.lift.within * (waits ? 1 : 2) &&
-        !match.physics().ray(thing, t.target, layer::ground))
+    if (sees && off < skill.within * (waits ? 1 : 2) &&
+        !turn.match.physics().ray(thing, t.target, layer::ground))
         mind.buttons |= bit(Button::throw_);
     const double rest = lifter.grasp.crossing - glm::distance(thing, self.eye);
     return aim_at(self.eye, thing + t.wanted * std::max(1.0, rest));
@@ -249,24 +272,22 @@ Aim hold_and_throw(const Simulation& match, const Self& self, const Seat& seat, 
 
 }  // namespace
 
-void plan_to_lift(const Simulation& match, const Self& self, const Seat& seat, const Eyes& eyes,
-                  const WalkGrid& grid, Mind& mind, LiftPlan& lift_plan, Tick tick) {
-    if (seat.skill.lift.share <= 0) return;
-    if (seat.skill.lift.guards != 0) note_shots(match, self, seat, lift_plan, tick);
-    if (lift_plan.stage == LiftStage::none) consider(match, self, seat, eyes, grid, mind, lift_plan, tick);
-    if (lift_plan.stage == LiftStage::approach) come_nearer(match, self, seat, eyes, mind, lift_plan, tick);
+void plan_to_lift(const BotTurn& turn) {
+    const auto& skill = turn.seat.skill.lift;
+    const auto& stage = turn.lift_plan.stage;
+    if (skill.share <= 0) return;
+    if (skill.guards != 0) note_shots(turn);
+    if (stage == LiftStage::none) consider_lifting(turn);
+    if (stage == LiftStage::approach) come_nearer(turn);
 }
 
-Aim handle_thing(const Simulation& match, const Self& self, const Seat& seat, Mind& mind, LiftPlan& lift_plan,
-                 Tick tick) {
-    const auto lifter = lifter_of(match, seat);
-    if (!lifter || !match.world().alive(lift_plan.thing)) {
-        end(seat, mind, lift_plan, tick);
-        return {self.yaw, self.pitch};
+Aim handle_thing(const BotTurn& turn) {
+    const auto lifter = lifter_of(turn);
+    if (!lifter || !turn.match.world().alive(turn.lift_plan.thing)) {
+        end_lifting(turn);
+        return {turn.self.yaw, turn.self.pitch};
     }
-    return lift_plan.stage == LiftStage::take
-               ? take_up(match, self, seat, *lifter, mind, lift_plan, tick)
-               : hold_and_throw(match, self, seat, *lifter, mind, lift_plan, tick);
+    return turn.lift_plan.stage == LiftStage::take ? take_up(turn, *lifter) : hold_and_throw(turn, *lifter);
 }
 
 }  // namespace thaum::game

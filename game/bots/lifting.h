@@ -1,7 +1,7 @@
 // game/bots/lifting.h: how a bot takes up loose things, holds them as shields and throws them at the foe.
 #pragma once
 #include "game/bots/aim.h"
-#include "game/bots/nav.h"
+#include "game/bots/turn.h"
 
 namespace thaum::game {
 
@@ -12,11 +12,9 @@ inline bool hands_full(const LiftPlan& lift_plan) {
 
 /// Chooses from time to time a thing that is worth a throw, and walks to it as an errand. Gives up if
 /// something else becomes more urgent.
-void plan_to_lift(const Simulation& match, const Self& self, const Seat& seat, const Eyes& eyes,
-                  const WalkGrid& grid, Mind& mind, LiftPlan& lift_plan, Tick tick);
+void plan_to_lift(const BotTurn& turn);
 
 /// Uses the wand while hands_full. Returns the wanted direction of view.
-Aim handle_thing(const Simulation& match, const Self& self, const Seat& seat, Mind& mind, LiftPlan& lift_plan,
-                 Tick tick);
+Aim handle_thing(const BotTurn& turn);
 
 }  // namespace thaum::game

@@ -30,9 +30,12 @@ double distance_of_last_thing(const Simulation& match, ecs::Entity wizard, vec3 
     return glm::distance(match.world().get<Motion>(last->thing).position, eye);
 }
 
-SpellOccasion occasion_of(const Simulation& match, const Self& self, const Seat& seat, const WalkGrid& grid,
-                          const Mind& mind, Tick tick) {
-    const auto wizard = wizard_of(match.world(), seat.player);
+SpellOccasion occasion_of(const BotTurn& turn) {
+    const auto& match = turn.match;
+    const auto& self = turn.self;
+    const auto& mind = turn.mind;
+    const Tick tick = turn.tick;
+    const auto wizard = wizard_of(match.world(), turn.seat.player);
     const auto& health = match.world().get<Health>(wizard);
     const Aim to_foe = aim_at(self.eye, mind.foe);
     const vec3 way = mind.foe - self.eye;
@@ -47,15 +50,16 @@ SpellOccasion occasion_of(const Simulation& match, const Self& self, const Seat&
             .sees_foe = mind.foe_seen_at != 0 && tick <= mind.foe_seen_at + in_sight,
             .foe_distance = glm::length(way),
             .foe_aside = std::abs(angle_between(self.yaw, to_foe.yaw)),
-            .foe_at_edge = grid.over_edge(mind.foe, behind),
+            .foe_at_edge = turn.grid.over_edge(mind.foe, behind),
             .thing_distance = distance_of_last_thing(match, wizard, self.eye)};
 }
 
 /// Index of the spell that is worth most and that the focus pays for; the number of spells if there is none.
-std::size_t best_spell(const Simulation& match, const Seat& seat, const SpellOccasion& occasion, double cost,
-                       bool wants_thing) {
-    const auto& spells = match.data().spells;
-    const double focus = match.world().get<Focus>(wizard_of(match.world(), seat.player)).points;
+std::size_t best_spell(const BotTurn& turn, const SpellOccasion& occasion, double cost) {
+    const auto& world = turn.match.world();
+    const auto& spells = turn.match.data().spells;
+    const bool wants_thing = turn.tick >= turn.cast_plan.no_thing_before;
+    const double focus = world.get<Focus>(wizard_of(world, turn.seat.player)).points;
     std::size_t best = spells.size();
     double most = 0;
     for (std::size_t i = 0; i < spells.size(); ++i) {
@@ -113,16 +117,18 @@ vec2 place_at(gesture::Points points, const CastPlan& cast_plan, double share) {
             style.sin_tilt * x + style.cos_tilt * y + deviation(cast_plan.up, share)};
 }
 
-void begin(const Simulation& match, const Seat& seat, std::size_t spell, bool harsh, Mind& mind,
-           CastPlan& cast_plan, Tick tick) {
-    const auto& skill = seat.skill.cast;
+void begin_stroke(const BotTurn& turn, std::size_t spell, bool harsh) {
+    const auto& match = turn.match;
+    const auto& skill = turn.seat.skill.cast;
+    auto& mind = turn.mind;
+    auto& cast_plan = turn.cast_plan;
     cast_plan = {.style = cast_plan.style,
-                 .began = tick,
+                 .began = turn.tick,
                  .no_thing_before = cast_plan.no_thing_before,
                  .spell = static_cast<std::uint32_t>(spell)};
     cast_plan.stroke = static_cast<std::uint32_t>(mind.random.below(64));
     cast_plan.scale = cast_plan.style.size * mind.random.uniform(0.9, 1.1);
-    const auto points = template_of(match, seat, cast_plan);
+    const auto points = template_of(match, turn.seat, cast_plan);
     if (points.size() < 2) return;
     const double length = length_of(points) * cast_plan.scale;
     const double force = harsh ? harsh_force : skill.force;
@@ -136,17 +142,17 @@ void begin(const Simulation& match, const Seat& seat, std::size_t spell, bool ha
 }
 
 /// Makes ready for the thing that flies to the bot.
-void expect_thing(const Simulation& match, const Seat& seat, CastPlan& cast_plan, Mind& mind,
-                  LiftPlan& lift_plan, Tick tick) {
+void expect_thing(const BotTurn& turn) {
     constexpr Tick flight = ticks(2.0);
-    const auto wizard = wizard_of(match.world(), seat.player);
+    const auto& match = turn.match;
+    const auto wizard = wizard_of(match.world(), turn.seat.player);
     for (const auto& wand : match.data().wands) {
         if (!wand.rules->grasp()) continue;
-        cast_plan.no_thing_before = tick + after_thing;
-        mind.wand = wand.stats.slot;
-        lift_plan = {.thing = match.world().get<LastProp>(wizard).thing,
-                     .until = tick + cast_plan.lasts + flight,
-                     .stage = LiftStage::take};
+        turn.cast_plan.no_thing_before = turn.tick + after_thing;
+        turn.mind.wand = wand.stats.slot;
+        turn.lift_plan = {.thing = match.world().get<LastProp>(wizard).thing,
+                          .until = turn.tick + turn.cast_plan.lasts + flight,
+                          .stage = LiftStage::take};
         return;
     }
 }
@@ -162,22 +168,22 @@ DrawingStyle random_drawing_style(Random& random) {
             .sin_tilt = det::sin(tilt)};
 }
 
-void plan_to_cast(const Simulation& match, const Self& self, const Seat& seat, const WalkGrid& grid,
-                  Mind& mind, LiftPlan& lift_plan, CastPlan& cast_plan, Tick tick) {
-    const auto& skill = seat.skill.cast;
+void plan_to_cast(const BotTurn& turn) {
+    const auto& match = turn.match;
+    const auto& skill = turn.seat.skill.cast;
+    auto& mind = turn.mind;
+    auto& cast_plan = turn.cast_plan;
     if (!(skill.share > 0) || match.data().spells.empty() || draws(cast_plan)) return;
-    if (tick < cast_plan.not_before) return;
-    cast_plan.not_before = tick + consider_again;
-    const bool readying = self.shot.held && (mind.buttons & bit(Button::fire)) != 0;
+    if (turn.tick < cast_plan.not_before) return;
+    cast_plan.not_before = turn.tick + consider_again;
+    const bool readying = turn.self.shot.held && (mind.buttons & bit(Button::fire)) != 0;
     if (readying) return;
     const bool harsh = mind.random.uniform() < skill.harsh;
     const double cost = harsh ? match.data().casting->harsh_cost : 1;
-    const auto occasion = occasion_of(match, self, seat, grid, mind, tick);
-    const auto spell = best_spell(match, seat, occasion, cost, tick >= cast_plan.no_thing_before);
+    const auto spell = best_spell(turn, occasion_of(turn), cost);
     if (spell == match.data().spells.size() || mind.random.uniform() >= skill.share) return;
-    begin(match, seat, spell, harsh, mind, cast_plan, tick);
-    if (draws(cast_plan) && match.data().spells[spell].rules->brings_thing())
-        expect_thing(match, seat, cast_plan, mind, lift_plan, tick);
+    begin_stroke(turn, spell, harsh);
+    if (draws(cast_plan) && match.data().spells[spell].rules->brings_thing()) expect_thing(turn);
 }
 
 void draw_stroke(const Simulation& match, const Seat& seat, Tick tick, CastPlan& cast_plan,

@@ -2,7 +2,7 @@
 // a person does: its view stands still meanwhile, it does not shoot, and a clumsy stroke means nothing. It
 // knows the spells only by what they are worth to it (SpellRules::worth).
 #pragma once
-#include "game/bots/lifting.h"
+#include "game/bots/turn.h"
 
 namespace thaum::game {
 
@@ -12,10 +12,9 @@ DrawingStyle random_drawing_style(Random& random);
 /// Whether the bot draws at present.
 inline bool draws(const CastPlan& cast_plan) { return cast_plan.lasts != 0; }
 
-/// Considers from time to time to cast a spell, and begins its stroke. Prepares `lift_plan`
-/// for a thing that the spell brings.
-void plan_to_cast(const Simulation& match, const Self& self, const Seat& seat, const WalkGrid& grid,
-                  Mind& mind, LiftPlan& lift_plan, CastPlan& cast_plan, Tick tick);
+/// Considers from time to time to cast a spell, and begins its stroke. Plans to
+/// lift a thing that the spell brings.
+void plan_to_cast(const BotTurn& turn);
 
 /// Writes the hand's motion of this tick to the sample, in place of the turn of the view. Ends the stroke.
 void draw_stroke(const Simulation& match, const Seat& seat, Tick tick, CastPlan& cast_plan,

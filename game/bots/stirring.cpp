@@ -24,61 +24,75 @@ constexpr Tick period = ticks(1.1);  ///< ticks of one circle
 /// Mouse counts per tick; the circle then uses the whole reach of the hand.
 constexpr double counts = 2.6;
 
-bool foe_stirs(const Simulation& match, const Seat& seat, const Mind& mind, Tick tick) {
-    const bool seen = mind.foe_seen_at != 0 && tick - mind.foe_seen_at < unseen;
-    return seen && match.world().has<Ladle>(wizard_of(match.world(), 1 - seat.player));
+bool foe_stirs(const BotTurn& turn) {
+    const auto& world = turn.match.world();
+    const Tick seen_at = turn.mind.foe_seen_at;
+    const bool seen = seen_at != 0 && turn.tick - seen_at < unseen;
+    return seen && world.has<Ladle>(wizard_of(world, 1 - turn.seat.player));
 }
 
-bool is_worth_it(const Simulation& match, const Self& self, const Seat& seat, const Mind& mind, Tick tick) {
-    if (foe_stirs(match, seat, mind, tick)) return true;
-    const bool alone = mind.foe_seen_at == 0 || tick - mind.foe_seen_at > unseen;
-    return alone && self.energy_share < needs_energy;
+/// Whether the bot has not seen the foe for a while.
+bool is_alone(const BotTurn& turn) {
+    const Tick seen_at = turn.mind.foe_seen_at;
+    return seen_at == 0 || turn.tick - seen_at > unseen;
 }
 
-vec3 place_at_rim(const Simulation& match, const Cauldron& cauldron, vec3 from) {
-    const vec3 way = from - cauldron.middle;
-    const double far = match.data().arena.bowl->size.radius + beside_rim;
+bool is_worth_it(const BotTurn& turn) {
+    if (foe_stirs(turn)) return true;
+    return is_alone(turn) && turn.self.energy_share < needs_energy;
+}
+
+vec3 place_at_rim(const BotTurn& turn, const Cauldron& cauldron) {
+    const vec3 way = turn.self.centre - cauldron.middle;
+    const double far = turn.match.data().arena.bowl->size.radius + beside_rim;
     return cauldron.middle + vec3(way.x, 0, way.z) * (far / std::max(1e-6, off_axis(way)));
 }
 
-void end(const Seat& seat, Mind& mind, StirPlan& stir_plan, Tick tick) {
-    stir_plan = {.not_before = tick + seat.skill.stir.rest};
-    if (mind.errand == Errand::stir) mind.errand = Errand::none;
+void end_stirring(const BotTurn& turn) {
+    turn.stir_plan = {.not_before = turn.tick + turn.seat.skill.stir.rest};
+    if (turn.mind.errand == Errand::stir) turn.mind.errand = Errand::none;
 }
 
-bool carries(const Simulation& match, const Seat& seat) {
-    return match.world().has<Pouch>(wizard_of(match.world(), seat.player));
+bool carries(const BotTurn& turn) {
+    const auto& world = turn.match.world();
+    return world.has<Pouch>(wizard_of(world, turn.seat.player));
 }
 
 // ---- potions ----------------------------------------------------------------------------------------------
 
 /// Whether the bot goes for a potion now: nobody is in sight, it is well, and the brew is nobody's.
-bool begins_to_brew(const Simulation& match, const Self& self, const Seat& seat, const Cauldron& cauldron,
-                    Mind& mind, StirPlan& stir_plan, Tick tick) {
-    const auto& skill = seat.skill.stir;
-    const bool alone = mind.foe_seen_at == 0 || tick - mind.foe_seen_at > unseen;
-    if (!(skill.brew > 0) || !alone || cauldron.begun != 0 || self.health < well) return false;
-    if (off_axis(self.centre - cauldron.middle) > skill.seek || mind.random.uniform() >= skill.brew)
-        return false;
-    stir_plan.recipe = choose_recipe(match, seat, mind.random);
+bool begins_to_brew(const BotTurn& turn, const Cauldron& cauldron) {
+    const auto& self = turn.self;
+    const auto& skill = turn.seat.skill.stir;
+    auto& stir_plan = turn.stir_plan;
+    auto& random = turn.mind.random;
+    if (!(skill.brew > 0) || !is_alone(turn) || cauldron.begun != 0 || self.health < well) return false;
+    if (off_axis(self.centre - cauldron.middle) > skill.seek || random.uniform() >= skill.brew) return false;
+    stir_plan.recipe = choose_recipe(turn.match, turn.seat, random);
     if (stir_plan.recipe == no_potion) return false;
     stir_plan.stage = StirStage::fetch;
-    stir_plan.until = tick + brew_limit;
+    stir_plan.until = turn.tick + brew_limit;
     stir_plan.health = self.health;
     return true;
 }
 
 /// Begins the next stroke at the rim.
-void begin_drawing(const Simulation& match, const Seat& seat, const Cauldron& cauldron, StirPlan& stir_plan,
-                   Tick tick) {
+void begin_drawing(const BotTurn& turn, const Cauldron& cauldron) {
+    auto& stir_plan = turn.stir_plan;
+    const Tick tick = turn.tick;
     stir_plan.stroke = cauldron.strokes_done;
     stir_plan.drawing_from = std::max<Tick>(tick, 1);
-    stir_plan.drawing_until = tick + stroke_length(match, seat, stir_plan);
+    stir_plan.drawing_until = tick + stroke_length(turn.match, turn.seat, stir_plan);
 }
 
 /// Goes on with the brewing of a potion, one gameplay tick.
-void brew(const Simulation& match, const Self& self, const Seat& seat, const WalkGrid& grid, Mind& mind,
-          StirPlan& stir_plan, Tick tick) {
+void brew(const BotTurn& turn) {
+    const auto& match = turn.match;
+    const auto& self = turn.self;
+    const auto& seat = turn.seat;
+    auto& mind = turn.mind;
+    auto& stir_plan = turn.stir_plan;
+    const Tick tick = turn.tick;
     const auto& cauldron = match.world().single<Cauldron>();
     if (stir_plan.drawing_from != 0 && tick < stir_plan.drawing_until) return;
     if (stir_plan.drawing_from != 0) stir_plan.hands_off_until = tick + between_strokes;
@@ -87,19 +101,18 @@ void brew(const Simulation& match, const Self& self, const Seat& seat, const Wal
     stir_plan.dropped = static_cast<std::uint32_t>(ingredients_in(cauldron)) > stir_plan.dropped
                             ? static_cast<std::uint32_t>(ingredients_in(cauldron))
                             : stir_plan.dropped;
-    if (stir_plan.dropped == 0 && carries(match, seat)) {  // the bot brews what it has picked up
+    if (stir_plan.dropped == 0 && carries(turn)) {  // the bot brews what it has picked up
         stir_plan.recipe = choose_recipe(match, seat, mind.random);
-        if (stir_plan.recipe == no_potion) return end(seat, mind, stir_plan, tick);
+        if (stir_plan.recipe == no_potion) return end_stirring(turn);
     }
-    const auto step = next_brew_step(match, seat, grid, stir_plan, tick);
+    const auto step = next_brew_step(turn);
     const bool hurt = self.health < stir_plan.health - unnerved;
-    if (step.task == BrewTask::done || tick >= stir_plan.until || hurt)
-        return end(seat, mind, stir_plan, tick);
+    if (step.task == BrewTask::done || tick >= stir_plan.until || hurt) return end_stirring(turn);
     const bool there = within_reach(match.data(), cauldron, self.centre);
     if (step.task == BrewTask::fetch || !there) {
         stir_plan.stage = StirStage::fetch;
         mind.errand = Errand::stir;
-        mind.goal = step.task == BrewTask::fetch ? step.place : place_at_rim(match, cauldron, self.centre);
+        mind.goal = step.task == BrewTask::fetch ? step.place : place_at_rim(turn, cauldron);
         return;
     }
     stir_plan.stage = StirStage::stir;
@@ -109,34 +122,38 @@ void brew(const Simulation& match, const Self& self, const Seat& seat, const Wal
         stir_plan.drops = 1;
         stir_plan.hands_off_until = tick + between_strokes;
     } else if (step.task == BrewTask::draw) {
-        begin_drawing(match, seat, cauldron, stir_plan, tick);
+        begin_drawing(turn, cauldron);
     }
 }
 
 }  // namespace
 
-void plan_to_stir(const Simulation& match, const Self& self, const Seat& seat, const WalkGrid& grid,
-                  Mind& mind, StirPlan& stir_plan, Tick tick) {
-    const auto& skill = seat.skill.stir;
+void plan_to_stir(const BotTurn& turn) {
+    const auto& match = turn.match;
+    const auto& self = turn.self;
+    const auto& skill = turn.seat.skill.stir;
+    auto& mind = turn.mind;
+    auto& stir_plan = turn.stir_plan;
+    const Tick tick = turn.tick;
     if (!(skill.share > 0) || !match.data().cauldron || match.world().count<Cauldron>() == 0) return;
     const auto& cauldron = match.world().single<Cauldron>();
-    const bool wanted = is_worth_it(match, self, seat, mind, tick);
-    if (stir_plan.recipe != no_potion) return brew(match, self, seat, grid, mind, stir_plan, tick);
+    const bool wanted = is_worth_it(turn);
+    if (stir_plan.recipe != no_potion) return brew(turn);
     switch (stir_plan.stage) {
         case StirStage::none:
             if (tick < stir_plan.not_before || mind.errand != Errand::none) return;
             if (!wanted && !(skill.brew > 0)) return;
             stir_plan.not_before = tick + ticks(0.5);
-            if (begins_to_brew(match, self, seat, cauldron, mind, stir_plan, tick) || !wanted) return;
+            if (begins_to_brew(turn, cauldron) || !wanted) return;
             if (off_axis(self.centre - cauldron.middle) > skill.seek || mind.random.uniform() >= skill.share)
                 return;
             stir_plan.stage = StirStage::approach;
             stir_plan.until = tick + way_limit;
             [[fallthrough]];
         case StirStage::approach:
-            if (tick >= stir_plan.until || !wanted) return end(seat, mind, stir_plan, tick);
+            if (tick >= stir_plan.until || !wanted) return end_stirring(turn);
             mind.errand = Errand::stir;
-            mind.goal = place_at_rim(match, cauldron, self.centre);
+            mind.goal = place_at_rim(turn, cauldron);
             if (!within_reach(match.data(), cauldron, self.centre)) return;
             stir_plan.stage = StirStage::stir;
             stir_plan.until = tick + skill.hold;
@@ -146,10 +163,10 @@ void plan_to_stir(const Simulation& match, const Self& self, const Seat& seat, c
         case StirStage::stir:
             // An ingredient that the bot has picked up by the way goes into the
             // brew, so that its hands are free.
-            stir_plan.drops = carries(match, seat) && tick / gameplay_period % 8 == 0 ? 1 : 0;
-            const bool full = self.energy_share > has_enough && !foe_stirs(match, seat, mind, tick);
+            stir_plan.drops = carries(turn) && tick / gameplay_period % 8 == 0 ? 1 : 0;
+            const bool full = self.energy_share > has_enough && !foe_stirs(turn);
             if (tick >= stir_plan.until || full || self.health < stir_plan.health - unnerved)
-                end(seat, mind, stir_plan, tick);
+                end_stirring(turn);
     }
 }
 

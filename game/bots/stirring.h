@@ -2,14 +2,12 @@
 // no foe is in sight, or if the foe stirs. There it moves its hand in circles. A bot that can brew also
 // goes there for a potion (brewing.h).
 #pragma once
-#include "game/bots/mind.h"
-#include "game/bots/nav.h"
+#include "game/bots/turn.h"
 
 namespace thaum::game {
 
 /// Plans the bot's actions at the cauldron. While the bot walks there, writes mind.errand and mind.goal.
-void plan_to_stir(const Simulation& match, const Self& self, const Seat& seat, const WalkGrid& grid,
-                  Mind& mind, StirPlan& stir_plan, Tick tick);
+void plan_to_stir(const BotTurn& turn);
 
 /// Whether the bot stirs at present.
 inline bool stirs(const StirPlan& stir_plan) { return stir_plan.stage == StirStage::stir; }

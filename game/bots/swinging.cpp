@@ -61,15 +61,19 @@ void begin(SwingPlan& swing_plan, SwingStage stage, Tick until) {
     swing_plan.until = until;
 }
 
-void end(Mind& mind, SwingPlan& swing_plan, Tick tick) {
-    mind.buttons &= ~bit(Button::fire);
-    mind.wand_until = tick;
-    swing_plan.stage = SwingStage::none;
-    swing_plan.not_before = tick + again_after;
+void end_swinging(const BotTurn& turn) {
+    turn.mind.buttons &= ~bit(Button::fire);
+    turn.mind.wand_until = turn.tick;
+    turn.swing_plan.stage = SwingStage::none;
+    turn.swing_plan.not_before = turn.tick + again_after;
 }
 
 /// Selects the rope's wand, and presses fire when the crosshair is near the anchor.
-void latch(const Self& self, const LoadedWand& roper, Mind& mind, SwingPlan& swing_plan, Tick tick) {
+void latch(const BotTurn& turn, const LoadedWand& roper) {
+    const auto& self = turn.self;
+    auto& mind = turn.mind;
+    auto& swing_plan = turn.swing_plan;
+    const Tick tick = turn.tick;
     const auto fire = bit(Button::fire);
     mind.wand = roper.stats.slot;
     if (!in_hand(self, mind)) return;
@@ -105,9 +109,15 @@ std::vector<Crossing> find_crossings(const Simulation& match, const WalkGrid& gr
     return crossings;
 }
 
-void plan_to_swing(const Simulation& match, const Self& self, const Seat& seat, const WalkGrid& grid,
-                   const std::vector<Crossing>& crossings, const WalkGrid::Ways& to_goal, const Mind& mind,
-                   SwingPlan& swing_plan, Tick tick) {
+void plan_to_swing(const BotTurn& turn) {
+    const auto& match = turn.match;
+    const auto& self = turn.self;
+    const auto& seat = turn.seat;
+    const auto& grid = turn.grid;
+    const auto& to_goal = turn.ways.to_goal;
+    const auto& mind = turn.mind;
+    auto& swing_plan = turn.swing_plan;
+    const Tick tick = turn.tick;
     if (seat.skill.swing_gain <= 0 || roped(swing_plan) || tick < swing_plan.not_before) return;
     swing_plan.not_before = tick + look_again;
     const bool hunts = mind.foe_seen_at == 0 || tick > mind.foe_seen_at + ticks(1.0);
@@ -121,7 +131,7 @@ void plan_to_swing(const Simulation& match, const Self& self, const Seat& seat, 
         return static_cast<double>(to_goal.steps[static_cast<std::size_t>(grid.cell_at(place))]);
     };
     double most = seat.skill.swing_gain;
-    for (const auto& c : crossings) {
+    for (const auto& c : turn.crossings) {
         const double walk = glm::length(flat(c.from - self.centre));
         const double gain = steps(self.centre) - (walk + costs_as + steps(c.to));
         if (walk > walk_to_edge || gain < most || !grid.straight(self.centre, c.from)) continue;
@@ -133,11 +143,15 @@ void plan_to_swing(const Simulation& match, const Self& self, const Seat& seat, 
     }
 }
 
-vec3 swing_over(const Simulation& match, const Self& self, const Seat& seat, Mind& mind,
-                SwingPlan& swing_plan, Tick tick) {
+vec3 swing_over(const BotTurn& turn) {
+    const auto& match = turn.match;
+    const auto& self = turn.self;
+    auto& mind = turn.mind;
+    auto& swing_plan = turn.swing_plan;
+    const Tick tick = turn.tick;
     const auto* roper = roper_of(match);
     if (roper == nullptr || tick >= swing_plan.until) {
-        end(mind, swing_plan, tick);
+        end_swinging(turn);
         return {};
     }
     const vec3 to_edge = flat(swing_plan.from - self.centre);
@@ -147,7 +161,7 @@ vec3 swing_over(const Simulation& match, const Self& self, const Seat& seat, Min
             mind.buttons &= ~bit(Button::fire);
             begin(swing_plan, SwingStage::aim, tick + latch_time);
             return {};
-        case SwingStage::aim: latch(self, *roper, mind, swing_plan, tick); return {};
+        case SwingStage::aim: latch(turn, *roper); return {};
         case SwingStage::hang:
             mind.buttons |= bit(Button::fire);
             if (!self.held || glm::dot(self.centre - swing_plan.anchor, across(swing_plan)) > let_go_past) {
@@ -157,8 +171,8 @@ vec3 swing_over(const Simulation& match, const Self& self, const Seat& seat, Min
             return across(swing_plan);
         default: break;
     }
-    const auto& stance = match.world().get<Stance>(wizard_of(match.world(), seat.player));
-    if (stance.grounded != 0) end(mind, swing_plan, tick);
+    const auto& stance = match.world().get<Stance>(wizard_of(match.world(), turn.seat.player));
+    if (stance.grounded != 0) end_swinging(turn);
     return across(swing_plan);
 }
 
