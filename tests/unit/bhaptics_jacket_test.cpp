@@ -14,6 +14,7 @@
 #include "unit/fake_bhaptics.h"
 #include "unit/jacket_rig.h"
 #include "unit/message_of.h"
+#include "unit/two_addresses.h"
 
 namespace thaum::app {
 namespace {

@@ -12,6 +12,7 @@
 #include "game/jackets/osc_message.h"
 #include "input/tactile_player.h"
 #include "unit/message_of.h"
+#include "unit/two_addresses.h"
 #include "unit/udp_receiver.h"
 
 namespace thaum::app {

@@ -28,6 +28,10 @@ protected:
     void pass(double s) {
         for (const double until = now_s_ + s - 1e-9; now_s_ < until;) playback_.step(now_s_ += 4 * milli);
     }
+    void feel(const tactile::TactileFrame& frame, double then_s) {
+        playback_.feel(frame);
+        pass(then_s);
+    }
     std::size_t written() const { return felt_->frames.size(); }
     const tactile::TactileFrame& newest() const { return felt_->frames.back(); }
 
@@ -39,8 +43,7 @@ protected:
 TEST_F(TactilePlaybackTest, FramesReachTheOutputInTheirOrder) {
     EXPECT_EQ(playback_.status(), "fake plays");
     for (int i = 1; i <= 10; ++i) {
-        playback_.feel(frame_of(0.1F * static_cast<float>(i), 0));
-        pass(8 * milli);
+        feel(frame_of(0.1F * static_cast<float>(i), 0), 8 * milli);
         ASSERT_EQ(written(), i);
         EXPECT_EQ(newest().amplitude[0], 0.1F * static_cast<float>(i));
     }
@@ -50,8 +53,7 @@ TEST_F(TactilePlaybackTest, FramesReachTheOutputInTheirOrder) {
 
 TEST_F(TactilePlaybackTest, AnOutputWithoutANewerFrameIsSilentAfterTheTimeToLive) {
     for (const Tick life : {8U, 48U, 200U}) {
-        playback_.feel(frame_of(1, 0, life));
-        pass(4 * milli);
+        feel(frame_of(1, 0, life), 4 * milli);
         ASSERT_TRUE(felt_->on);
         double on_s = 0;
         for (; felt_->on && on_s < 1; on_s += 4 * milli) pass(4 * milli);
@@ -65,23 +67,18 @@ TEST_F(TactilePlaybackTest, AnOutputWithoutANewerFrameIsSilentAfterTheTimeToLive
 }
 
 TEST_F(TactilePlaybackTest, ALieAboutTheTimeToLiveLeavesNoMotorOn) {
-    playback_.feel(frame_of(1, 1, std::numeric_limits<Tick>::max()));
-    pass(TactilePlayback::longest_life_s + 4 * milli);
+    feel(frame_of(1, 1, std::numeric_limits<Tick>::max()), TactilePlayback::longest_life_s + 4 * milli);
     EXPECT_FALSE(felt_->on);
-    playback_.feel(frame_of(1, 1, 0));
-    pass(4 * milli);
+    feel(frame_of(1, 1, 0), 4 * milli);
     EXPECT_EQ(written(), 1) << "a frame without life";
     EXPECT_EQ(playback_.report().frames_late, 1);
 }
 
 TEST_F(TactilePlaybackTest, ASilentFrameSilencesAtOnce) {
-    playback_.feel(frame_of(1, 0));
-    pass(4 * milli);
-    playback_.feel(frame_of(0, 0));
-    pass(4 * milli);
+    feel(frame_of(1, 0), 4 * milli);
+    feel(frame_of(0, 0), 4 * milli);
     EXPECT_FALSE(felt_->on);
-    playback_.feel(frame_of(0, 0));
-    pass(1);
+    feel(frame_of(0, 0), 1);
     EXPECT_EQ(felt_->silenced, 1);
     EXPECT_EQ(playback_.report().times_silenced, 0) << "it was told to be silent";
 }
@@ -91,8 +88,7 @@ TEST_F(TactilePlaybackTest, WaitingFramesAreMergedAndNoBlowIsLost) {
     blow.carrier_hz[0] = 60;
     playback_.feel(blow);
     playback_.feel(frame_of(0, 0.3F));
-    playback_.feel(frame_of(0.2F, 0.1F));
-    pass(4 * milli);
+    feel(frame_of(0.2F, 0.1F), 4 * milli);
     ASSERT_EQ(written(), 1);
     EXPECT_EQ(newest().amplitude[0], 0.9F);
     EXPECT_EQ(newest().amplitude[1], 0.3F);
@@ -109,8 +105,7 @@ TEST_F(TactilePlaybackTest, AnActuatorThatFellSilentInAMergedFrameKeepsItsCarrie
     blow.carrier_hz[0] = 60;
     silent.carrier_hz[0] = 0;
     playback_.feel(blow);
-    playback_.feel(silent);
-    pass(4 * milli);
+    feel(silent, 4 * milli);
     ASSERT_EQ(written(), 1);
     EXPECT_EQ(newest().carrier_hz[0], 60);
 }
@@ -120,8 +115,7 @@ TEST_F(TactilePlaybackTest, FramesThatWaitedWhileTheOutputHungAreDropped) {
     playback_.step(now_s_ += 60 * milli);
     EXPECT_EQ(written(), 0);
     EXPECT_EQ(playback_.report().frames_late, 1);
-    playback_.feel(frame_of(1, 0));
-    pass(4 * milli);
+    feel(frame_of(1, 0), 4 * milli);
     EXPECT_EQ(written(), 1);
 }
 
@@ -132,15 +126,12 @@ TEST_F(TactilePlaybackTest, ATriedFrameLiesOverThoseOfAPausedMatch) {
     EXPECT_EQ(newest().amplitude[0], 0.5F);
     for (int i = 0; i < 10; ++i) {
         if (i == 5) playback_.try_out(frame_of(0.7F, 0, 48));
-        playback_.feel(frame_of(0, 0.2F));
-        pass(4 * milli);
+        feel(frame_of(0, 0.2F), 4 * milli);
         EXPECT_EQ(newest().amplitude[0], i < 5 ? 0.5F : 0.7F);
         EXPECT_EQ(newest().amplitude[1], 0.2F) << "the match is felt, too";
     }
-    playback_.feel(frame_of(0, 0.2F, 400));
-    pass(60 * milli);
-    playback_.feel(frame_of(0, 0.2F));
-    pass(4 * milli);
+    feel(frame_of(0, 0.2F, 400), 60 * milli);
+    feel(frame_of(0, 0.2F), 4 * milli);
     EXPECT_EQ(newest().amplitude[0], 0) << "the trial is over after its time to live";
 }
 
@@ -153,12 +144,10 @@ TEST_F(TactilePlaybackTest, ATriedFrameAloneEndsByItself) {
 }
 
 TEST_F(TactilePlaybackTest, ALostOutputIsOpenedAgainAndPlays) {
-    playback_.feel(frame_of(1, 0));
-    pass(3);
+    feel(frame_of(1, 0), 3);
     felt_->connected = false;
     felt_->present = false;
-    playback_.feel(frame_of(1, 0));
-    pass(8 * milli);
+    feel(frame_of(1, 0), 8 * milli);
     EXPECT_EQ(playback_.status(), "fake: it is not there");
     EXPECT_EQ(felt_->closed, 1);
     EXPECT_FALSE(felt_->on);
@@ -170,8 +159,7 @@ TEST_F(TactilePlaybackTest, ALostOutputIsOpenedAgainAndPlays) {
     pass(TactilePlayback::retry_s);
     EXPECT_EQ(playback_.status(), "fake plays");
     EXPECT_EQ(written(), 1) << "frames for a lost output are not played later";
-    playback_.feel(frame_of(0, 1));
-    pass(4 * milli);
+    feel(frame_of(0, 1), 4 * milli);
     EXPECT_EQ(newest().amplitude[1], 1);
     const auto report = playback_.report();
     EXPECT_EQ(report.times_opened, 2);
@@ -213,23 +201,20 @@ TEST_F(TactilePlaybackTest, AnOutputThatFailsAfterEachOpeningIsNotOpenedAllTheTi
 }
 
 TEST_F(TactilePlaybackTest, AnotherOutputTakesOverAndTheFormerIsClosed) {
-    playback_.feel(frame_of(1, 0));
-    pass(4 * milli);
+    feel(frame_of(1, 0), 4 * milli);
     const auto other = std::make_shared<Felt>();
     playback_.use(std::make_unique<FakeOutput>(other));
     pass(4 * milli);
     EXPECT_FALSE(felt_->on);
     EXPECT_EQ(felt_->closed, 1);
-    playback_.feel(frame_of(1, 0));
-    pass(4 * milli);
+    feel(frame_of(1, 0), 4 * milli);
     EXPECT_EQ(other->frames.size(), 1);
     EXPECT_EQ(written(), 1);
     playback_.use(nullptr);
     pass(4 * milli);
     EXPECT_FALSE(other->on);
     EXPECT_EQ(playback_.status(), "");
-    playback_.feel(frame_of(1, 0));
-    pass(1);
+    feel(frame_of(1, 0), 1);
 }
 
 TEST_F(TactilePlaybackTest, ManyFramesDoNotAllocate) {
@@ -237,8 +222,7 @@ TEST_F(TactilePlaybackTest, ManyFramesDoNotAllocate) {
     pass(1);
     const auto before = test::allocations();
     for (int i = 0; i < 500; ++i) {
-        playback_.feel(frame_of(0.5F, 0.25F));
-        pass(8 * milli);
+        feel(frame_of(0.5F, 0.25F), 8 * milli);
     }
     EXPECT_EQ(test::allocations(), before);
     EXPECT_EQ(written(), 500);

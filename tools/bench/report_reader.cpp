@@ -67,6 +67,14 @@ Expected<const Json*> object(const Json& row, const char* key) {
     return &value;
 }
 
+/// Puts what was read where it belongs.
+template <class Read, class To>
+Expected<void> take(Expected<Read> read, To& to) {
+    if (!read) return read.error();
+    to = *std::move(read);
+    return {};
+}
+
 Expected<void> read_times(const Json& from, Row& row) {
     const auto times = object(from, "time_us");
     if (!times) return times.error();
@@ -75,9 +83,7 @@ Expected<void> read_times(const Json& from, Row& row) {
     for (const auto& [key, to] : {std::pair{"min", &row.time_us->min},
                                   {"median", &row.time_us->median},
                                   {"p99", &row.time_us->p99}}) {
-        const auto value = number(member(**times, key), text("time_us.", key));
-        if (!value) return value.error();
-        *to = *value;
+        if (auto taken = take(number(member(**times, key), text("time_us.", key)), *to); !taken) return taken;
     }
     return {};
 }
@@ -117,33 +123,18 @@ Expected<void> read_metrics(const Json& from, Row& row) {
 }
 
 Expected<void> read_marks(const Json& from, Row& row) {
-    const auto front = mark(from, "front");
-    if (!front) return front.error();
-    const auto is_default = mark(from, "default");
-    if (!is_default) return is_default.error();
-    row.front = *front;
-    row.is_default = *is_default;
-    if (!member(from, "fault").is_null()) {
-        const auto fault = word(from, "fault");
-        if (!fault) return fault.error();
-        row.fault = *fault;
-    }
-    if (member(from, "hash").is_null()) return {};
-    const auto hash = word(from, "hash");
-    if (!hash) return hash.error();
-    row.hash = *hash;
-    return {};
+    if (auto taken = take(mark(from, "front"), row.front); !taken) return taken;
+    if (auto taken = take(mark(from, "default"), row.is_default); !taken) return taken;
+    if (!member(from, "fault").is_null())
+        if (auto taken = take(word(from, "fault"), row.fault); !taken) return taken;
+    return member(from, "hash").is_null() ? Expected<void>() : take(word(from, "hash"), row.hash);
 }
 
 Expected<Row> read_row(const Json& from) {
     if (!from.is_object()) return fail("it must be an object");
     Row row;
-    const auto area = word(from, "area");
-    if (!area) return area.error();
-    const auto name = word(from, "case");
-    if (!name) return name.error();
-    row.area = *area;
-    row.name = *name;
+    if (auto taken = take(word(from, "area"), row.area); !taken) return taken.error();
+    if (auto taken = take(word(from, "case"), row.name); !taken) return taken.error();
     for (const auto read : {read_settings, read_times, read_error, read_metrics, read_marks}) {
         if (const auto done = read(from, row); !done) return done.error();
     }
