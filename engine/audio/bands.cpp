@@ -84,8 +84,8 @@ void follow_band(const std::vector<double>& samples, const Band& band, std::size
     BandPower power(band);
     // A loop sounds as if it had always been playing, so its filters begin in the state that they have at its
     // end. For this at least 2 s are filtered beforehand, longer than any filter rings.
-    constexpr std::size_t least_before = 12'000;
-    for (std::size_t i = 0, before = samples.size(); out.loops && i < std::max(before, least_before); ++i)
+    constexpr std::size_t min_before = 12'000;
+    for (std::size_t i = 0, before = samples.size(); out.loops && i < std::max(before, min_before); ++i)
         power.take(samples[i % before]);
     for (std::size_t block = 0; block < out.levels.size(); ++block) {
         double sum = 0;
@@ -111,7 +111,7 @@ bool BandCourse::has_ended(double sample) const {
 }
 
 BandCourse band_course(const Sound& sound, std::span<const Band> bands) {
-    THAUM_ASSERT(bands.size() <= most_bands, "there are too many bands");
+    THAUM_ASSERT(bands.size() <= max_bands, "there are too many bands");
     BandCourse out{.samples = static_cast<double>(sound.samples.size()),
                    .loops = sound.loops,
                    .group = sound.group,

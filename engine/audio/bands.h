@@ -15,7 +15,7 @@
 
 namespace thaum::audio {
 
-inline constexpr std::size_t most_bands = 4;
+inline constexpr std::size_t max_bands = 4;
 
 /// A range of frequencies.
 struct Band {
@@ -24,7 +24,7 @@ struct Band {
 };
 
 /// Amplitude of each band (0 to about 1). Bands beyond those asked for have 0.
-using BandLevels = std::array<float, most_bands>;
+using BandLevels = std::array<float, max_bands>;
 
 /// Levels of the bands of one sound over time.
 struct BandCourse {
@@ -47,7 +47,7 @@ struct BandCourse {
 /// Courses of all sounds of a bank; the index is the number of the sound.
 std::vector<BandCourse> band_courses(const SoundBank& bank, std::span<const Band> bands);
 
-/// The course of one sound; `bands` has at most most_bands entries.
+/// The course of one sound; `bands` has at most max_bands entries.
 BandCourse band_course(const Sound& sound, std::span<const Band> bands);
 
 }  // namespace thaum::audio

@@ -17,9 +17,9 @@
 
 namespace thaum::audio {
 
-inline constexpr std::size_t most_channels = 8;
+inline constexpr std::size_t max_channels = 8;
 /// Speakers of 7.1 sound, in the order of OpenAL's samples.
-inline constexpr std::array<std::string_view, most_channels> surround_channels{
+inline constexpr std::array<std::string_view, max_channels> surround_channels{
     "front left", "front right", "front centre", "bass",
     "back left",  "back right",  "side left",    "side right"};
 
@@ -34,7 +34,7 @@ class ChannelTones {
 public:
     static constexpr double lowest_hz = 5, highest_hz = 1000;
 
-    /// `channels`: 1 to most_channels.
+    /// `channels`: 1 to max_channels.
     explicit ChannelTones(std::size_t channels) : channels_(channels) {}
 
     /// Changes the wave of a channel within the next block. The amplitude is clipped to 0 to 1; NaN counts as
@@ -60,7 +60,7 @@ private:
     };
 
     std::size_t channels_;
-    std::array<Wave, most_channels> waves_{};
+    std::array<Wave, max_channels> waves_{};
 };
 
 }  // namespace thaum::audio

@@ -19,7 +19,7 @@ inline constexpr Tick frame_ticks = 8;
 inline constexpr std::size_t frame_samples = sample_rate * frame_ticks / ticks_per_second;
 static_assert(frame_samples == 384);
 
-inline constexpr std::size_t most_listeners = 2;
+inline constexpr std::size_t max_listeners = 2;
 
 /// Ears of one player. `forward` and `up` are orthogonal unit vectors.
 struct Listener {
@@ -41,7 +41,7 @@ struct Voice {
     double gain{1};   ///< 0 to 1
     double pitch{1};  ///< speed of playing, 0.25 to 4
     /// Damping of high tones by walls for each listener, 0 to 1.
-    std::array<double, most_listeners> muffled{};
+    std::array<double, max_listeners> muffled{};
 };
 
 /// A list of fixed capacity. It counts the voices that do not fit.
@@ -65,7 +65,7 @@ struct VoiceList {
 /// Listeners and voices of one frame of 8 ms.
 struct AudioFrame {
     std::uint32_t listener_count{1};  ///< 1 or 2
-    std::array<Listener, most_listeners> listeners{};
+    std::array<Listener, max_listeners> listeners{};
     VoiceList<32> begins;  ///< voices that begin in this frame and play to the end of their sound
     /// Voices of looping sounds. A voice that is missing from a later frame fades out within that frame.
     VoiceList<32> lasts;

@@ -64,8 +64,8 @@ double fader_gain(double fader) {
 
 struct Mixer::State {
     std::vector<detail::SoundFacts> sounds;
-    std::array<std::optional<detail::ListenerMix>, most_listeners> mixes;
-    std::array<SpeakerGains, most_listeners> gains{};
+    std::array<std::optional<detail::ListenerMix>, max_listeners> mixes;
+    std::array<SpeakerGains, max_listeners> gains{};
     detail::Limiter limiter;
     MixSettings settings;
     MixReport report;
@@ -73,16 +73,16 @@ struct Mixer::State {
 
     // The newest frame, checked.
     std::uint32_t listener_count = 1;
-    std::array<Listener, most_listeners> listeners{};
+    std::array<Listener, max_listeners> listeners{};
     std::array<Voice, 32> lasts{};
     std::size_t last_count = 0;
-    std::array<Voice, most_begins> begins{};
+    std::array<Voice, max_begins> begins{};
     std::size_t begin_count = 0;
     std::array<float, block_values> heard{};
 
     void begin(Voice voice) {
         if (!detail::check_voice(voice, false, sounds, report.bad_values)) return;
-        if (begin_count == most_begins)
+        if (begin_count == max_begins)
             ++report.left_out;
         else
             begins[begin_count++] = voice;
@@ -96,7 +96,7 @@ struct Mixer::State {
 };
 
 void Mixer::State::take(const AudioFrame& frame) {
-    const auto count = std::clamp(frame.listener_count, 1U, static_cast<std::uint32_t>(most_listeners));
+    const auto count = std::clamp(frame.listener_count, 1U, static_cast<std::uint32_t>(max_listeners));
     if (count != frame.listener_count) ++report.bad_values;
     listener_count = count;
     for (std::uint32_t i = 0; i < count; ++i)
@@ -147,7 +147,7 @@ void Mixer::State::mix_listener(std::uint32_t i, std::span<float> sum) {
 void Mixer::State::mix(std::span<float> stereo) {
     std::fill(stereo.begin(), stereo.end(), 0.0F);
     report.voices = 0;
-    for (std::uint32_t i = 0; i < most_listeners; ++i) mix_listener(i, stereo);
+    for (std::uint32_t i = 0; i < max_listeners; ++i) mix_listener(i, stereo);
     begin_count = 0;
     if (limiter.process(stereo)) ++report.limited_blocks;
     ++report.blocks;
@@ -163,7 +163,7 @@ Expected<Mixer> Mixer::create(const SoundBank& bank, const MixSettings& settings
     auto state = std::make_unique<State>();
     state->sounds = detail::facts_of(bank, state->report.bad_values);
     state->settings = detail::checked_settings(settings, state->report.bad_values);
-    for (std::uint32_t i = 0; i < most_listeners; ++i) {
+    for (std::uint32_t i = 0; i < max_listeners; ++i) {
         auto device = detail::Loopback::open(bank, i == 0 && settings.headphones);
         if (!device) return device.error();
         state->mixes[i].emplace(std::move(*device), state->sounds, i);

@@ -21,9 +21,9 @@
 namespace thaum::audio {
 
 /// Voices that one listener can hear at a time. If there are more, the quietest are left out.
-inline constexpr std::size_t most_heard = 64;
+inline constexpr std::size_t max_heard = 64;
 /// Voices that may begin in one block, including those of its frame.
-inline constexpr std::size_t most_begins = 256;
+inline constexpr std::size_t max_begins = 256;
 inline constexpr std::size_t block_values = 2 * frame_samples;
 
 /// How two listeners share the two speakers.
@@ -49,7 +49,7 @@ struct MixReport {
     std::uint32_t voices{};                ///< voices of the last block, of all listeners together
     std::uint64_t begun{};                 ///< voices that got a source
     std::uint64_t stolen{};                ///< voices that lost their source to louder ones
-    /// Audible voices without a source, summed over blocks, and voices for which a frame or most_begins had
+    /// Audible voices without a source, summed over blocks, and voices for which a frame or max_begins had
     /// no room.
     std::uint64_t left_out{};
     std::uint64_t limited_blocks{};  ///< blocks in which the limiter made the sum quieter
@@ -77,7 +77,7 @@ public:
     Mixer& operator=(Mixer&& other) noexcept;
     ~Mixer();
 
-    /// Adds a voice that begins with the next block. The voice is dropped if most_begins voices are already
+    /// Adds a voice that begins with the next block. The voice is dropped if max_begins voices are already
     /// waiting.
     void begin(const Voice& voice);
     /// Mixes the next block: begins the frame's voices, updates the lasting ones and ends those that are

@@ -16,7 +16,7 @@ constexpr double playing_rest_s = 0.002;
 constexpr double silent_rest_s = 0.1;
 /// Largest rate at which a device may take blocks, relative to real time. One that claims to take more could
 /// keep a core busy.
-constexpr double most_speed = 1.25;
+constexpr double max_speed = 1.25;
 /// Longest time between two steps that is counted as waiting for the device (s).
 constexpr double longest_wait_s = 0.05;
 
@@ -88,7 +88,7 @@ void Playback::try_open(double now_s) {
     ++report_.times_opened;
     last_step_s_ = now_s;
     waited_s_ = 0;
-    credit_ = most_at_once;
+    credit_ = max_at_once;
     // Nobody has heard what was played or queued before this moment.
     mixer_.silence();
     drop_waiting();
@@ -114,7 +114,7 @@ void Playback::drop_waiting() {
 std::size_t Playback::allowed(std::size_t wanted, double now_s) {
     const double passed = std::max(0.0, now_s - last_step_s_);
     last_step_s_ = now_s;
-    credit_ = std::min<double>(most_at_once, credit_ + passed / block_s * most_speed);
+    credit_ = std::min<double>(max_at_once, credit_ + passed / block_s * max_speed);
     const auto blocks = std::min(wanted, static_cast<std::size_t>(credit_));
     credit_ -= static_cast<double>(blocks);
     return blocks;

@@ -70,7 +70,7 @@ public:
 
 private:
     /// Largest number of blocks that are written in one step.
-    static constexpr std::size_t most_at_once = 24;
+    static constexpr std::size_t max_at_once = 24;
 
     void try_open(double now_s);
     void lose(double now_s, std::string_view why);

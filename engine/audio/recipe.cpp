@@ -10,9 +10,9 @@ namespace thaum::audio {
 namespace {
 
 constexpr std::int64_t recipe_version = 1;
-constexpr double longest_s = 16, longest_one_shot_s = 1.5, most_grains = 4000, most_work = 4e7;
+constexpr double longest_s = 16, longest_one_shot_s = 1.5, max_grains = 4000, max_work = 4e7;
 constexpr Range hz_range{20, 20'000};
-constexpr std::size_t most_parts = 16, most_partials = 16, most_notes = 200;
+constexpr std::size_t max_parts = 16, max_partials = 16, max_notes = 200;
 
 /// Values of the whole sound that its parts need.
 struct Whole {
@@ -49,10 +49,10 @@ Pitch read_pitch(const ConfigTable& table, const Envelope& envelope, const Whole
 }
 
 std::vector<Partial> read_partials(const ConfigTable& table) {
-    const auto ratios = table.numbers("ratios", {0.05, 100}, most_partials, {1});
+    const auto ratios = table.numbers("ratios", {0.05, 100}, max_partials, {1});
     const auto ones = std::vector<double>(ratios.size(), 1.0);
-    const auto levels = table.numbers("levels", {-4, 4}, most_partials, ones);
-    const auto decays = table.numbers("decays", {0.01, 1}, most_partials, ones);
+    const auto levels = table.numbers("levels", {-4, 4}, max_partials, ones);
+    const auto decays = table.numbers("decays", {0.01, 1}, max_partials, ones);
     std::vector<Partial> partials;
     if (ratios.size() != levels.size() || ratios.size() != decays.size()) {
         table.report("ratios", "'ratios', 'levels' and 'decays' must have equally many numbers");
@@ -101,8 +101,8 @@ Grains read_grains(const ConfigTable& table, const Whole& whole) {
     grains.ring = table.number("ring", {0.0005, 2});
     grains.glide = table.number("glide", {-36, 36}, 0);
     grains.spread = table.number("spread", {0, 1}, 0.5);
-    if (std::max(grains.rate, grains.rate_to) * whole.seconds > most_grains)
-        table.report("rate", text("the part would have more than ", most_grains, " grains"));
+    if (std::max(grains.rate, grains.rate_to) * whole.seconds > max_grains)
+        table.report("rate", text("the part would have more than ", max_grains, " grains"));
     return grains;
 }
 
@@ -118,9 +118,9 @@ Score read_score(const ConfigTable& table, const Whole& whole) {
     score.beats_per_minute = table.number("beats_per_minute", {20, 400});
     const double last_beat = whole.seconds * score.beats_per_minute / 60;
     const auto notes = table.tables("notes");
-    if (notes.empty() || notes.size() > most_notes)
-        table.report("notes", text("a score has 1 to ", most_notes, " notes"));
-    for (std::size_t i = 0; i < std::min(notes.size(), most_notes); ++i) {
+    if (notes.empty() || notes.size() > max_notes)
+        table.report("notes", text("a score has 1 to ", max_notes, " notes"));
+    for (std::size_t i = 0; i < std::min(notes.size(), max_notes); ++i) {
         Note note;
         note.beat = notes[i].number("beat", {0, last_beat});
         note.beats = notes[i].number("beats", {0.01, last_beat});
@@ -208,11 +208,11 @@ Expected<Recipe> read_recipe(std::string_view toml, std::string name) {
     recipe.name = std::move(name);
     read_whole(root, recipe);
     const auto parts = root.tables("parts");
-    if (parts.empty() || parts.size() > most_parts)
-        root.report("parts", text("a sound has 1 to ", most_parts, " parts"));
-    for (std::size_t i = 0; i < std::min(parts.size(), most_parts); ++i)
+    if (parts.empty() || parts.size() > max_parts)
+        root.report("parts", text("a sound has 1 to ", max_parts, " parts"));
+    for (std::size_t i = 0; i < std::min(parts.size(), max_parts); ++i)
         recipe.parts.push_back(read_part(parts[i], {recipe.seconds, recipe.loops}));
-    if (work_of(recipe) > most_work) config->report("the sound takes too long to make; shorten its decays");
+    if (work_of(recipe) > max_work) config->report("the sound takes too long to make; shorten its decays");
     if (const auto checked = config->check(); !checked) return checked.error();
     return recipe;
 }

@@ -5,7 +5,7 @@
 // plus the delay of the device itself. A device that had gaps gets one block more, which makes 36 ms.
 //
 // Without a device nothing is heard, and the thread tries again every two seconds. A device may block its
-// caller for ever, so the destructor waits for the thread for `most_wait_s` only (core/step_thread.h). A
+// caller for ever, so the destructor waits for the thread for `max_wait_s` only (core/step_thread.h). A
 // thread that is left behind calls OpenAL no more: the program may be ending.
 #pragma once
 #include <memory>
@@ -19,11 +19,11 @@ namespace thaum::audio {
 /// A sound device with the thread that plays on it.
 class Speakers {
 public:
-    static constexpr double most_wait_s = 1.5;
+    static constexpr double max_wait_s = 1.5;
 
     /// Starts the thread.
     explicit Speakers(Mixer mixer, std::unique_ptr<SoundDevice> device = openal_device(),
-                      double wait_s = most_wait_s);
+                      double wait_s = max_wait_s);
 
     /// Queues a frame; the simulation thread calls it every 8 ms. Never waits.
     bool hear(const AudioFrame& frame);

@@ -12,9 +12,9 @@
 namespace thaum::audio {
 namespace {
 
-constexpr std::size_t largest_recipe = 64 << 10, most_sounds = 256;
+constexpr std::size_t max_recipe = 64 << 10, max_sounds = 256;
 /// Limit on the summed length of all sounds of a folder (s).
-constexpr double most_seconds = 120;
+constexpr double max_seconds = 120;
 constexpr double fade_in_s = 0.0005, fade_out_s = 0.02;  // durations of the fades of a sound without a loop
 constexpr double lowest_hz = 15;  // lower frequencies are inaudible and only shift the samples
 
@@ -25,7 +25,7 @@ void add_part(Canvas& canvas, const Part& part, Random random) {
     add_score(canvas, std::get<Score>(part));
 }
 
-double largest_of(const std::vector<double>& samples) {
+double max_of(const std::vector<double>& samples) {
     double peak = 0;
     for (const double sample : samples) peak = std::max(peak, std::abs(sample));
     return peak;
@@ -34,7 +34,7 @@ double largest_of(const std::vector<double>& samples) {
 /// Compresses loud moments by x / (1 + drive |x|); the peak must be 1 before.
 void compress(Canvas& canvas, double drive) {
     if (drive == 0) return;
-    const double peak = std::max(largest_of(canvas.samples()), 1e-12);
+    const double peak = std::max(max_of(canvas.samples()), 1e-12);
     for (double& sample : canvas.samples()) sample = sample / (peak + drive * std::abs(sample));
 }
 
@@ -82,8 +82,8 @@ Expected<std::vector<std::filesystem::path>> recipes_in(const std::filesystem::p
     auto files = files_in(folder, ".toml");
     if (!files) return files;
     if (files->empty()) return fail(text(folder.string(), ": the folder holds no sounds (NAME.toml)"));
-    if (files->size() > most_sounds)
-        return fail(text(folder.string(), ": the folder holds more than ", most_sounds, " sounds"));
+    if (files->size() > max_sounds)
+        return fail(text(folder.string(), ": the folder holds more than ", max_sounds, " sounds"));
     std::sort(files->begin(), files->end(),
               [](const auto& a, const auto& b) { return a.stem().string() < b.stem().string(); });
     return files;
@@ -107,7 +107,7 @@ Sound head_of(const Recipe& recipe) {
 }
 
 Expected<Recipe> load_recipe(const std::filesystem::path& file) {
-    const auto toml = read_text_file(file, largest_recipe);
+    const auto toml = read_text_file(file, max_recipe);
     if (!toml) return toml.error();
     auto recipe = read_recipe(*toml, file.stem().string());
     if (recipe) return recipe;
@@ -128,7 +128,7 @@ Sound make_sound(const Recipe& recipe) {
     add_echoes(canvas, recipe.echo_s, recipe.echo);
     remove_offset(canvas);
     fade(canvas);
-    const double peak = largest_of(canvas.samples());
+    const double peak = max_of(canvas.samples());
     const double scale = peak > 1e-9 ? recipe.level / peak : 0;
     auto sound = head_of(recipe);
     sound.samples.reserve(canvas.size());
@@ -148,8 +148,8 @@ Expected<SoundBank> load_sounds(const std::filesystem::path& folder, WithSamples
             continue;
         }
         seconds += recipe->seconds;
-        if (seconds > most_seconds)
-            return fail(text(folder.string(), ": all sounds together are longer than ", most_seconds, " s"));
+        if (seconds > max_seconds)
+            return fail(text(folder.string(), ": all sounds together are longer than ", max_seconds, " s"));
         bank.sounds.push_back(samples == WithSamples::yes ? make_sound(*recipe) : head_of(*recipe));
     }
     return bank;

@@ -12,7 +12,7 @@ namespace thaum::audio {
 namespace {
 
 /// Sizes in a WAV file are 32-bit numbers.
-constexpr std::uint64_t most_wav_bytes = std::numeric_limits<std::uint32_t>::max() - 100;
+constexpr std::uint64_t max_wav_bytes = std::numeric_limits<std::uint32_t>::max() - 100;
 
 std::uint16_t bytes_of(WavFormat format) { return format == WavFormat::whole_16 ? 2 : 4; }
 
@@ -76,7 +76,7 @@ void WavWriter::write(std::span<const float> samples) {
     };
     values_ += samples.size();
     // Too large for a WAV file, which `close` reports.
-    if (values_ * bytes_of(format_) > most_wav_bytes) return;
+    if (values_ * bytes_of(format_) > max_wav_bytes) return;
     if (format_ == WavFormat::float_32)
         write_as(clipped_sample);
     else
@@ -86,7 +86,7 @@ void WavWriter::write(std::span<const float> samples) {
 }
 
 Expected<void> WavWriter::close() {
-    if (values_ * bytes_of(format_) > most_wav_bytes)
+    if (values_ * bytes_of(format_) > max_wav_bytes)
         return fail(
             text(path_.string(), ": a WAV file holds 4 GB and no more; write 16 bits, or a shorter part"));
     file_.replace_start(header());

@@ -21,7 +21,7 @@ using detail::FaultKind;
 
 /// Greatest number of faults that are kept for one file. A nonsense file has a fault in every line, and
 /// nobody reads them all.
-constexpr std::size_t most_faults = 100;
+constexpr std::size_t max_faults = 100;
 
 struct Config::State {
     toml::table root;
@@ -91,7 +91,7 @@ std::string path_of(const toml::table& outer, const toml::table* table) {
 void find_unknown(const Config::State& state, const toml::table& table, const std::string& path,
                   std::vector<detail::UnknownKey>& found) {
     for (const auto& [key, node] : table) {
-        if (found.size() >= most_faults) return;
+        if (found.size() >= max_faults) return;
         const auto full = path + std::string(key.str());
         if (!state.asked.contains(&node)) {
             found.push_back({&table, std::string(key.str()), full, line_of(&node)});
@@ -126,7 +126,7 @@ void Config::State::mark_asked(const toml::node& value) {
 
 void Config::State::report(const toml::node* where, FaultKind kind, std::string_view key, std::string what,
                            bool misleads) {
-    if (faults.size() >= most_faults) return;
+    if (faults.size() >= max_faults) return;
     if (where != nullptr && kind == FaultKind::value) mark_asked(*where);
     const bool is_holder = where != nullptr && where->is_table() && kind != FaultKind::value;
     const auto* table = is_holder ? where->as_table() : holder_of(root, where);
@@ -254,7 +254,7 @@ const toml::node* ask(Config::State& state, const void* table, std::string_view 
 
 /// A nonzero quantity nearer to 0 than this is a typing mistake, and dividing by it gives infinities. Lists
 /// and ranges with negative numbers are often computed, so they may hold any value.
-constexpr double least_quantity = 1e-12;
+constexpr double min_quantity = 1e-12;
 
 std::optional<double> number_in(Config::State& state, const toml::node& node, std::string_view key,
                                 Range range) {
@@ -450,9 +450,9 @@ double ConfigTable::number(std::string_view key, Range range, double fallback) c
     const auto* node = ask(*state_, table_, key);
     if (node == nullptr) return fallback;
     const auto value = number_in(*state_, *node, key, range);
-    if (value && range.low >= 0 && *value > 0 && *value < least_quantity) {
+    if (value && range.low >= 0 && *value > 0 && *value < min_quantity) {
         state_->report(node, FaultKind::value, key,
-                       text("'", key, "' is ", *value, ", must be 0 or at least ", least_quantity, ", ",
+                       text("'", key, "' is ", *value, ", must be 0 or at least ", min_quantity, ", ",
                             range_text(range)));
         return fallback;
     }

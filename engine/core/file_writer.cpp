@@ -27,8 +27,8 @@ Error fault(const std::filesystem::path& path, std::string_view doing, int why) 
 /// another user's file. A killed program may have left a file with the same name, so several names are tried.
 /// Returns -1 with errno set on failure.
 int create_part(const std::filesystem::path& target, std::string& part) {
-    constexpr int most_tries = 100;
-    for (int i = 0; i < most_tries; ++i) {
+    constexpr int max_tries = 100;
+    for (int i = 0; i < max_tries; ++i) {
         const auto ending = text(".", ::getpid(), "-", i, ".part");
         // The target's name may already have the greatest length, so it is shortened.
         const auto name = target.filename().string().substr(0, longest_name - ending.size());

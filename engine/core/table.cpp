@@ -14,11 +14,11 @@
 namespace thaum {
 namespace {
 
-constexpr std::size_t most_columns = 1000;
-constexpr std::size_t most_shown = 40;          // longest part of a cell that an error quotes (bytes)
-constexpr std::size_t most_titles_shown = 200;  // longest list of titles that an error quotes (bytes)
+constexpr std::size_t max_columns = 1000;
+constexpr std::size_t max_shown = 40;          // longest part of a cell that an error quotes (bytes)
+constexpr std::size_t max_titles_shown = 200;  // longest list of titles that an error quotes (bytes)
 /// Bytes at the start of a file by which its kind is recognised.
-constexpr std::size_t most_looked_at = 64;
+constexpr std::size_t max_looked_at = 64;
 constexpr std::string_view separator_line = "sep=";
 
 /// Names the kind of a file that is no table, such as a spreadsheet's own format; empty if it may be a table.
@@ -27,7 +27,7 @@ std::string_view no_table(std::string_view text) {
     if (std::ranges::any_of(archives, [&](auto start) { return text.starts_with(start); }))
         return "a workbook or an archive";
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return "UTF-16";
-    if (text.substr(0, most_looked_at).find('\0') != std::string_view::npos) return "UTF-16, or no text";
+    if (text.substr(0, max_looked_at).find('\0') != std::string_view::npos) return "UTF-16, or no text";
     return {};
 }
 
@@ -100,7 +100,7 @@ std::size_t TableReader::column(std::string_view title, bool required) {
     if (!required) return no_column;
     std::string all;
     for (const auto& other : titles_) append_text(all, text(all.empty() ? "" : ", ", other));
-    report(text("no column '", title, "'; there are: ", printable(all, most_titles_shown)));
+    report(text("no column '", title, "'; there are: ", printable(all, max_titles_shown)));
     return no_column;
 }
 
@@ -125,7 +125,7 @@ double TableReader::number(std::size_t column) {
     if (!value && word.empty())
         report(text("no number in the column '", titles_[column], "'"));
     else if (!value)
-        report(text("'", printable(word, most_shown), "' in the column '", titles_[column],
+        report(text("'", printable(word, max_shown), "' in the column '", titles_[column],
                     "' is not a finite number",
                     separator_ == ',' && has_comma(word) ? "; write a point for the comma" : ""));
     else if (separator_ != ',')
@@ -139,7 +139,7 @@ void TableReader::check_point(std::string_view word) {
     if (at == std::string_view::npos) return;
     if (point_ == 0) point_ = word[at];
     if (word[at] != point_)
-        report(text("'", printable(word, most_shown),
+        report(text("'", printable(word, max_shown),
                     "' has another sign for the point than the numbers before it"));
 }
 
@@ -186,7 +186,7 @@ void TableReader::read_cells() {
     unquoted_.clear();
     line_ = ++lines_read_;
     do {
-        if (cells_.size() == most_columns) return report(text("more than ", most_columns, " columns"));
+        if (cells_.size() == max_columns) return report(text("more than ", max_columns, " columns"));
         skip_blanks();
         cells_.push_back(take('"') ? read_quoted() : read_plain());
     } while (good() && take(separator_));

@@ -5,9 +5,9 @@
 namespace thaum::ecs {
 
 void RawArray::grow(std::size_t bytes, std::size_t keep, TableMemory& memory) {
-    constexpr std::size_t pooled_most = std::size_t{64} << 10U;
+    constexpr std::size_t max_pooled = std::size_t{64} << 10U;
     RawArray larger;
-    larger.allocated_ = bytes <= pooled_most ? 0 : bytes;
+    larger.allocated_ = bytes <= max_pooled ? 0 : bytes;
     auto* const made = larger.allocated_ == 0 ? memory.allocate(bytes, 64) : allocate_array(bytes);
     larger.bytes_ = static_cast<std::byte*>(made);
     if (keep > 0) std::memcpy(larger.bytes_, bytes_, keep);

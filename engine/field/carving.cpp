@@ -23,7 +23,7 @@ struct Cast {
 };
 
 struct Casts {
-    std::array<Cast, most_operations * most_places> items;
+    std::array<Cast, max_operations * max_places> items;
     std::size_t count = 0;
 };
 
@@ -33,12 +33,12 @@ int places_along(const VoxelView& body, const Extent& extent, vec3 motion) {
     const vec3 way = extent.in_metres ? motion : motion / body.spacing;
     const double smallest = std::min({extent.half.x, extent.half.y, extent.half.z});
     const double steps = std::ceil(glm::length(way) / (0.5 * smallest));
-    return steps > 1 ? static_cast<int>(std::min(steps, double{most_places})) : 1;  // NaN: 1
+    return steps > 1 ? static_cast<int>(std::min(steps, double{max_places})) : 1;  // NaN: 1
 }
 
 void add_casts(const VoxelView& body, const Operation& operation, const Dab& dab, Casts& casts) {
     const bool filter = operation.method == Method::filter;
-    const double amount = filter ? std::min(operation.rate * dab.seconds, most_amount) : 1;
+    const double amount = filter ? std::min(operation.rate * dab.seconds, max_amount) : 1;
     if (!(amount > 0) || !is_finite(dab.motion)) return;
     const Extent& extent = operation.extent;
     const bool plate = extent.shape == ExtentShape::plate;
@@ -60,7 +60,7 @@ void check(const Tool& tool) {
         colour += o.changes.colour ? 1 : 0;
         material += o.changes.material ? 1 : 0;
     }
-    THAUM_ASSERT(tool.operations.size() <= most_operations && density <= 1 && colour <= 1 && material <= 1,
+    THAUM_ASSERT(tool.operations.size() <= max_operations && density <= 1 && colour <= 1 && material <= 1,
                  "two operations of a carving tool change one property");
 }
 

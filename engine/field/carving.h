@@ -36,10 +36,10 @@ struct Edit {
 };
 
 /// Largest number of places at which one dab is applied along its motion.
-inline constexpr int most_places = 32;
+inline constexpr int max_places = 32;
 
 /// Voxels that the tool may change. A motion longer than half a radius is divided into steps of that length,
-/// at most `most_places`, so that a quick stroke leaves no gaps.
+/// at most `max_places`, so that a quick stroke leaves no gaps.
 VoxelBox reach(const VoxelView& body, const Tool& tool, const Dab& dab);
 
 /// Changes the body and the versions of its changed bricks. No allocation. A dab outside the body, or with a

@@ -11,9 +11,9 @@
 namespace thaum::field {
 namespace {
 
-constexpr double most_extent = 1000;  // largest extent (voxels or m)
-constexpr int most_stamp_edge = 64;   // cells
-constexpr double most_rate = 1e6;     // 1/s
+constexpr double max_extent = 1000;  // largest extent (voxels or m)
+constexpr int max_stamp_edge = 64;   // cells
+constexpr double max_rate = 1e6;     // 1/s
 constexpr std::array<std::string_view, 3> property_names{"density", "colour", "material"};
 
 std::array<bool, 3> as_list(const Properties& p) { return {p.density, p.colour, p.material}; }
@@ -51,7 +51,7 @@ bool add_cell(std::vector<float>& weights, char c) {
 
 Stamp read_stamp(const ConfigTable& table) {
     Stamp stamp;
-    const vec3 cells = table.vector("cells", {1, most_stamp_edge});
+    const vec3 cells = table.vector("cells", {1, max_stamp_edge});
     const std::string shape = table.string("shape");
     std::size_t total = 1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -82,7 +82,7 @@ Extent read_extent(const ConfigTable& table) {
     if (extent.in_metres && table.has(key))
         table.report(key, text("'", key, "' and '", key, "_m' are both given; keep one"));
     const std::string used = extent.in_metres ? key + "_m" : key;
-    const Range range{1e-6, most_extent};
+    const Range range{1e-6, max_extent};
     extent.half = edges ? table.vector(used, range) : vec3(table.number(used, range));
     if (extent.shape == ExtentShape::stamp) {
         extent.stamp = read_stamp(table);
@@ -102,7 +102,7 @@ void read_filter(const ConfigTable& table, Operation& operation) {
         table.report("filter", filter == mix ? "'mix' changes colour and nothing else"
                                              : "'melt' and 'construct' change density and nothing else");
     }
-    operation.rate = table.number("rate", {0, most_rate});
+    operation.rate = table.number("rate", {0, max_rate});
     if (filter == construct) operation.density = table.number("density", {0, 1});
 }
 
@@ -167,7 +167,7 @@ Expected<Tool> read_tool(const Config& config, const Materials& materials) {
         check_properties(table, tool.operations, next);
         tool.operations.push_back(next);
         // More operations than properties: two of them change the same property.
-        if (tool.operations.size() > most_operations) break;
+        if (tool.operations.size() > max_operations) break;
     }
     if (tool.operations.empty()) root.report("name", "the tool has no [[operation]]; add one");
     check_surface(root, tool.operations);
@@ -176,7 +176,7 @@ Expected<Tool> read_tool(const Config& config, const Materials& materials) {
 }
 
 Expected<Tool> load_tool(const std::filesystem::path& path, const Materials& materials) {
-    const auto file = read_text_file(path, most_tool_bytes);
+    const auto file = read_text_file(path, max_tool_bytes);
     if (!file) return file.error();
     const auto config = Config::parse(*file, path.string(), tool_file_version);
     if (!config) return config.error();

@@ -88,8 +88,8 @@ struct Tool {
 };
 
 inline constexpr std::int64_t tool_file_version = 1;
-inline constexpr std::size_t most_operations = 3;  // one operation for each property
-inline constexpr std::size_t most_tool_bytes = std::size_t{1} << 20U;
+inline constexpr std::size_t max_operations = 3;  // one operation for each property
+inline constexpr std::size_t max_tool_bytes = std::size_t{1} << 20U;
 
 /// Reads a tool. The error names file, line and fault. If two operations change one property, it names both.
 Expected<Tool> read_tool(const Config& config, const Materials& materials);

@@ -6,7 +6,7 @@ namespace thaum::field {
 
 TransferFunction read_transfer(const ConfigTable& table, std::string_view key, Range range,
                                const std::vector<double>& fallback) {
-    const auto numbers = table.numbers(key, range, 2 * most_transfer_points, fallback);
+    const auto numbers = table.numbers(key, range, 2 * max_transfer_points, fallback);
     if (numbers.size() % 2 != 0) {
         table.report(key, text("'", key, "' must be pairs of x and y"));
         return {};

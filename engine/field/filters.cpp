@@ -261,8 +261,8 @@ std::string fault_of(const Filter& filter, bool takes_vector) {
         case FilterKind::clamp:
             return filter.a <= filter.b ? "" : "has limits in the wrong order, or one that is no number";
         case FilterKind::smooth:
-            if (filter.a >= 0 && filter.a <= most_smoothing) return {};
-            return text("has a deviation that is not from 0 to ", most_smoothing, " samples");
+            if (filter.a >= 0 && filter.a <= max_smoothing) return {};
+            return text("has a deviation that is not from 0 to ", max_smoothing, " samples");
         default: return {};
     }
 }
@@ -283,8 +283,7 @@ void place(PlacedField& out, const AnyField& own, const Placement& placement) {
 }
 
 Expected<bool> checked_filters(std::span<const Filter> filters, bool source_is_vector) {
-    if (filters.size() > most_filters)
-        return fail(text(filters.size(), " filters, more than ", most_filters));
+    if (filters.size() > max_filters) return fail(text(filters.size(), " filters, more than ", max_filters));
     bool vector = source_is_vector;
     for (std::size_t i = 0; i < filters.size(); ++i) {
         const FilterKind kind = filters[i].kind;
@@ -327,7 +326,7 @@ Expected<void> set_filters(FilteredField& out, const FilterSource& source, std::
 
 void smooth(Volume& volume, double deviation) {
     if (!(deviation > 0)) return;
-    const std::vector<double> weights = gaussian(std::min(deviation, most_smoothing));
+    const std::vector<double> weights = gaussian(std::min(deviation, max_smoothing));
     Lines lines{.samples = {}, .margin = weights.size() - 1};
     const auto longest = static_cast<std::size_t>(*std::ranges::max_element(volume.count));
     lines.samples.resize(lines_at_once * (longest + 2 * lines.margin));

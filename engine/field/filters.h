@@ -53,8 +53,8 @@ struct Filter {
     bool operator==(const Filter&) const = default;
 };
 
-inline constexpr std::size_t most_filters = 8;
-inline constexpr double most_smoothing = 16;  ///< largest standard deviation (samples)
+inline constexpr std::size_t max_filters = 8;
+inline constexpr double max_smoothing = 16;  ///< largest standard deviation (samples)
 
 /// A scalar or a vector field.
 struct AnyField {
@@ -110,7 +110,7 @@ struct SmoothedSamples {
 struct FilteredField {
     AnyField field{};  ///< the output, with value and gradient
     AnyField quick{};  ///< the same value; gradients that would need differences are 0
-    std::array<FilterStage, most_filters> stages{};
+    std::array<FilterStage, max_filters> stages{};
     std::vector<std::unique_ptr<SmoothedSamples>> smoothed{};
     std::uint64_t smoothings{};  ///< number of times that samples have been smoothed so far
 

@@ -5,7 +5,7 @@
 namespace thaum::field {
 namespace {
 
-constexpr std::size_t most_materials = 256;
+constexpr std::size_t max_materials = 256;
 
 Material read_material(const ConfigTable& table) {
     Material m{.name = table.string("name")};
@@ -38,8 +38,8 @@ Expected<Materials> read_materials(const Config& config) {
         Material m = read_material(table);
         if (material_index(materials, m.name))
             table.report("name", text("material '", m.name, "' stands here for the second time"));
-        if (materials.size() == most_materials) {
-            table.report("name", text("there are more than ", most_materials, " materials"));
+        if (materials.size() == max_materials) {
+            table.report("name", text("there are more than ", max_materials, " materials"));
             break;
         }
         materials.push_back(std::move(m));
@@ -50,7 +50,7 @@ Expected<Materials> read_materials(const Config& config) {
 }
 
 std::optional<std::uint8_t> material_index(const Materials& materials, std::string_view name) {
-    for (std::size_t i = 0; i < materials.size() && i < most_materials; ++i) {
+    for (std::size_t i = 0; i < materials.size() && i < max_materials; ++i) {
         if (materials[i].name == name) return static_cast<std::uint8_t>(i);
     }
     return std::nullopt;

@@ -285,7 +285,7 @@ std::string header_of(const Volume& volume, Packing packing) {
 }  // namespace
 
 Expected<Volume> read_nrrd(const Path& path, const ReadChoice& choice) {
-    const std::size_t most_bytes = choice.limit * size_of(SampleType::float64) + longest_header;
+    const std::size_t max_bytes = choice.limit * size_of(SampleType::float64) + longest_header;
     auto file = read_start(path, longest_header + 1);
     if (!file) return file.error();
     const std::string_view characters(reinterpret_cast<const char*>(file->data()), file->size());
@@ -302,13 +302,13 @@ Expected<Volume> read_nrrd(const Path& path, const ReadChoice& choice) {
     if (choice.colours_as_vectors && header->colour > NrrdColour::red_green_blue)
         return fail_field(*header, "kinds", "colours must be red, green and blue; convert to 'RGB-color'");
     // The file is read to its end now; a short one has been read already.
-    if (header->data_files.empty() && file->size() > longest_header) file = read_file(path, most_bytes);
+    if (header->data_files.empty() && file->size() > longest_header) file = read_file(path, max_bytes);
     if (!file) return Error{in_one_line(file.error().message)};
     Volume volume;
     volume.notes = std::move(header->notes);
     NrrdSamples samples;
     samples.file = std::move(*file);
-    if (auto done = read_nrrd_samples(*header, path, most_bytes, samples, volume); !done) return done.error();
+    if (auto done = read_nrrd_samples(*header, path, max_bytes, samples, volume); !done) return done.error();
     if (auto done = check_order(*header, samples.all, volume); !done) return done.error();
     if (auto done = fill(*header, *arrangement, samples.all, choice, volume); !done)
         return fail_file(path, done.error().message);

@@ -47,7 +47,7 @@ namespace thaum::field {
 /// Choices for reading a file.
 struct ReadChoice {
     /// Largest number of samples times components that is accepted, over all moments of time.
-    std::size_t limit = most_samples;
+    std::size_t limit = max_samples;
     int frame = 0;                    ///< moment of time to read, from 0 on
     bool colours_as_vectors = false;  ///< true: keep colours as vectors; false: keep their luminance
 };

@@ -22,7 +22,7 @@ struct Tracer {
         const Vector v = field(place);
         const double speed = glm::length(v.value);
         // This form of the comparison also treats NaN as standing still.
-        if (!(speed > settings.least_speed) || !std::isfinite(speed)) return {};
+        if (!(speed > settings.min_speed) || !std::isfinite(speed)) return {};
         const vec3 direction = (settings.upstream ? -1.0 : 1.0) * v.value / speed;
         const double turn = glm::dot(curl(v), direction) / (2 * speed);
         return {direction, speed, std::isfinite(turn) ? turn : 0.0, true};
@@ -110,7 +110,7 @@ StreamEnd trace(const VectorField& field, vec3 seed, const StreamlineSettings& s
     if (!here.moves) return StreamEnd::still;
     out.push_back({seed, here.direction, any_across(here.direction), here.speed, 0});
     double h = settings.longest_step;
-    while (static_cast<int>(out.size()) < settings.most_points) {
+    while (static_cast<int>(out.size()) < settings.max_points) {
         const auto last = out.back();
         const double left = settings.length - last.way;
         if (left <= 1e-12 * settings.length) return StreamEnd::length;

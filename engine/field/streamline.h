@@ -23,8 +23,8 @@ struct StreamlineSettings {
     double tolerance = 1e-6;  ///< greatest error of a step (m); 0: every step has the longest allowed length
     /// Limits of the step length, > 0 (m); a step of the shortest length is kept whatever its error.
     double longest_step = 0.02, shortest_step = 1e-5;
-    double least_speed = 1e-9;  ///< speed of the field below which a line ends (m/s)
-    int most_points = 4096;
+    double min_speed = 1e-9;  ///< speed of the field below which a line ends (m/s)
+    int max_points = 4096;
     /// A line ends where it leaves this box (m).
     vec3 low{-std::numeric_limits<double>::infinity()}, high{std::numeric_limits<double>::infinity()};
 };

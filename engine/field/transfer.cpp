@@ -8,23 +8,23 @@
 namespace thaum::field {
 namespace {
 
-constexpr double most_coordinate = 1e100;
+constexpr double max_coordinate = 1e100;
 /// Largest number of columns of one stroke. A longer stroke draws this many, evenly spaced.
-constexpr double most_columns = 512;
+constexpr double max_columns = 512;
 
 double limited_coordinate(double v) {
-    return std::isnan(v) ? 0 : std::clamp(v, -most_coordinate, most_coordinate);
+    return std::isnan(v) ? 0 : std::clamp(v, -max_coordinate, max_coordinate);
 }
 
 std::size_t used(const TransferFunction& f) {
-    return std::min(static_cast<std::size_t>(f.count), most_transfer_points);
+    return std::min(static_cast<std::size_t>(f.count), max_transfer_points);
 }
 
 std::span<const vec2> points_of(const TransferFunction& f) { return std::span(f.points).first(used(f)); }
 
 /// Points of a function while it is edited, with room for one more column and its neighbours.
 struct Draft {
-    std::array<vec2, most_transfer_points + 3> points{};
+    std::array<vec2, max_transfer_points + 3> points{};
     std::size_t count{};
 
     void add(vec2 point) { points[count++] = point; }
@@ -39,13 +39,13 @@ double bend(vec2 before, vec2 here, vec2 after) {
 
 /// Removes points until the others fit, but never the first, the last, or the point at x = kept.
 void thin_out(Draft& draft, double kept) {
-    while (draft.count > most_transfer_points) {
+    while (draft.count > max_transfer_points) {
         std::size_t least = 0;
-        double least_bend = 0;
+        double min_bend = 0;
         for (std::size_t i = 1; i + 1 < draft.count; ++i) {
             if (draft.points[i].x == kept) continue;
             const double here = bend(draft.points[i - 1], draft.points[i], draft.points[i + 1]);
-            if (least == 0 || here < least_bend) least = i, least_bend = here;
+            if (least == 0 || here < min_bend) least = i, min_bend = here;
         }
         std::copy(draft.points.begin() + static_cast<std::ptrdiff_t>(least) + 1,
                   draft.points.begin() + static_cast<std::ptrdiff_t>(draft.count),
@@ -109,13 +109,13 @@ TransferFunction window(double low, double high, double from, double to) {
 
 Expected<TransferFunction> transfer_function(std::span<const vec2> points) {
     if (points.empty()) return fail("a transfer function needs at least one point");
-    if (points.size() > most_transfer_points)
+    if (points.size() > max_transfer_points)
         return fail(
-            text("a transfer function has ", points.size(), " points, more than ", most_transfer_points));
+            text("a transfer function has ", points.size(), " points, more than ", max_transfer_points));
     TransferFunction f;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const vec2 p = points[i];
-        if (!(std::abs(p.x) <= most_coordinate && std::abs(p.y) <= most_coordinate))
+        if (!(std::abs(p.x) <= max_coordinate && std::abs(p.y) <= max_coordinate))
             return fail(text("point ", i + 1, " of a transfer function is not a number within 1e100"));
         if (i > 0 && p.x < points[i - 1].x)
             return fail(text("point ", i + 1, " of a transfer function stands left of the point before it; ",
@@ -131,14 +131,14 @@ void draw(TransferFunction& f, double x, double y, double width) {
     const double column = std::round(limited_coordinate(x) / width);
     const double left = (column - 1) * width, middle = column * width, right = (column + 1) * width;
     // So far from 0, neighbouring columns may round to the same number.
-    if (!(left < middle && middle < right && -most_coordinate <= left && right <= most_coordinate)) return;
+    if (!(left < middle && middle < right && -max_coordinate <= left && right <= max_coordinate)) return;
     set_column(f, left, middle, right, limited_coordinate(y));
 }
 
 void draw_stroke(TransferFunction& f, vec2 from, vec2 to, double width) {
     if (!(width > 0) || !is_finite({from, 0}) || !is_finite({to, 0})) return;
     for (vec2* end : {&from, &to}) *end = {limited_coordinate(end->x), limited_coordinate(end->y)};
-    const double columns = std::clamp(std::ceil(std::abs(to.x - from.x) / width), 1.0, most_columns);
+    const double columns = std::clamp(std::ceil(std::abs(to.x - from.x) / width), 1.0, max_columns);
     for (int i = 0; i <= static_cast<int>(columns); ++i) {
         const double t = i / columns;
         draw(f, from.x + t * (to.x - from.x), from.y + t * (to.y - from.y), width);

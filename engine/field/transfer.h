@@ -23,19 +23,19 @@
 
 namespace thaum::field {
 
-inline constexpr std::size_t most_transfer_points = 32;
+inline constexpr std::size_t max_transfer_points = 32;
 
 /// A piecewise linear function of one value.
 struct TransferFunction {
-    std::array<vec2, most_transfer_points> points{};  ///< points (x, y), sorted by x; unused entries are zero
-    std::uint64_t count{};                            ///< number of points in use; 0: the function is 0
+    std::array<vec2, max_transfer_points> points{};  ///< points (x, y), sorted by x; unused entries are zero
+    std::uint64_t count{};                           ///< number of points in use; 0: the function is 0
 
     /// Value at x. NaN gives the y of the first point.
     double operator()(double x) const;
     bool operator==(const TransferFunction&) const = default;
 };
 static_assert(std::is_trivially_copyable_v<TransferFunction>);
-static_assert(sizeof(TransferFunction) == most_transfer_points * sizeof(vec2) + sizeof(std::uint64_t));
+static_assert(sizeof(TransferFunction) == max_transfer_points * sizeof(vec2) + sizeof(std::uint64_t));
 
 /// A function with the same value everywhere.
 TransferFunction constant(double y);

@@ -26,7 +26,7 @@ Volume empty_volume(std::array<int, 3> count, vec3 spacing, int components) {
     Volume volume{.count = count, .spacing = spacing, .components = components};
     std::size_t size = static_cast<std::size_t>(components);
     for (const int n : count) size *= static_cast<std::size_t>(n);
-    THAUM_ASSERT(size <= most_samples, "a volume with too many samples");
+    THAUM_ASSERT(size <= max_samples, "a volume with too many samples");
     volume.samples.reserve(size);
     return volume;
 }
@@ -164,7 +164,7 @@ Expected<Volume> make_volume(std::string_view name, int count, std::uint64_t see
     if (count < 2 || count > 512)
         return fail(text("a volume of ", count, " samples along each axis; take 2 to 512"));
     const std::size_t n = static_cast<std::size_t>(count);
-    if (n * n * n * static_cast<std::size_t>(maker->components) > most_samples)
+    if (n * n * n * static_cast<std::size_t>(maker->components) > max_samples)
         return fail(text("'", name, "' with ", count, " samples along each axis is too large; take fewer"));
     Volume volume = maker->make({count, count, count}, vec3(made_extent / (count - 1)), seed);
     volume.name = name;

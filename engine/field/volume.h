@@ -39,7 +39,7 @@ enum class SampleType : std::uint8_t {
 };
 
 /// Largest number of samples times components of a volume that is read or made: 512 along each axis.
-inline constexpr std::size_t most_samples = std::size_t{1} << 27U;
+inline constexpr std::size_t max_samples = std::size_t{1} << 27U;
 
 /// Vectors of the file that a volume was read from, for the axes of the volume (m, frame of the file). A
 /// writer writes these again if the volume was not moved, because vectors computed from spacing and turn

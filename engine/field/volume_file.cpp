@@ -16,7 +16,7 @@
 namespace thaum::field {
 namespace {
 
-constexpr std::size_t most_description = 1U << 16U;  ///< largest TOML file that is accepted (bytes)
+constexpr std::size_t max_description = 1U << 16U;  ///< largest TOML file that is accepted (bytes)
 
 struct RawDescription {
     Volume volume;
@@ -105,7 +105,7 @@ std::string advice_for(std::string_view ending) {
 }  // namespace
 
 Expected<Volume> read_raw(const std::filesystem::path& path, std::size_t limit) {
-    const auto toml = read_text_file(path, most_description);
+    const auto toml = read_text_file(path, max_description);
     if (!toml) return toml.error();
     auto raw = parse_raw(*toml, path.string(), limit);
     if (!raw) return raw.error();

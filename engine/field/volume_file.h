@@ -24,6 +24,6 @@ Expected<Volume> read_volume(const std::filesystem::path& path, const ReadChoice
 ///     components = 1                  # or 3, side by side in the file; may be left out
 ///     name = "head"                   # may be left out, as units
 ///     units = "HU"
-Expected<Volume> read_raw(const std::filesystem::path& path, std::size_t limit = most_samples);
+Expected<Volume> read_raw(const std::filesystem::path& path, std::size_t limit = max_samples);
 
 }  // namespace thaum::field

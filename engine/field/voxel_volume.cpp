@@ -46,7 +46,7 @@ Expected<Voxels> voxels_of(const Volume& volume, std::optional<DensityRange> ran
         return fail("only a volume of one component can be carved; this one holds vectors");
     std::size_t total = 1;
     for (const int n : volume.count) {
-        if (n < 1 || static_cast<std::size_t>(n) > most_voxels / total)
+        if (n < 1 || static_cast<std::size_t>(n) > max_voxels / total)
             return fail("the volume has too few or too many samples to be carved");
         total *= static_cast<std::size_t>(n);
     }

@@ -57,7 +57,7 @@ Bricks make_bricks(std::array<int, 3> voxels) {
 Voxels make_voxels(std::array<int, 3> count, vec3 spacing) {
     std::size_t total = 1;
     for (const int n : count) {
-        THAUM_ASSERT(n > 0 && static_cast<std::size_t>(n) <= most_voxels / total,
+        THAUM_ASSERT(n > 0 && static_cast<std::size_t>(n) <= max_voxels / total,
                      "too few or too many voxels");
         total *= static_cast<std::size_t>(n);
     }

@@ -123,10 +123,10 @@ struct Voxels {
 };
 
 /// The greatest number of voxels of a body: 1,024 along each axis.
-inline constexpr std::size_t most_voxels = std::size_t{1} << 30U;
+inline constexpr std::size_t max_voxels = std::size_t{1} << 30U;
 
 /// A body of empty voxels: density 0, white, material 0. Each count must be positive, their product at most
-/// `most_voxels`.
+/// `max_voxels`.
 Voxels make_voxels(std::array<int, 3> count, vec3 spacing);
 
 /// Voxels of the brick (i, j, k).

@@ -51,7 +51,7 @@ inline bool any_of(const Magnitudes8& lanes) {
 }
 
 /// The largest of the eight magnitudes, as a number.
-inline double largest_of(const Magnitudes8& sizes) {
+inline double max_of(const Magnitudes8& sizes) {
     std::int32_t most = 0;
     for (std::ptrdiff_t lane = 0; lane < 8; ++lane) most = sizes[lane] > most ? sizes[lane] : most;
     return static_cast<double>(std::bit_cast<float>(most));

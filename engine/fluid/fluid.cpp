@@ -26,24 +26,24 @@ namespace {
 /// Makes the solver of `classic`; null if the program does not link it.
 constinit MakeSolver make_classic = nullptr;
 
-constexpr double h_least = 1e-6;  // m
-constexpr double h_most = 1e3;
-constexpr double lid_most = 1e3;      // m/s
-constexpr double gravity_most = 1e3;  // m/s^2
-constexpr double weight_most = 1e3;
-constexpr double diffusion_most = 1e3;  // m^2/s
-constexpr double density_most = 1e6;    // largest density of one cell
-constexpr int sweeps_most = 1000;
+constexpr double min_h = 1e-6;  // m
+constexpr double max_h = 1e3;
+constexpr double max_lid = 1e3;      // m/s
+constexpr double max_gravity = 1e3;  // m/s^2
+constexpr double max_weight = 1e3;
+constexpr double max_diffusion = 1e3;  // m^2/s
+constexpr double max_density = 1e6;    // largest density of one cell
+constexpr int max_sweeps = 1000;
 
 bool within(double value, double low, double high) { return value >= low && value <= high; }
 
 std::optional<std::string> fault_of(const Substance& substance) {
-    if (!within(substance.viscosity, 0, viscosity_most))
-        return text("viscosity must be 0 to ", viscosity_most, " m^2/s");
-    if (!within(substance.weight, -weight_most, weight_most))
-        return text("weight must be from -", weight_most, " to ", weight_most);
-    if (!within(substance.diffusion, 0, diffusion_most))
-        return text("diffusion must be 0 to ", diffusion_most, " m^2/s");
+    if (!within(substance.viscosity, 0, max_viscosity))
+        return text("viscosity must be 0 to ", max_viscosity, " m^2/s");
+    if (!within(substance.weight, -max_weight, max_weight))
+        return text("weight must be from -", max_weight, " to ", max_weight);
+    if (!within(substance.diffusion, 0, max_diffusion))
+        return text("diffusion must be 0 to ", max_diffusion, " m^2/s");
     return {};
 }
 
@@ -51,20 +51,18 @@ std::optional<std::string> fault_of(const Settings& settings) {
     if (settings.solver == Solver::classic && make_classic == nullptr)
         return text("this program has no solver `classic`; link it to thaum_classic");
     for (const int cells : settings.cells)
-        if (cells < 1 || cells > cells_most)
-            return text("cells must be 1 to ", cells_most, " along each axis");
-    if (!within(settings.h, h_least, h_most)) return text("h must be ", h_least, " to ", h_most, " m");
+        if (cells < 1 || cells > max_cells) return text("cells must be 1 to ", max_cells, " along each axis");
+    if (!within(settings.h, min_h, max_h)) return text("h must be ", min_h, " to ", max_h, " m");
     if (settings.order != 2 && settings.order != 4) return text("order must be 2 or 4");
-    if (settings.sweeps < 1 || settings.sweeps > sweeps_most)
-        return text("sweeps must be 1 to ", sweeps_most);
-    if (!within(settings.viscosity, 0, viscosity_most))
-        return text("viscosity must be 0 to ", viscosity_most, " m^2/s");
-    if (!within(settings.lid, -lid_most, lid_most))
-        return text("lid must be from -", lid_most, " to ", lid_most, " m/s");
-    if (!(glm::length(settings.gravity) <= gravity_most))
-        return text("gravity must be at most ", gravity_most, " m/s^2");
-    if (settings.substances.size() > substances_most)
-        return text("there can be at most ", substances_most, " substances");
+    if (settings.sweeps < 1 || settings.sweeps > max_sweeps) return text("sweeps must be 1 to ", max_sweeps);
+    if (!within(settings.viscosity, 0, max_viscosity))
+        return text("viscosity must be 0 to ", max_viscosity, " m^2/s");
+    if (!within(settings.lid, -max_lid, max_lid))
+        return text("lid must be from -", max_lid, " to ", max_lid, " m/s");
+    if (!(glm::length(settings.gravity) <= max_gravity))
+        return text("gravity must be at most ", max_gravity, " m/s^2");
+    if (settings.substances.size() > max_substances)
+        return text("there can be at most ", max_substances, " substances");
     for (std::size_t i = 0; i < settings.substances.size(); ++i)
         if (const auto fault = fault_of(settings.substances[i]))
             return text("substance ", i + 1, ": ", *fault);
@@ -179,7 +177,7 @@ bool push(Fluid& fluid, const Push& push) {
     if (!is_finite(push.place) || !is_finite(push.impulse) || !(push.radius >= 0) ||
         !std::isfinite(push.radius))
         return false;
-    if (glm::length(push.impulse) > speed_most * volume) return false;
+    if (glm::length(push.impulse) > max_speed * volume) return false;
     const double radius = std::max(push.radius, 1.5 * fluid.lattice.h);
     bool taken = false;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -199,7 +197,7 @@ bool pour(Fluid& fluid, std::size_t substance, vec3 place, double radius, double
         !std::isfinite(radius))
         return false;
     const double volume = volume_of_cell(fluid.lattice);
-    if (!(amount > 0) || !(amount <= density_most * volume)) return false;
+    if (!(amount > 0) || !(amount <= max_density * volume)) return false;
     const double total = amount / volume;
     const bool poured = distribute(fluid, place, std::max(radius, 1.5 * fluid.lattice.h), total, vec3(0.5),
                                    fluid.now.substances[substance],

@@ -32,13 +32,13 @@ namespace thaum::fluid {
 /// Method of solution; see the top of this file.
 enum class Solver : std::uint8_t { thaum, classic };
 
-inline constexpr std::size_t substances_most = 3;  ///< largest number of substances
-inline constexpr double viscosity_most = 1e6;      ///< largest kinematic viscosity that is accepted (m^2/s)
+inline constexpr std::size_t max_substances = 3;  ///< largest number of substances
+inline constexpr double max_viscosity = 1e6;      ///< largest kinematic viscosity that is accepted (m^2/s)
 /// Largest speed that one push may give one cell; a stronger push is refused (m/s).
-inline constexpr double speed_most = 1e6;
+inline constexpr double max_speed = 1e6;
 /// Largest number of sub-steps of one step. If more are needed, one semi-Lagrangian step covers the
 /// remaining time.
-inline constexpr int substeps_most = 3;
+inline constexpr int max_substeps = 3;
 
 /// One substance carried by the fluid. Its effects are proportional to its density.
 struct Substance {
@@ -103,7 +103,7 @@ struct Fluid {
     }
 };
 
-/// Checks settings. The error names the setting that is wrong: cells outside 1 to cells_most, an order
+/// Checks settings. The error names the setting that is wrong: cells outside 1 to max_cells, an order
 /// or number of sweeps out of range, more than three substances, and a viscosity, h, gravity, lid,
 /// weight or diffusion that is not finite or outside of its range.
 Expected<void> check(const Settings& settings);
@@ -135,7 +135,7 @@ bool pour(Fluid& fluid, std::size_t substance, vec3 place, double radius, double
 /// Result of one step.
 struct StepReport {
     int substeps{};  ///< number of Runge-Kutta sub-steps
-    /// true: `substeps_most` was not enough, so a semi-Lagrangian step covered the remaining time.
+    /// true: `max_substeps` was not enough, so a semi-Lagrangian step covered the remaining time.
     bool fell_back{};
     int pressure_iterations{};  ///< number of iterations over all sub-steps; a direct solve counts as one
     double divergence{};        ///< largest divergence times h, divided by the largest speed

@@ -29,7 +29,7 @@ enum class Edge : std::uint8_t { periodic, free_slip, no_slip };
 /// Kind of the sides across x, y and z.
 using Edges = std::array<Edge, 3>;
 
-inline constexpr int cells_most = 256;  ///< largest number of cells along one axis
+inline constexpr int max_cells = 256;  ///< largest number of cells along one axis
 
 /// Layout of the samples of one quantity.
 struct Lattice {

@@ -12,13 +12,13 @@ namespace {
 constexpr std::uint64_t magic = 0x756c666d75616874;  // the bytes "thaumflu" in the file
 constexpr std::size_t head_size = 20;                // bytes of magic, version and length
 constexpr std::size_t hash_size = 8;
-constexpr std::size_t shape_numbers_most = 16;
-constexpr std::size_t shape_name_most = 32;
+constexpr std::size_t max_shape_numbers = 16;
+constexpr std::size_t max_shape_name = 32;
 
 // Bound that no push can exceed; its square is still finite in float.
-constexpr double sample_most = 1e18;
-constexpr double height_most = 1e6;      // m
-constexpr double node_speed_most = 1e9;  // m/s
+constexpr double max_sample = 1e18;
+constexpr double max_height = 1e6;      // m
+constexpr double max_node_speed = 1e9;  // m/s
 
 // ---- contents of the body, listed once for saving and restoring ------------------------------------------
 
@@ -39,7 +39,7 @@ void each_number(S& s, F&& f) {
 template <class S, class F>
 void each_surface_setting(S& s, F&& f) {
     f(s.nodes), f(s.rim), f(s.side), f(s.tension), f(s.shear), f(s.areal_mass), f(s.level), f(s.damping);
-    f(s.contact), f(s.pop_through), f(s.cling), f(s.reach), f(s.still), f(s.most_steps);
+    f(s.contact), f(s.pop_through), f(s.cling), f(s.reach), f(s.still), f(s.max_steps);
 }
 
 /// Calls `f` with each array of samples in a state, and with its name.
@@ -121,12 +121,12 @@ Expected<std::span<const std::byte>> opened(std::span<const std::byte> bytes) {
 Expected<NamedShape> get_shape(ByteReader& in) {
     NamedShape shape{.name = in.get_string()};
     const auto is_of_name = [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; };
-    if (shape.name.size() > shape_name_most || !std::ranges::all_of(shape.name, is_of_name))
+    if (shape.name.size() > max_shape_name || !std::ranges::all_of(shape.name, is_of_name))
         return wrong(
-            text("the name of its shape is not up to ", shape_name_most, " characters from a to z and _"));
+            text("the name of its shape is not up to ", max_shape_name, " characters from a to z and _"));
     const auto count = in.get<std::uint32_t>();
-    if (in.ok() && count > shape_numbers_most)
-        return wrong(text("its shape has ", count, " numbers; at most ", shape_numbers_most, " are allowed"));
+    if (in.ok() && count > max_shape_numbers)
+        return wrong(text("its shape has ", count, " numbers; at most ", max_shape_numbers, " are allowed"));
     for (std::uint32_t i = 0; i < count && in.ok(); ++i) shape.numbers.push_back(in.get<double>());
     if (!in.ok()) return ends_within("the shape");
     return shape;
@@ -140,8 +140,8 @@ Expected<Settings> get_settings(ByteReader& in) {
     if (settings.solver > Solver::classic) return wrong("the number of its solver is unknown");
     if (std::ranges::any_of(settings.edges, [](Edge edge) { return edge > Edge::no_slip; }))
         return wrong("the number of an edge is unknown");
-    if (count > substances_most)
-        return wrong(text("it has ", count, " substances; at most ", substances_most, " are allowed"));
+    if (count > max_substances)
+        return wrong(text("it has ", count, " substances; at most ", max_substances, " are allowed"));
     settings.substances.resize(count);
     for (Substance& s : settings.substances) each_number(s, [&](double& value) { value = in.get<double>(); });
     if (!in.ok()) return ends_within("the substances");
@@ -154,7 +154,7 @@ bool fits(const Settings& settings, std::size_t left) {
     std::size_t values = 7 + settings.substances.size();
     for (const int cells : settings.cells) {
         // An invalid number of cells is reported later, by make_fluid.
-        if (cells < 1 || cells > cells_most) return true;
+        if (cells < 1 || cells > max_cells) return true;
         values *= static_cast<std::size_t>(cells);
     }
     return values * sizeof(float) <= left;
@@ -167,7 +167,7 @@ std::string fault_of(const Lattice& lattice, const Samples& samples, bool of_sub
         for (std::ptrdiff_t i = at; i < at + lattice.cells[0]; ++i) {
             const double value = samples[static_cast<std::size_t>(i)];
             finite = finite && std::isfinite(value);
-            sound = sound && std::abs(value) <= sample_most && (!of_substance || value >= 0);
+            sound = sound && std::abs(value) <= max_sample && (!of_substance || value >= 0);
         }
     });
     if (!finite) return "a value is not finite";
@@ -208,8 +208,8 @@ std::string fault_of(const SpringSurface& surface) {
     bool sound = true;
     each_node_row(surface.settings, [&](std::size_t at) {
         for (std::size_t i = at; i < at + surface.settings.nodes; ++i)
-            sound = sound && std::abs(surface.height[i]) <= height_most &&
-                    std::abs(surface.velocity[i]) <= node_speed_most;
+            sound = sound && std::abs(surface.height[i]) <= max_height &&
+                    std::abs(surface.velocity[i]) <= max_node_speed;
     });
     return sound ? "" : "surface: a node is not finite, too far from level or too fast";
 }

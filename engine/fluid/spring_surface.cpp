@@ -361,8 +361,8 @@ std::pair<std::uint32_t, double> sub_steps(const SpringSurfaceSettings& s, const
     const double rate = std::max(
         std::sqrt(highest_squared_frequency(net) + stiffness_of_probes(s, net, footprints)), net.drag);
     const double wanted = std::max(1.0, std::ceil(dt * rate / max_phase));
-    if (wanted <= s.most_steps) return {static_cast<std::uint32_t>(wanted), dt / wanted};
-    return {s.most_steps, max_phase / rate};
+    if (wanted <= s.max_steps) return {static_cast<std::uint32_t>(wanted), dt / wanted};
+    return {s.max_steps, max_phase / rate};
 }
 
 std::size_t array_size(const SpringSurfaceSettings& s) {
@@ -491,7 +491,7 @@ Expected<SpringSurfaceSettings> checked(const SpringSurfaceSettings& s) {
         Bound{"cling", s.cling, 0, 1e9},
         Bound{"reach", s.reach, 1e-6, 1e6},
         Bound{"still", s.still, 0, 1},
-        Bound{"most_steps", static_cast<double>(s.most_steps), 1, 1000},
+        Bound{"most_steps", static_cast<double>(s.max_steps), 1, 1000},
     };
     for (const Bound& b : bounds) {
         if (!(b.value >= b.low && b.value <= b.high))

@@ -62,7 +62,7 @@ struct SpringSurfaceSettings {
     double reach{0.3};
     /// The surface falls asleep below an energy of tension times the square of this, >= 0 (m).
     double still{1e-5};
-    std::uint32_t most_steps{32};  ///< largest number of sub-steps of a call, 1 to 1000
+    std::uint32_t max_steps{32};  ///< largest number of sub-steps of a call, 1 to 1000
 };
 
 inline constexpr std::uint32_t classic_nodes = 15;        ///< number of nodes on a side in the paper

@@ -9,8 +9,8 @@
 namespace thaum::gesture {
 namespace {
 
-constexpr double least_distance = 1e-4;
-constexpr double most_margin = 2;
+constexpr double min_distance = 1e-4;
+constexpr double max_margin = 2;
 constexpr std::size_t unknowns = 4;
 constexpr int newton_steps = 30;
 /// Penalty on the squares of the weights, against infinite weights for evidence that a plane separates.
@@ -80,10 +80,10 @@ Vector step_of(std::span<const LabelledEvidence> samples, const Vector& weights)
 }  // namespace
 
 Evidence evidence_of(float distance, float runner_up, float usual) {
-    const double near = std::max(static_cast<double>(distance), least_distance);
+    const double near = std::max(static_cast<double>(distance), min_distance);
     const double other = std::max(static_cast<double>(runner_up), near);
-    return {det::log(near), std::min(det::log(other / near), most_margin),
-            det::log(std::max(static_cast<double>(usual), least_distance))};
+    return {det::log(near), std::min(det::log(other / near), max_margin),
+            det::log(std::max(static_cast<double>(usual), min_distance))};
 }
 
 double Calibration::probability(const Evidence& evidence) const {

@@ -18,9 +18,9 @@
 namespace thaum::gesture {
 
 /// Largest share of variations that may be accepted as the other gesture.
-inline constexpr double most_taken = 0.02;
+inline constexpr double max_taken = 0.02;
 /// Largest share of variations that may be nearer to the other gesture.
-inline constexpr double most_nearer = 0.05;
+inline constexpr double max_nearer = 0.05;
 
 /// How variations of one gesture are recognised beside another one, as shares of all variations.
 struct Mistaken {
@@ -29,7 +29,7 @@ struct Mistaken {
     double nearer{};
 
     /// Whether one of the shares is above its limit.
-    bool often() const { return taken > most_taken || nearer > most_nearer; }
+    bool often() const { return taken > max_taken || nearer > max_nearer; }
 };
 
 /// Two gestures, and how often each is mistaken for the other.

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t compared_points = 48;
 // Size below which an unrecognised stroke counts as too small (m).
-constexpr double least_size = 0.03;
+constexpr double min_size = 0.03;
 // Deviation up to which a stroke has the shape of the gesture.
 constexpr double same_shape = 0.08;
 // Largest gap between start and end of a closed gesture (share of the size).
@@ -21,7 +21,7 @@ constexpr double told_tilt = 12 * pi / 180;
 // Deviation from which on the player is told about it, and distance from the middle that still counts as the
 // middle (shares of the size).
 constexpr double told_deviation = 0.16, central = 0.12;
-constexpr std::size_t most_lines_of_advice = 3;
+constexpr std::size_t max_lines_of_advice = 3;
 
 using Outline = std::array<vec3, compared_points>;
 
@@ -168,9 +168,9 @@ bool is_turned_copy(const Comparison& c, const Gesture& gesture) {
 std::vector<std::string> advice_on(const Comparison& c, const Gesture& gesture, double force, bool read) {
     std::vector<std::string> lines;
     const auto& o = gesture.options;
-    if (!read && (c.size < least_size || c.scale < o.smallest_scale))
+    if (!read && (c.size < min_size || c.scale < o.min_scale))
         lines.push_back(text("draw it larger: it has ", fixed(100 * c.size, 1), " cm"));
-    if (!read && c.scale > o.largest_scale)
+    if (!read && c.scale > o.max_scale)
         lines.push_back(text("draw it smaller: it has ", fixed(100 * c.size, 1), " cm"));
     if (c.backwards) lines.emplace_back("draw it from the other end");
     if (is_turned_too_far(c, o))
@@ -181,7 +181,7 @@ std::vector<std::string> advice_on(const Comparison& c, const Gesture& gesture, 
         lines.push_back(text("the ", place_words(c.worst_place), " is the farthest off"));
     if (o.harsh_above > 0 && force >= o.gentle_below && force < o.harsh_above)
         lines.emplace_back("slower for gentle, faster for harsh");
-    if (lines.size() > most_lines_of_advice) lines.resize(most_lines_of_advice);
+    if (lines.size() > max_lines_of_advice) lines.resize(max_lines_of_advice);
     return lines;
 }
 

@@ -20,7 +20,7 @@ inline constexpr float robustness = 2;
 /// [(i * channels + c) * lanes + k].
 template <std::size_t points>
 struct alignas(32) EightOf {
-    std::array<float, points * most_channels * lanes> values{};
+    std::array<float, points * max_channels * lanes> values{};
 };
 /// Eight templates in the shape of the first comparison.
 using EightShapes = EightOf<shape_points>;

@@ -99,7 +99,7 @@ void disturb(Path& path, const UserStyle& style, Random& random) {
     path.start += style.idea[0] + random_offset(random, style.jitter);
     for (std::size_t i = 0; i < path.legs.size(); ++i) {
         auto& leg = path.legs[i];
-        leg.to += style.idea[(i + 1) % UserStyle::most_nodes] + random_offset(random, style.jitter);
+        leg.to += style.idea[(i + 1) % UserStyle::max_nodes] + random_offset(random, style.jitter);
         leg.turn += 0.1 * normal(random);
         if (leg.overlap > 0) leg.overlap = std::clamp(leg.overlap + 0.05 * normal(random), 0.02, 0.75);
     }

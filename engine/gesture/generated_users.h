@@ -35,7 +35,7 @@ std::span<const std::string_view> figure_names();
 
 /// Properties that all strokes of one user share. Figures that consist of nodes have height 1.
 struct UserStyle {
-    static constexpr std::size_t most_nodes = 8;
+    static constexpr std::size_t max_nodes = 8;
 
     double size{};              ///< height of a figure (m)
     double aspect{};            ///< width of a figure, as a multiple of the usual
@@ -57,7 +57,7 @@ struct UserStyle {
     bool flat{};               ///< true for a mouse: no depth, steps of 0.1 mm
     /// Offsets of nodes, the same in all strokes of the user: the user's own idea of a figure (share of the
     /// size).
-    std::array<vec3, most_nodes> idea{};
+    std::array<vec3, max_nodes> idea{};
 };
 
 /// Draws the style of a new user.

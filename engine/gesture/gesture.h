@@ -10,21 +10,21 @@
 
 namespace thaum::gesture {
 
-inline constexpr std::size_t most_gestures = 256;
+inline constexpr std::size_t max_gestures = 256;
 /// Largest number of templates of all gestures together, including copies that are drawn backwards.
-inline constexpr std::size_t most_templates = 1024;
+inline constexpr std::size_t max_templates = 1024;
 /// Largest number of points of one recorded stroke.
-inline constexpr std::size_t most_template_points = 100'000;
+inline constexpr std::size_t max_template_points = 100'000;
 
 /// Rules for strokes of one gesture.
 struct GestureOptions {
     /// True if the stroke must be drawn in the recorded direction. False if it may also be drawn backwards.
     bool direction_sensitive = true;
-    double rotation = 0;         ///< largest turn about the z axis against the template (rad), 0 to pi
-    double smallest_scale = 0;   ///< least size of a stroke, as a multiple of the template's
-    double largest_scale = 1e9;  ///< largest size of a stroke, as a multiple of the template's
-    bool closed = false;         ///< true if the stroke is a closed curve that may start anywhere
-    bool planar = false;         ///< true if z is ignored
+    double rotation = 0;     ///< largest turn about the z axis against the template (rad), 0 to pi
+    double min_scale = 0;    ///< least size of a stroke, as a multiple of the template's
+    double max_scale = 1e9;  ///< largest size of a stroke, as a multiple of the template's
+    bool closed = false;     ///< true if the stroke is a closed curve that may start anywhere
+    bool planar = false;     ///< true if z is ignored
     /// Mean force below which a stroke is gentle (unit of the device); 0: 0.6 times that of the templates.
     double gentle_below = 0;
     /// Mean force above which a stroke is harsh (unit of the device); 0: 1.6 times that of the templates.

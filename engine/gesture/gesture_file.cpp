@@ -10,7 +10,7 @@
 namespace thaum::gesture {
 namespace {
 
-constexpr double largest_number = 1e9;
+constexpr double max_number = 1e9;
 constexpr double degrees = 180 / pi;
 
 GestureOptions read_options(const ConfigTable& table) {
@@ -18,23 +18,23 @@ GestureOptions read_options(const ConfigTable& table) {
     GestureOptions o;
     o.direction_sensitive = table.boolean("direction_sensitive", usual.direction_sensitive);
     o.rotation = table.number("rotation_degrees", {0, 180}, 0) / degrees;
-    o.smallest_scale = table.number("smallest_scale", {0, 1}, usual.smallest_scale);
-    o.largest_scale = table.number("largest_scale", {1, largest_number}, usual.largest_scale);
+    o.min_scale = table.number("smallest_scale", {0, 1}, usual.min_scale);
+    o.max_scale = table.number("largest_scale", {1, max_number}, usual.max_scale);
     o.closed = table.boolean("closed", usual.closed);
     o.planar = table.boolean("planar", usual.planar);
-    o.gentle_below = table.number("gentle_below", {0, largest_number}, 0);
-    o.harsh_above = table.number("harsh_above", {0, largest_number}, 0);
+    o.gentle_below = table.number("gentle_below", {0, max_number}, 0);
+    o.harsh_above = table.number("harsh_above", {0, max_number}, 0);
     if (o.harsh_above > 0 && o.harsh_above < o.gentle_below)
         table.report("harsh_above", "must not be below gentle_below");
     return o;
 }
 
 std::vector<StrokePoint> read_stroke(const ConfigTable& table) {
-    const Range range{-largest_number, largest_number};
-    const auto t = table.numbers("t", range, most_template_points, {});
+    const Range range{-max_number, max_number};
+    const auto t = table.numbers("t", range, max_template_points, {});
     std::vector<StrokePoint> points(t.size());
     const auto column = [&](std::string_view key, bool required, auto set) {
-        const auto values = table.numbers(key, range, most_template_points, {});
+        const auto values = table.numbers(key, range, max_template_points, {});
         if (values.empty() && !required && !table.has(key)) return;
         if (values.size() != t.size())
             return table.report(key, text(values.size(), " numbers instead of ", t.size(), " as in t"));
@@ -81,7 +81,7 @@ std::string toml_string(std::string_view words) {
 std::string fault_of_stroke(Points stroke) {
     const auto large = [](const StrokePoint& p) {
         return std::max({std::abs(p.at.x), std::abs(p.at.y), std::abs(p.at.z), std::abs(p.force)}) >
-               largest_number;
+               max_number;
     };
     if (stroke.size() < 2) return "a stroke needs two points or more";
     if (std::any_of(stroke.begin(), stroke.end(), large)) return "the stroke has a number beyond 1e9";
@@ -103,7 +103,7 @@ Expected<Gesture> read_gesture(const Config& config) {
 }
 
 Expected<Gesture> load_gesture(const std::filesystem::path& path) {
-    const auto file = read_text_file(path, most_gesture_bytes);
+    const auto file = read_text_file(path, max_gesture_bytes);
     if (!file) return file.error();
     const auto config = Config::parse(*file, path.string(), gesture_file_version);
     if (!config) return config.error();
@@ -115,8 +115,8 @@ std::string to_file(const Gesture& gesture) {
     std::string out =
         text("version = ", gesture_file_version, "\nname = ", toml_string(gesture.name), "\n\n[options]\n");
     out += text("direction_sensitive = ", o.direction_sensitive,
-                "\nrotation_degrees = ", o.rotation * degrees, "\nsmallest_scale = ", o.smallest_scale,
-                "\nlargest_scale = ", o.largest_scale, "\nclosed = ", o.closed, "\nplanar = ", o.planar,
+                "\nrotation_degrees = ", o.rotation * degrees, "\nsmallest_scale = ", o.min_scale,
+                "\nlargest_scale = ", o.max_scale, "\nclosed = ", o.closed, "\nplanar = ", o.planar,
                 "\ngentle_below = ", o.gentle_below, "\nharsh_above = ", o.harsh_above, "\n");
     for (const auto& stroke : gesture.strokes) {
         out += "\n[[stroke]]\n";

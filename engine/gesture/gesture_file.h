@@ -21,7 +21,7 @@
 namespace thaum::gesture {
 
 inline constexpr std::int64_t gesture_file_version = 1;
-inline constexpr std::size_t most_gesture_bytes = std::size_t{16} << 20U;
+inline constexpr std::size_t max_gesture_bytes = std::size_t{16} << 20U;
 
 /// Describes why a stroke must not be written to the file of a gesture; empty if it may be.
 std::string fault_of_stroke(Points stroke);

@@ -14,16 +14,16 @@ namespace {
 constexpr std::size_t prefix_starts = 8;              // points at which a closed stroke may begin
 constexpr std::size_t verified_prefixes = 2 * lanes;  // beginnings that are compared elastically
 /// Distances below this one count as this one: no other hand comes nearer, and the calibration knows nothing of them.
-constexpr float least_counted = 0.02F;
+constexpr float min_counted = 0.02F;
 constexpr float no_match = 1, very_far_off = 1e30F;
 /// Distance that a length adds which is e times another, where nothing is known of how lengths agree. Half and twice the
 /// length then add 0.03, about as much as a hand differs from itself. Durations add nothing there.
 constexpr float length_weight = 0.06F;
 /// Most that a length or a duration adds. From four times the length on, it is of another kind of stroke.
-constexpr float most_for_difference = 0.12F;
+constexpr float max_for_difference = 0.12F;
 /// Numerator and addend of the weight of lengths, and of durations: where the logarithms of a gesture's recorded ones have
-/// a variance v, the weight is agreement_weight / (v + least_variance).
-constexpr double agreement_weight = 0.002, least_variance = 0.003;
+/// a variance v, the weight is agreement_weight / (v + min_variance).
+constexpr double agreement_weight = 0.002, min_variance = 0.003;
 /// `length_weight` counts as much as this many degrees of freedom of the recorded strokes.
 constexpr double prior_freedom = 4;
 /// A recorded stroke that is farther than the nearest one of its gesture by this distance counts e times less.
@@ -31,35 +31,35 @@ constexpr float hand_scatter = 0.03F;
 /// Where the logarithm of force / speed of a gesture's strokes has a smaller variance, the force is the answer of a viscous
 /// field. Then a stroke is drawn slowly or fast on purpose, as a gentle or a harsh one, and its duration tells nothing.
 constexpr double viscous_variance = 0.15 * 0.15;
-constexpr float least_force = 1e-6F;
+constexpr float min_force = 1e-6F;
 /// A shorter duration counts as this one (s), also that of a stroke without times.
-constexpr float least_seconds = 0.001F;
+constexpr float min_seconds = 0.001F;
 /// Squared distances of points, where the dot product chooses, are about four times the elastic distance.
 constexpr float squares_to_elastic = 4;
 constexpr std::size_t synthetic_strokes = 30, scribble_every = 10;
 constexpr std::array synthetic_shares{0.25, 0.5, 0.75, 1.0};
 /// Most of a recorded stroke's length that counts as drawn. A longer stroke tells no more than a whole one.
-constexpr float most_share = 1;
+constexpr float max_share = 1;
 /// Least share of its twin's length that a whole stroke has.
 constexpr double twin_share = 0.7;
 /// Most logarithm of the ratio of two gestures' distances that counts against the farther one.
-constexpr double most_margin_against = 2;
+constexpr double max_margin_against = 2;
 
 float log_length_of(const Shape& shape) {
     return static_cast<float>(det::log(static_cast<double>(shape.length)));
 }
 
 float log_seconds_of(const Shape& shape) {
-    return static_cast<float>(det::log(static_cast<double>(std::max(shape.seconds, least_seconds))));
+    return static_cast<float>(det::log(static_cast<double>(std::max(shape.seconds, min_seconds))));
 }
 
 float cost_of(float difference, float weight) {
-    return std::min(weight * difference * difference, most_for_difference);
+    return std::min(weight * difference * difference, max_for_difference);
 }
 
 Floats8 costs_of(Floats8 differences, float weight) {
     const Floats8 costs = weight * differences * differences;
-    const Floats8 most = most_for_difference + Floats8{};
+    const Floats8 most = max_for_difference + Floats8{};
     return costs < most ? costs : most;
 }
 
@@ -82,7 +82,7 @@ public:
     double variance() const { return deviations_ / std::max(freedom_, 1.0); }
     /// `prior`: weight where nothing is known.
     float weight(float prior) const {
-        const double known = freedom_ * agreement_weight / (variance() + least_variance);
+        const double known = freedom_ * agreement_weight / (variance() + min_variance);
         const double sum = known + prior_freedom * static_cast<double>(prior);
         return static_cast<float>(sum / (freedom_ + prior_freedom));
     }
@@ -93,8 +93,8 @@ private:
 
 /// Whether a whole recorded stroke with that mean force and what is nearest to it of another gesture differ in force alone.
 bool is_twin(const PrefixSpace::Nearest& near, float force) {
-    static const auto least_log_share = static_cast<float>(det::log(twin_share));
-    return near.log_share >= least_log_share &&
+    static const auto min_log_share = static_cast<float>(det::log(twin_share));
+    return near.log_share >= min_log_share &&
            differ_in_force(static_cast<double>(near.distance), static_cast<double>(force),
                            static_cast<double>(near.force));
 }
@@ -177,8 +177,8 @@ Expected<void> PrefixReader::add(const Gesture& gesture, PrefixSpace& space) {
             }
         }
     }
-    if (beginnings_.size() > most_templates)
-        return fail(text("more than ", most_templates, " strokes; leave some out"));
+    if (beginnings_.size() > max_templates)
+        return fail(text("more than ", max_templates, " strokes; leave some out"));
     return {};
 }
 
@@ -192,15 +192,15 @@ PrefixReader::Weights PrefixReader::weights_of_agreement() const {
             const auto duration = static_cast<double>(one.log_seconds[lanes - 1]);
             lengths.add(length);
             seconds.add(duration);
-            const auto force = static_cast<double>(std::max(one.force[lanes - 1], least_force));
+            const auto force = static_cast<double>(std::max(one.force[lanes - 1], min_force));
             viscosities.add(det::log(force) + duration - length);
         }
         if (b + 1 < beginnings_.size() && beginnings_[b + 1].gesture == one.gesture) continue;
         for (auto* scatter : {&lengths, &seconds, &viscosities}) scatter->end_gesture();
     }
     const auto any = [&](auto has) { return std::any_of(beginnings_.begin(), beginnings_.end(), has); };
-    const bool has_force = any([](const Beginnings& one) { return one.force[lanes - 1] > least_force; });
-    static const auto no_time = static_cast<float>(det::log(static_cast<double>(least_seconds)));
+    const bool has_force = any([](const Beginnings& one) { return one.force[lanes - 1] > min_force; });
+    static const auto no_time = static_cast<float>(det::log(static_cast<double>(min_seconds)));
     const bool has_times = any([](const Beginnings& one) { return one.log_seconds[lanes - 1] > no_time; });
     const bool hurried_on_purpose = has_force && viscosities.variance() < viscous_variance;
     return {lengths.weight(length_weight), has_times && !hurried_on_purpose ? seconds.weight(0) : 0};
@@ -305,7 +305,7 @@ double PrefixReader::share_by_distance(std::uint32_t gesture, float distance,
     double sum = 1;
     for (std::uint32_t g = 0; g < space.nearest.size(); ++g) {
         if (g == gesture || !(space.nearest[g].distance < no_match) || are_twins(gesture, g)) continue;
-        const auto ratio = static_cast<double>(distance / std::max(space.nearest[g].distance, least_counted));
+        const auto ratio = static_cast<double>(distance / std::max(space.nearest[g].distance, min_counted));
         const double square = ratio * ratio;
         sum += square * square * ratio;  // the power was chosen on the letters and the game's spells
     }
@@ -314,21 +314,21 @@ double PrefixReader::share_by_distance(std::uint32_t gesture, float distance,
 
 /// Evidence and probability of a gesture, which need not be the nearest, after a stroke was compared.
 LikelyGesture PrefixReader::likelihood_of(std::uint32_t gesture, const PrefixSpace& space) const {
-    static const auto least_log_share = static_cast<float>(det::log(prefix_shares[0]));
+    static const auto min_log_share = static_cast<float>(det::log(prefix_shares[0]));
     const auto& own = space.nearest[gesture];
     float other = no_match;
     for (std::uint32_t g = 0; g < space.nearest.size(); ++g) {
         if (g != gesture && !are_twins(gesture, g)) other = std::min(other, space.nearest[g].distance);
     }
-    const float distance = std::max(own.distance, least_counted);
+    const float distance = std::max(own.distance, min_counted);
     const double share = det::exp(static_cast<double>(own.log_share));
     LikelyGesture likely{.gesture = gesture};
-    likely.evidence = evidence_of(distance, other, std::min(static_cast<float>(share), most_share));
+    likely.evidence = evidence_of(distance, other, std::min(static_cast<float>(share), max_share));
     if (other < distance) {
-        const double nearer = det::log(static_cast<double>(std::max(other, least_counted) / distance));
-        likely.evidence.margin = std::max(nearer, -most_margin_against);
+        const double nearer = det::log(static_cast<double>(std::max(other, min_counted) / distance));
+        likely.evidence.margin = std::max(nearer, -max_margin_against);
     }
-    if (own.log_share < least_log_share || !(own.distance < no_match)) return likely;
+    if (own.log_share < min_log_share || !(own.distance < no_match)) return likely;
     likely.probability =
         std::min(calibration_.probability(likely.evidence), share_by_distance(gesture, distance, space));
     if (!twins_[gesture].empty()) likely.probability *= share_by_force(gesture, space);
@@ -414,8 +414,8 @@ void PrefixReader::calibrate(std::span<const Gesture> gestures, std::uint64_t se
 
 Expected<PrefixReader> PrefixReader::make(std::span<const Gesture> gestures, const PrefixSettings& settings) {
     if (gestures.empty()) return fail("no gesture to recognise; record one");
-    if (gestures.size() > most_gestures)
-        return fail(text(gestures.size(), " gestures, more than ", most_gestures, "; leave some out"));
+    if (gestures.size() > max_gestures)
+        return fail(text(gestures.size(), " gestures, more than ", max_gestures, "; leave some out"));
     PrefixReader reader;
     reader.channels_ = settings.channels;
     PrefixSpace space;

@@ -70,7 +70,7 @@ struct PrefixSpace {
     ShapeSpace points{};
     Shape shape{};
     EightShapes eight{};
-    std::array<std::array<float, shape_points * most_channels>, lanes> chosen{};
+    std::array<std::array<float, shape_points * max_channels>, lanes> chosen{};
     std::vector<Candidate> candidates{};
     struct Nearest {
         float distance{};

@@ -124,8 +124,8 @@ Ints8 ranks_of(std::size_t first, const float* scores, std::size_t count) {
 }  // namespace
 
 RecogniserSpace::RecogniserSpace() {
-    survivors_.resize(most_templates + 1);
-    compared_.resize(most_templates);
+    survivors_.resize(max_templates + 1);
+    compared_.resize(max_templates);
 }
 
 Recogniser::Survivor Recogniser::turned_score(const Shape& shape, const Template& t) const {
@@ -192,7 +192,7 @@ void Recogniser::score(const Shape& shape, std::size_t count, RecogniserSpace& s
 }
 
 std::size_t Recogniser::verified_at_most() const {
-    if (settings_.exhaustive) return most_templates;
+    if (settings_.exhaustive) return max_templates;
     const std::size_t groups = (templates_.size() + 31) / 32 + (templates_.size() > 128 ? 2 : 0);
     return lanes * std::clamp<std::size_t>(groups, 1, 8);
 }
@@ -367,7 +367,7 @@ Recognition Recogniser::result_of(const Shape& shape, const RecogniserSpace& spa
     r.even_probability = by_force * even;
     r.probability = by_force * probability_on_purpose(r.distance, other, even);
     r.accepted =
-        r.distance <= calibration_.threshold[r.gesture] && r.even_probability >= settings_.least_probability;
+        r.distance <= calibration_.threshold[r.gesture] && r.even_probability >= settings_.min_probability;
     r.mean_force = static_cast<double>(shape.force);
     r.force = force_class(r.gesture, r.mean_force);
     r.start = static_cast<double>(shape.start_t);

@@ -54,8 +54,8 @@ struct RecogniserSettings {
     Channels channels{};
     /// True to compare every template elastically. Slower, for tests of the choice by dot product.
     bool exhaustive = false;
-    double least_probability = 0.5;  ///< `even_probability` from which on a stroke is accepted
-    std::uint64_t seed = 1;          ///< seed of the synthetic strokes that set the thresholds
+    double min_probability = 0.5;  ///< `even_probability` from which on a stroke is accepted
+    std::uint64_t seed = 1;        ///< seed of the synthetic strokes that set the thresholds
     /// False to skip the synthetic strokes, for a caller that calibrates with real ones. Then all thresholds are open, and
     /// the usual distance of a gesture is that of its recorded strokes from one another.
     bool calibrate = true;
@@ -84,10 +84,10 @@ private:
     ShapeSpace points_;
     Shape solid_, planar_;
     EightShapes eight_, strokes_;
-    std::array<std::array<float, shape_points * most_channels>, lanes> turned_{};
+    std::array<std::array<float, shape_points * max_channels>, lanes> turned_{};
     std::vector<Survivor> survivors_, compared_;
-    std::array<float, most_templates> scores_{};
-    std::array<Nearest, most_gestures> nearest_{};
+    std::array<float, max_templates> scores_{};
+    std::array<Nearest, max_gestures> nearest_{};
     std::size_t survivor_count_{};
 };
 

@@ -11,13 +11,13 @@ namespace thaum::gesture {
 namespace {
 
 constexpr std::size_t variations_of_each = 24;
-constexpr std::size_t least_scribbles = 300, most_scribbles = 1200;
+constexpr std::size_t min_scribbles = 300, max_scribbles = 1200;
 /// Usual bounds of a gentle and of a harsh stroke, as shares of the templates' mean force.
 constexpr double gentle_share = 0.6, harsh_share = 1.6;
 constexpr float open_threshold = 1e9F;
-constexpr float assumed_usual = 0.1F, least_usual = 1e-3F;
+constexpr float assumed_usual = 0.1F, min_usual = 1e-3F;
 /// Recorded strokes of a gesture that are compared with one another. More tell little more.
-constexpr std::size_t most_compared = 16;
+constexpr std::size_t max_compared = 16;
 
 std::vector<StrokePoint> backwards(Points stroke) {
     std::vector<StrokePoint> result(stroke.rbegin(), stroke.rend());
@@ -26,7 +26,7 @@ std::vector<StrokePoint> backwards(Points stroke) {
 }
 
 std::string too_many() {
-    return text("more than ", most_templates, " templates; use fewer strokes of each gesture");
+    return text("more than ", max_templates, " templates; use fewer strokes of each gesture");
 }
 
 float quantile(std::vector<float> values, double share) {
@@ -69,8 +69,8 @@ bool Recogniser::add_template(Points stroke, std::uint32_t number, std::uint32_t
     t.turns = options.rotation > 0;
     t.cosine = static_cast<float>(det::cos(options.rotation));
     t.sine = static_cast<float>(det::sin(options.rotation));
-    t.smallest = static_cast<float>(options.smallest_scale);
-    t.largest = static_cast<float>(options.largest_scale);
+    t.smallest = static_cast<float>(options.min_scale);
+    t.largest = static_cast<float>(options.max_scale);
     const auto count = static_cast<std::ptrdiff_t>(shape_points * shape.channels);
     for (int copies = 0; copies < (options.closed ? 2 : 1); ++copies)
         values_.insert(values_.end(), shape.values.begin(), shape.values.begin() + count);
@@ -120,7 +120,7 @@ void Recogniser::add_mean(std::size_t first, std::size_t step, std::size_t end, 
 /// Mean distance of the recorded strokes of a gesture, whose templates begin at `first`, from one another. `step` is the
 /// number of templates of each stroke.
 float Recogniser::spread_of(std::size_t first, std::size_t step, RecogniserSpace& space) const {
-    const std::size_t last = std::min(templates_.size(), first + step * most_compared);
+    const std::size_t last = std::min(templates_.size(), first + step * max_compared);
     float sum = 0;
     std::size_t count = 0;
     for (std::size_t a = first; a < last; a += step) {
@@ -143,7 +143,7 @@ float Recogniser::spread_of(std::size_t first, std::size_t step, RecogniserSpace
             ++count;
         }
     }
-    return std::max(sum / static_cast<float>(count), least_usual);
+    return std::max(sum / static_cast<float>(count), min_usual);
 }
 
 /// Adds what several recorded strokes of a gesture tell together: their usual distance, and their mean. A closed gesture
@@ -155,7 +155,7 @@ Expected<void> Recogniser::add_what_strokes_share(const Gesture& gesture, std::s
     const std::size_t end = templates_.size();
     for (std::size_t k = 0; k < copies && several && !gesture.options.closed; ++k)
         add_mean(first + k, copies, end, space);
-    if (templates_.size() > most_templates) return fail(too_many());
+    if (templates_.size() > max_templates) return fail(too_many());
     return {};
 }
 
@@ -178,7 +178,7 @@ Expected<void> Recogniser::add(const Gesture& gesture, RecogniserSpace& space) {
             return fail(
                 text("gesture '", gesture.name, "': stroke ", i + 1,
                      " has no shape: it needs two different points and finite numbers; record it again"));
-        if (templates_.size() > most_templates) return fail(too_many());
+        if (templates_.size() > max_templates) return fail(too_many());
     }
     const std::size_t copies = gesture.options.direction_sensitive ? 1 : 2;
     if (auto done = add_what_strokes_share(gesture, first, copies, space); !done) return done;
@@ -227,7 +227,7 @@ void Recogniser::calibrate(std::span<const Gesture> gestures, RecogniserSpace& s
         }
         float sum = 0;
         for (const float d : meant[g]) sum += d;
-        calibration_.usual[g] = meant[g].empty() ? assumed_usual : std::max(sum / count, least_usual);
+        calibration_.usual[g] = meant[g].empty() ? assumed_usual : std::max(sum / count, min_usual);
     }
     std::vector<LabelledEvidence> samples;
     const auto keep = [&](const Recognition& r, bool is_meant) {
@@ -243,7 +243,7 @@ void Recogniser::calibrate(std::span<const Gesture> gestures, RecogniserSpace& s
         }
     }
     const std::size_t scribbles =
-        std::clamp(variations_of_each * names_.size(), least_scribbles, most_scribbles);
+        std::clamp(variations_of_each * names_.size(), min_scribbles, max_scribbles);
     for (std::size_t i = 0; i < scribbles; ++i) keep(recognise(scribble(gestures, random), space), false);
     calibration_.weights = fit_weights(samples);
     for (std::size_t g = 0; g < names_.size(); ++g) {
@@ -254,8 +254,8 @@ void Recogniser::calibrate(std::span<const Gesture> gestures, RecogniserSpace& s
 
 Expected<Recogniser> Recogniser::make(std::span<const Gesture> gestures, const RecogniserSettings& settings) {
     if (gestures.empty()) return fail("no gesture to recognise; record one");
-    if (gestures.size() > most_gestures)
-        return fail(text(gestures.size(), " gestures, more than ", most_gestures, "; leave some out"));
+    if (gestures.size() > max_gestures)
+        return fail(text(gestures.size(), " gestures, more than ", max_gestures, "; leave some out"));
     Recogniser result;
     result.settings_ = settings;
     RecogniserSpace space;

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t few_points = 200;  // number of points up to which computing all places first is faster
 /// Exponent that a fine shape applies to the ratio of the axes' sizes, and the least size of an axis that
 /// counts, as a share of the largest.
-constexpr float axis_exponent = 0.5F, least_axis = 0.5F;
+constexpr float axis_exponent = 0.5F, min_axis = 0.5F;
 // Length of a direction after a long step, and the step (in sizes of the stroke) at which the direction has
 // half that length. Where points lie close together, their direction is uncertain.
 constexpr float direction_weight = 1.3F, slow_step = 0.12F;
@@ -22,7 +22,7 @@ constexpr float force_deviation = 0.5F;  // standard deviation of the force chan
 // A rest may begin where the hand moves little for some time: a part of the stroke that lasts for about
 // `halt_share` of the longest halt is at most `halt_way` long, plus `tremor_step` for each step of tremor.
 // Lengths are shares of the extent.
-constexpr float halt_share = 0.75F, least_halt = 0.8F, halt_way = 0.04F, tremor_step = 0.01F;
+constexpr float halt_share = 0.75F, min_halt = 0.8F, halt_way = 0.04F, tremor_step = 0.01F;
 constexpr float surely_quick = 10;  // time from which on all points of a stroke are searched for rests (s)
 /// Number of points outside of rests that is enough for a shape. If there are fewer, all points of the stroke
 /// are read, so that others replace those of rests.
@@ -183,7 +183,7 @@ HaltSign halt_sign(ShapeSpace& space, float extent) {
         space.length[space.count + i] = std::numeric_limits<float>::max();
         space.t[space.count + i] = lasts;
     }
-    return {steps, (halt_way + tremor) * extent, halt_way * extent, halt, least_halt * halt};
+    return {steps, (halt_way + tremor) * extent, halt_way * extent, halt, min_halt * halt};
 }
 
 bool has_sign(const ShapeSpace& space, const HaltSign& sign) {
@@ -466,7 +466,7 @@ void even_out(Sampled<points>& q) {
     std::array<float, 3> roots{};
     float sum = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-        const float s = squares[k + 1], size = std::sqrt(std::max(s, least_axis * least_axis * largest));
+        const float s = squares[k + 1], size = std::sqrt(std::max(s, min_axis * min_axis * largest));
         sum += s / size;
         roots[k] = std::sqrt(size);
     }

@@ -25,19 +25,19 @@ inline constexpr std::size_t shape_points = 24;
 /// Number of points of a stroke that are used. A longer stroke is thinned evenly, which hardly changes the 24
 /// points of the shape.
 inline constexpr std::size_t counted_points = 80;
-inline constexpr std::size_t most_points = 4096;  ///< capacity, for callers that fill the space themselves
+inline constexpr std::size_t max_points = 4096;  ///< capacity, for callers that fill the space themselves
 /// Number of channels: x, y, direction x, y, turn z, force.
 inline constexpr std::size_t planar_channels = 6;
 /// Number of channels: x, y, z, direction x, y, z, turn x, y, z, force.
 inline constexpr std::size_t solid_channels = 10;
-inline constexpr std::size_t most_channels = solid_channels;
+inline constexpr std::size_t max_channels = solid_channels;
 
 /// A stroke in the form in which strokes are compared.
 struct Shape {
     /// Number of channels: planar_channels or solid_channels.
     std::size_t channels{};
     /// Value of a channel at a point: values[point * channels + channel].
-    std::array<float, shape_points * most_channels> values{};
+    std::array<float, shape_points * max_channels> values{};
     float size{};     ///< root mean square distance from the centroid (unit of the stroke)
     float length{};   ///< arc length (unit of the stroke)
     float seconds{};  ///< time from the first to the last point that counts (s)
@@ -51,7 +51,7 @@ struct Shape {
 /// by half (each axis is divided by the square root of its size), because users differ in how wide and how
 /// high they draw.
 inline constexpr std::size_t fine_points = 32;
-using FineShape = std::array<float, fine_points * most_channels>;  ///< [point * channels + channel]
+using FineShape = std::array<float, fine_points * max_channels>;  ///< [point * channels + channel]
 
 /// Kind of a fine shape: its channels, and whether its axes are evened out.
 struct FineKind {
@@ -69,10 +69,10 @@ struct ShapePoint {
 
 /// Working memory, allocated once.
 struct ShapeSpace {
-    std::array<ShapePoint, most_points> points{};
-    std::array<float, most_points> t{};
-    std::array<float, most_points> length{};  ///< arc length up to each point
-    std::array<float, most_points> place{};   ///< scratch memory: parameter by which the points are resampled
+    std::array<ShapePoint, max_points> points{};
+    std::array<float, max_points> t{};
+    std::array<float, max_points> length{};  ///< arc length up to each point
+    std::array<float, max_points> place{};   ///< scratch memory: parameter by which the points are resampled
     std::size_t count{};
     float before{};  ///< removed time between the stroke's first point and the first point that counts (s)
     float paused{};  ///< removed time of rests within the stroke (s)

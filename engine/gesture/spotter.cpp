@@ -9,11 +9,11 @@ namespace {
 constexpr double points_of_shortest = 40;  // points of the shortest window
 constexpr double ends_of_shortest = 14;    // ends within the arc length of the shortest window
 /// Largest overlap of two reported gestures, as a share of the shorter one.
-constexpr double most_overlap = 0.15;
+constexpr double max_overlap = 0.15;
 constexpr double plain_usual = 0.06;  // usual distance of a gesture whose score is the distance
-constexpr float least_match = 0.5F;   // share of the template's dot product with itself
-constexpr std::size_t kept_points = most_points / 2;
-constexpr float most_looked_at = 0.25F;  // score of a window that is worth a close look
+constexpr float min_match = 0.5F;     // share of the template's dot product with itself
+constexpr std::size_t kept_points = max_points / 2;
+constexpr float max_looked_at = 0.25F;   // score of a window that is worth a close look
 constexpr std::uint32_t look_every = 4;  // one tick of so many is for close looks, if some are due
 
 // What else tells a gesture from other motion. On strokes of other users, the logarithm of the distance counts about 15
@@ -22,8 +22,8 @@ constexpr float time_before = 0.3F, time_after = 0.2F;  // in which the motion c
 constexpr double rest_power =
     0.07;  // power of the motion before and after, each as a share of the stroke's speed
 constexpr double duration_weight = 0.1;
-constexpr float least_motion = 0.1F, most_motion = 3;  // a hand at rest, and one in a hurry
-constexpr float shortest_time = 0.05F;                 // against division by zero (s)
+constexpr float min_motion = 0.1F, max_motion = 3;  // a hand at rest, and one in a hurry
+constexpr float shortest_time = 0.05F;              // against division by zero (s)
 
 /// Overlap of two spans of time, as a share of the shorter.
 double overlap(double start_a, double end_a, double start_b, double end_b) {
@@ -45,14 +45,14 @@ std::optional<Candidate> CandidateChoice::report() {
 }
 
 std::optional<Candidate> CandidateChoice::add(const Candidate& c, double now) {
-    if (!(c.score <= most_score_)) return std::nullopt;
-    if (overlap(c.start, c.end, start_, end_) > most_overlap) return std::nullopt;
+    if (!(c.score <= max_score_)) return std::nullopt;
+    if (overlap(c.start, c.end, start_, end_) > max_overlap) return std::nullopt;
     std::optional<Candidate> reported;
-    if (waiting_ && overlap(c.start, c.end, waiting_->start, waiting_->end) > most_overlap) {
+    if (waiting_ && overlap(c.start, c.end, waiting_->start, waiting_->end) > max_overlap) {
         if (!(c.score < waiting_->score)) return std::nullopt;
     } else if (waiting_) {
         reported = report();
-        if (overlap(c.start, c.end, start_, end_) > most_overlap) return reported;
+        if (overlap(c.start, c.end, start_, end_) > max_overlap) return reported;
     }
     waiting_ = c;
     due_ = now + wait_;
@@ -69,23 +69,23 @@ std::optional<Candidate> CandidateChoice::at(double now) {
 Spotter::Spotter(const Recogniser& recogniser, const SpotterSettings& settings)
     : recogniser_(recogniser),
       settings_(settings),
-      choice_(settings.wait, settings.most_score),
+      choice_(settings.wait, settings.max_score),
       space_(std::make_unique<RecogniserSpace>()),
       spacing_(static_cast<float>(static_cast<double>(recogniser.shortest()) / settings.length_range /
                                   points_of_shortest)),
       end_step_(static_cast<float>(static_cast<double>(recogniser.shortest()) / settings.length_range /
                                    ends_of_shortest)),
-      windows_(most_lengths * kinds()),
+      windows_(max_lengths * kinds()),
       held_(recogniser.gestures()),
       seen_(recogniser.gestures(), Candidate{.start = -1e300, .end = -1e300}),
       look_(recogniser) {
-    candidates_.reserve(most_gestures);
+    candidates_.reserve(max_gestures);
     for (const float usual : recogniser.calibration().usual)
         factors_.push_back(static_cast<float>(det::pow(plain_usual / static_cast<double>(usual), 1.0 / 3)));
 }
 
 void Spotter::restart() {
-    choice_ = CandidateChoice(settings_.wait, settings_.most_score);
+    choice_ = CandidateChoice(settings_.wait, settings_.max_score);
     points_.count = 0;
     origin_ = {};
     latest_ = {};
@@ -140,7 +140,7 @@ void Spotter::append(const StrokePoint& p) {
         if (!(step >= static_cast<double>(spacing_))) return;
         length = points_.length[points_.count - 1] + static_cast<float>(step);
     }
-    if (points_.count == most_points) {
+    if (points_.count == max_points) {
         make_room();
         length = points_.length[points_.count - 1] + static_cast<float>(glm::length(p.at - latest_));
     }
@@ -168,8 +168,8 @@ void Spotter::start_scan() {
 }
 
 void Spotter::keep(const Pair& pair) {
-    if (pair_count_ == most_pairs && !(pair.score > pairs_[most_pairs - 1].score)) return;
-    std::size_t at = pair_count_ < most_pairs ? pair_count_++ : most_pairs - 1;
+    if (pair_count_ == max_pairs && !(pair.score > pairs_[max_pairs - 1].score)) return;
+    std::size_t at = pair_count_ < max_pairs ? pair_count_++ : max_pairs - 1;
     for (; at > 0 && pair.score > pairs_[at - 1].score; --at) pairs_[at] = pairs_[at - 1];
     pairs_[at] = pair;
 }
@@ -179,7 +179,7 @@ void Spotter::look_at_length() {
     const float from = last_end_ - next_length_;
     const auto* begin = points_.length.data();
     const auto first = static_cast<std::size_t>(std::lower_bound(begin, begin + end_, from) - begin);
-    const bool too_long = from < 0 || window_count_ + kinds() > most_lengths * kinds() ||
+    const bool too_long = from < 0 || window_count_ + kinds() > max_lengths * kinds() ||
                           next_length_ > recogniser_.longest() * static_cast<float>(settings_.length_range) ||
                           static_cast<double>(points_.t[end_] - points_.t[first]) > settings_.longest;
     if (too_long) {
@@ -208,14 +208,14 @@ void Spotter::look_at_window(std::size_t first, bool depth) {
     for (std::size_t k = 0; k < space_->survivor_count_; ++k) {
         const auto& match = space_->survivors_[k];
         const float score = match.score / recogniser_.templates_[match.place].self;
-        if (score > least_match) keep({match, static_cast<std::uint32_t>(window_count_), score});
+        if (score > min_match) keep({match, static_cast<std::uint32_t>(window_count_), score});
     }
     ++window_count_;
 }
 
 /// Pairs with depth first, because those that are compared together have as many channels.
 void Spotter::sort_by_channels() {
-    std::array<Pair, most_pairs> flat;
+    std::array<Pair, max_pairs> flat;
     std::size_t solid_count = 0, flat_count = 0;
     for (std::size_t k = 0; k < pair_count_; ++k) {
         const bool depth = windows_[pairs_[k].window].shape.channels == solid_channels;
@@ -277,10 +277,10 @@ void Spotter::collect() {
 
 /// Keeps the best of the windows of a gesture that overlap.
 void Spotter::hold(const Candidate& c, std::size_t first, const RecogniserSpace::Survivor& match) {
-    if (!(c.score <= most_looked_at)) return;
+    if (!(c.score <= max_looked_at)) return;
     auto& held = held_[c.gesture];
     const auto beats = [&](const Candidate& other) {
-        return c.score < other.score || overlap(c.start, c.end, other.start, other.end) <= most_overlap;
+        return c.score < other.score || overlap(c.start, c.end, other.start, other.end) <= max_overlap;
     };
     if (!beats(seen_[c.gesture])) return;
     if (held.waiting && !beats(held.what)) return;
@@ -320,7 +320,7 @@ double Spotter::quiet_factor(std::size_t first, std::size_t last) const {
         return after > 0 ? after - 1 : 0;
     };
     const auto share = [&](float way, float time) {
-        return static_cast<double>(std::clamp(way / (time * speed), least_motion, most_motion));
+        return static_cast<double>(std::clamp(way / (time * speed), min_motion, max_motion));
     };
     const float way_before = length[first] - length[last_until(t[first] - time_before)];
     const float passed = static_cast<float>(now_ - origin_.t) - t[last];

@@ -27,7 +27,7 @@ struct SpotterSettings {
     double longest = 8;          ///< longest stroke (s)
     double hold = 0.2;           ///< time without a better window after which the close look begins (s)
     double wait = 0.1;           ///< time for which a candidate waits for a better one (s)
-    float most_score = 0.14F;    ///< score of the worst stroke that is reported
+    float max_score = 0.14F;     ///< score of the worst stroke that is reported
     std::size_t windows_per_tick = 4;
 };
 
@@ -54,7 +54,7 @@ struct Spotted {
 /// Chooses among candidates that overlap. Separate from the scanner, so that thresholds can be compared.
 class CandidateChoice {
 public:
-    CandidateChoice(double wait, float most_score) : wait_(wait), most_score_(most_score) {}
+    CandidateChoice(double wait, float max_score) : wait_(wait), max_score_(max_score) {}
 
     /// Considers a candidate that was found at time `now` (s). May report an earlier one.
     std::optional<Candidate> add(const Candidate& candidate, double now);
@@ -66,7 +66,7 @@ private:
     std::optional<Candidate> report();
 
     double wait_;
-    float most_score_;
+    float max_score_;
     std::optional<Candidate> waiting_;
     double due_ = 0;
     double start_ = -1e300, end_ = -1e300;  ///< times of the last reported gesture (s)
@@ -109,7 +109,7 @@ private:
         RecogniserSpace::Survivor match{};
         double due{};  ///< time at which the close look may begin (s)
     };
-    static constexpr std::size_t most_lengths = 48, most_pairs = 16;
+    static constexpr std::size_t max_lengths = 48, max_pairs = 16;
 
     void append(const StrokePoint& point);
     void make_room();
@@ -144,7 +144,7 @@ private:
     float next_length_ = 0;  ///< arc length of the next window of this scan
     std::size_t end_ = 0;    ///< point at which the windows of this scan end
     bool scanning_ = false, verifying_ = false;
-    std::array<Pair, most_pairs> pairs_{};
+    std::array<Pair, max_pairs> pairs_{};
     std::size_t pair_count_ = 0;
     struct Best {
         float distance{};
@@ -152,7 +152,7 @@ private:
         bool found = false;
         RecogniserSpace::Survivor match{};
     };
-    std::array<Best, most_gestures> best_{};
+    std::array<Best, max_gestures> best_{};
     std::vector<Held> held_;  ///< candidate of each gesture that is held back
     std::vector<Candidate>
         seen_;  ///< last candidate of each gesture that had a close look, as the window was

@@ -56,13 +56,13 @@ Expected<StrokeSet> read_strokes(std::string_view csv, std::string_view name) {
             key = {name_in(table, user), name_in(table, gesture), name_in(table, sample)};
             at = places.try_emplace(key, set.strokes.size()).first->second;
             if (at == set.strokes.size()) set.strokes.push_back({key[0], key[1], key[2], {}, table.line()});
-            if (set.strokes.size() > most_csv_strokes) table.report("too many strokes");
+            if (set.strokes.size() > max_csv_strokes) table.report("too many strokes");
         }
         const auto p = point_of(table, columns);
         append(table, set.strokes[at].points, p);
         set.has_depth = set.has_depth || p.at.z != 0;
         set.has_force = set.has_force || p.force != 0;
-        if (++points > most_csv_points) table.report("too many points");
+        if (++points > max_csv_points) table.report("too many points");
     }
     if (table.good() && set.strokes.empty()) table.report("no stroke");
     if (!table.good()) return table.fault();
@@ -86,7 +86,7 @@ Expected<SessionSet> read_sessions(std::string_view csv, std::string_view name) 
         append(table, set.sessions[found->second].points, p);
         set.has_depth = set.has_depth || p.at.z != 0;
         set.has_force = set.has_force || p.force != 0;
-        if (++points > most_csv_points) table.report("too many points");
+        if (++points > max_csv_points) table.report("too many points");
     }
     if (table.good() && set.sessions.empty()) table.report("no session");
     if (!table.good()) return table.fault();
@@ -102,7 +102,7 @@ Expected<std::vector<SessionLabel>> read_labels(std::string_view csv, std::strin
         labels.push_back(
             {name_in(table, user), name_in(table, gesture), table.number(start), table.number(end)});
         if (labels.back().end < labels.back().start) table.report("the gesture ends before it starts");
-        if (labels.size() > most_csv_strokes) table.report("too many labels");
+        if (labels.size() > max_csv_strokes) table.report("too many labels");
     }
     if (!table.good()) return table.fault();
     return labels;

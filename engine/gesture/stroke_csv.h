@@ -16,8 +16,8 @@
 
 namespace thaum::gesture {
 
-inline constexpr std::size_t most_csv_points = 20'000'000;
-inline constexpr std::size_t most_csv_strokes = 200'000;
+inline constexpr std::size_t max_csv_points = 20'000'000;
+inline constexpr std::size_t max_csv_strokes = 200'000;
 
 /// Strokes of one file.
 struct StrokeSet {

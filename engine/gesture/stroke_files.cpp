@@ -14,11 +14,11 @@ Error in_file(const std::filesystem::path& path, const Error& error) {
 }  // namespace
 
 Expected<std::string> load_text(const std::filesystem::path& path) {
-    const auto bytes = read_file(path, most_stroke_bytes);
+    const auto bytes = read_file(path, max_stroke_bytes);
     if (!bytes) return bytes.error();
     if (bytes->size() < 2 || (*bytes)[0] != std::byte{0x1f} || (*bytes)[1] != std::byte{0x8b})
         return std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-    auto unpacked = unpack_gzip(*bytes, most_stroke_bytes);
+    auto unpacked = unpack_gzip(*bytes, max_stroke_bytes);
     if (!unpacked) return in_file(path, unpacked.error());
     return unpacked;
 }

@@ -9,7 +9,7 @@
 namespace thaum::gesture {
 
 /// Largest file, and largest text after unpacking (bytes).
-inline constexpr std::size_t most_stroke_bytes = std::size_t{1} << 30U;
+inline constexpr std::size_t max_stroke_bytes = std::size_t{1} << 30U;
 
 /// Reads a text file. A file that begins like gzip is unpacked, whatever its name.
 Expected<std::string> load_text(const std::filesystem::path& path);

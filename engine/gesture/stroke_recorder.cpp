@@ -9,7 +9,7 @@ void StrokeRecorder::feed(const StrokePoint& hand, bool down) {
 }
 
 void StrokeRecorder::end() {
-    if (open_.size() > 1 && open_.back().t >= least_seconds_) {
+    if (open_.size() > 1 && open_.back().t >= min_seconds_) {
         open_.front().t = 0;
         strokes_.push_back(open_);
     }

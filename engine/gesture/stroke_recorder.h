@@ -9,8 +9,8 @@ namespace thaum::gesture {
 /// Collects the points of a stroke while its button is down.
 class StrokeRecorder {
 public:
-    /// A press shorter than `least_seconds` counts as accidental and gives no stroke.
-    explicit StrokeRecorder(double least_seconds = 0.1) : least_seconds_(least_seconds) {}
+    /// A press shorter than `min_seconds` counts as accidental and gives no stroke.
+    explicit StrokeRecorder(double min_seconds = 0.1) : min_seconds_(min_seconds) {}
 
     /// Takes the position of the hand in one tick. Times must not run backwards.
     void feed(const StrokePoint& hand, bool down);
@@ -26,7 +26,7 @@ public:
     Points open() const { return open_; }
 
 private:
-    double least_seconds_;
+    double min_seconds_;
     std::vector<StrokePoint> open_;
     std::vector<std::vector<StrokePoint>> strokes_;
 };

@@ -39,12 +39,12 @@ void read_motion(const ConfigTable& table, DeviceSpec& spec) {
     spec.workspace = table.vector("workspace_m", {0.001, 10});
     spec.position_quantum = table.number("position_quantum_m", {0, 0.01});
     spec.update_rate = table.number("update_rate_hz", {10, 100'000});
-    spec.latency = static_cast<int>(table.integer("latency_ticks", {0, most_latency}));
+    spec.latency = static_cast<int>(table.integer("latency_ticks", {0, max_latency}));
     const double shortest = std::min({spec.workspace.x, spec.workspace.y, spec.workspace.z});
     // The position is divided by the quantum, and must stay a whole number of 53 bits.
-    constexpr double least_quantum = 1e-9;
-    if (spec.position_quantum > 0 && spec.position_quantum < least_quantum)
-        report(table, "position_quantum_m", text("must be 0 or at least ", least_quantum));
+    constexpr double min_quantum = 1e-9;
+    if (spec.position_quantum > 0 && spec.position_quantum < min_quantum)
+        report(table, "position_quantum_m", text("must be 0 or at least ", min_quantum));
     if (spec.position_quantum > shortest / 10)
         report(table, "position_quantum_m", "must be at most a tenth of the workspace's shortest edge");
 }

@@ -9,7 +9,7 @@
 namespace thaum::haptics {
 
 /// Largest latency that a device model may have (ticks).
-inline constexpr int most_latency = 8;
+inline constexpr int max_latency = 8;
 
 /// What a force feedback device can do.
 struct DeviceSpec {

@@ -11,16 +11,16 @@ namespace thaum::haptics {
 namespace {
 
 constexpr double still = 1e-6;  // m/s; below this speed, damping takes out no energy
-constexpr std::uint32_t kept = most_latency + 1;
+constexpr std::uint32_t kept = max_latency + 1;
 /// Share of the active sources' budget in which their force fades.
 constexpr double fading_share = 0.2;
 /// Force with which a spring without any reserve meets a hand that presses in (N): a force of
 /// zero would never receive anything.
-constexpr double least_force = 0.1;
+constexpr double min_force = 0.1;
 static_assert((active_bins - 2) * active_bin_ticks == ticks(1));
 
 /// Largest sum of the work from any tick that the bins hold until now.
-double largest_active_work(const PassivityObserver& observer) {
+double max_active_work(const PassivityObserver& observer) {
     const std::size_t oldest = (observer.active_bin + 1) % active_bins;
     double most = 0, later = 0;
     for (std::size_t back = 0; back + 1 < active_bins; ++back) {
@@ -37,7 +37,7 @@ void add_active_work(PassivityObserver& observer, double work) {
     ActiveBin& bin = observer.active[observer.active_bin];
     bin.sum += work;
     bin.most = std::max(0.0, bin.most + work);
-    if (work != 0 || observer.active_work != 0) observer.active_work = largest_active_work(observer);
+    if (work != 0 || observer.active_work != 0) observer.active_work = max_active_work(observer);
     if (++observer.active_tick < active_bin_ticks) return;
     observer.active_tick = 0;
     observer.active_bin = static_cast<std::uint32_t>((observer.active_bin + 1) % active_bins);
@@ -61,7 +61,7 @@ void observe(PassivityObserver& observer, vec3 position, vec3 world_step, double
     }
     const vec3 step = position - observer.position;
     if (observer.has_position != 0 && glm::length(step) <= longest_step) {
-        const auto back = static_cast<std::uint32_t>(std::clamp(latency, 0, most_latency));
+        const auto back = static_cast<std::uint32_t>(std::clamp(latency, 0, max_latency));
         const auto& force = observer.forces[(observer.newest + kept - back) % kept];
         const double given = glm::dot(force.passive, step) - glm::dot(force.world, world_step) -
                              observer.forces[observer.newest].share * supplied;
@@ -93,7 +93,7 @@ vec3 steady_brake(PassivityObserver& observer, vec3 wished, double most) {
 
 double pending_work(const PassivityObserver& observer, vec3 step, int latency) {
     double work = 0;
-    for (int back = 0; back < std::min(latency, most_latency); ++back)
+    for (int back = 0; back < std::min(latency, max_latency); ++back)
         work += glm::dot(
             observer.forces[(observer.newest + kept - static_cast<std::uint32_t>(back)) % kept].passive,
             step);
@@ -142,7 +142,7 @@ double force_of_reserve(const PassivityObserver& observer, double outward, doubl
     if (observer.held_back == 0 || !(stiffness > 0)) return HUGE_VAL;
     const double left = std::max(0.0, observer.reserve - std::max(0.0, pending));
     const double ahead = stiffness * outward;
-    if (ahead < 0) return std::max(std::sqrt(2 * stiffness * left), std::min(-ahead, least_force));
+    if (ahead < 0) return std::max(std::sqrt(2 * stiffness * left), std::min(-ahead, min_force));
     return std::max(0.0, std::sqrt(2 * stiffness * left) - ahead);
 }
 
@@ -230,7 +230,7 @@ double other_energy(const Tether& tether, const SurfaceForces& surfaces, double 
 /// Largest force that a spring exerts at the device now (N): less than the cap while the motors are warm,
 /// zero while the output is stopped. A spring stretched meanwhile holds less than its potential, and the
 /// difference was not created.
-double largest_felt_force(const Servo& servo, const SafetyState& safety) {
+double max_felt_force(const Servo& servo, const SafetyState& safety) {
     const bool whole = safety.cause <= static_cast<std::uint32_t>(SafetyCause::capped);
     return whole ? servo.limits.cap : glm::length(safety.output);
 }
@@ -248,8 +248,8 @@ bool may_hold_more(const Servo& servo, const ServoState& state, const Tip& tip) 
 
 /// Energy of a spring of the device's stiffness that has the force of the last tick (J).
 double energy_of_output(const Servo& servo, const SafetyState& safety) {
-    if (!(servo.most_stiffness > 0)) return 0;
-    return glm::dot(safety.output, safety.output) / (2 * servo.most_stiffness);
+    if (!(servo.max_stiffness > 0)) return 0;
+    return glm::dot(safety.output, safety.output) / (2 * servo.max_stiffness);
 }
 
 /// Limits the springs, which pull with `pull` (N), to the force that their
@@ -258,7 +258,7 @@ double limit_to_reserve(const Servo& servo, const ServoState& state, double pull
     const vec3 step = tip_motion(state, servo.quantum);
     const double outward = pull > 0 ? glm::dot(step, sources.springs) / pull : 0;
     const double most = force_of_reserve(
-        state.energy, outward, pending_work(state.energy, step, servo.latency), servo.most_stiffness);
+        state.energy, outward, pending_work(state.energy, step, servo.latency), servo.max_stiffness);
     if (!(pull > most)) return most;
     const double share = most / pull;
     sources.passive -= (1 - share) * sources.springs;
@@ -291,11 +291,11 @@ double energy_to_take_out(const PassivityObserver& observer, double held) {
 /// too. If it is worth more than this force, the controller shakes a tip that hardly moves. In a
 /// faster motion a count matters less.
 double controller_damping(const Servo& servo, vec3 velocity) {
-    constexpr double most_of_a_count = 0.28;  // largest force that one count may be worth (N)
-    if (!(servo.quantum > 0)) return servo.most_damping;
+    constexpr double max_of_a_count = 0.28;  // largest force that one count may be worth (N)
+    if (!(servo.quantum > 0)) return servo.max_damping;
     const double of_a_count = servo.quantum / tick_seconds;
     const double counts = std::max(1.0, glm::length(velocity) / (2 * of_a_count));
-    return std::min(servo.most_damping, most_of_a_count / of_a_count * counts);
+    return std::min(servo.max_damping, max_of_a_count / of_a_count * counts);
 }
 
 /// The brake that takes out `taken` (J) from a hand that feels the sources (N).
@@ -320,7 +320,7 @@ vec3 brake_sources(const Servo& servo, ServoState& state, double taken, const So
 EnergyLimits update_energy(const Servo& servo, ServoState& state, const HapticModel& model,
                            const Tether& tether, const Tip& tip, const SurfaceForces& surfaces,
                            const FluidForces& fluid, Sources& sources) {
-    const double felt = largest_felt_force(servo, state.safety);
+    const double felt = max_felt_force(servo, state.safety);
     const double springs = spring_energy(state, model, tether, tip.position, servo.limits.cap);
     const double held =
         felt < servo.limits.cap ? spring_energy(state, model, tether, tip.position, felt) : springs;
@@ -333,7 +333,7 @@ EnergyLimits update_energy(const Servo& servo, ServoState& state, const HapticMo
     observe(state.energy, tip.position, step, stored, servo.latency, fluid.supplied);
     sources.active = within_budget(state.energy, sources.active);
     EnergyLimits limits;
-    if (may_give && servo.most_stiffness > 0) hold_back(state.energy);
+    if (may_give && servo.max_stiffness > 0) hold_back(state.energy);
     const double pull = glm::length(sources.springs);
     if (state.energy.held_back != 0) {
         limits.reserve_force = limit_to_reserve(servo, state, pull, sources);
@@ -345,7 +345,7 @@ EnergyLimits update_energy(const Servo& servo, ServoState& state, const HapticMo
                 {.energy = stored - fluid.stored,
                  .pull = pull,
                  .may_lie_ahead = model.primitives.by_proxy() && conservative(model.primitives)},
-                servo.most_stiffness);
+                servo.max_stiffness);
     }
     const double taken =
         energy_to_take_out(state.energy, held + expected_creation(servo, state.energy, tether, tip));

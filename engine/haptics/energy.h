@@ -52,7 +52,7 @@ struct ActiveBin {
 struct PassivityObserver {
     vec3 position{};  ///< measured position at the last tick (m)
     /// Commanded forces, a ring buffer with the newest at `newest`.
-    std::array<CommandedForce, most_latency + 1> forces{};
+    std::array<CommandedForce, max_latency + 1> forces{};
     /// Energy created by passive sources (J); > 0: they gave more than they got. It never falls
     /// below minus their stored energy.
     double created{};
@@ -70,7 +70,7 @@ struct PassivityObserver {
     vec3 brake{};                  ///< brake of the last tick (N)
 };
 static_assert(sizeof(PassivityObserver) ==
-              (6 + 10 * (most_latency + 1) + 4 + 2 * active_bins) * sizeof(double) +
+              (6 + 10 * (max_latency + 1) + 4 + 2 * active_bins) * sizeof(double) +
                   6 * sizeof(std::uint32_t));
 
 inline constexpr double longest_step = 0.05;  ///< largest plausible motion of the tip in a tick (m)

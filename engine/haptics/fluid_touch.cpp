@@ -162,9 +162,9 @@ struct FlowForces {
 };
 
 FlowForces forces_of(const FluidTouch& touch, const FlowSample& sample, vec3 velocity, double immersed,
-                     double most_damping) {
+                     double max_damping) {
     const double scale = hand_scale(touch.frame).stiffness;
-    const double most = scale > 0 ? most_damping / scale : std::numeric_limits<double>::infinity();
+    const double most = scale > 0 ? max_damping / scale : std::numeric_limits<double>::infinity();
     const Drags drags = drags_of(touch.modes, touch.drag, sample, immersed, most);
     const auto felt_of = [&](double drag, vec3 way) { return force_to_hand(touch.frame, drag * way); };
     return {felt_of(drags.viscosity, -velocity), felt_of(drags.flow, sample.velocity),
@@ -285,7 +285,7 @@ FluidForces feel_fluid(const FluidTouch& touch, FluidTouchState& state, const Fl
         return {};
     }
     FluidForces feel{.supplied = state.begun != 0 ? state.flow_work : 0};
-    DampingBudget damping{tip.most_damping};
+    DampingBudget damping{tip.max_damping};
     state.place = nearest_in_bowl(touch.wall, place);
     const double height = height_now(touch.surface, tip.model_age);
     state.immersed = immersed_part(touch, height - state.place.y);

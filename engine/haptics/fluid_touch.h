@@ -189,7 +189,7 @@ static_assert(sizeof(FluidTouchState) == 5 * sizeof(vec3) + 5 * sizeof(double) +
 struct FluidTip {
     vec3 position{}, velocity{};  ///< position and velocity of the tip (m, m/s)
     std::uint32_t model_age{};    ///< age of the model (ticks)
-    double most_damping{};        ///< largest damping that the device renders (N s/m)
+    double max_damping{};         ///< largest damping that the device renders (N s/m)
 };
 
 /// Forces on the hand (N), and energies for the passivity observer.

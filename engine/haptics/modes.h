@@ -151,7 +151,7 @@ double strength_at(const field::TransferFunction& strength, double x) noexcept;
 /// Largest strength of a primitive whose point, line or plane is not at the proxy (N), beyond what any device
 /// renders. Such a primitive moves the proxy. Two that contradict each other, nearly parallel and without
 /// bounds, would throw it to where their planes meet, metres away.
-inline constexpr double most_pull = 10;
+inline constexpr double max_pull = 10;
 
 /// Place that a proxy heads for along a plane with this normal (m): the next tip, held back by the friction
 /// of the last tick, which is at most `friction` (N).

@@ -11,14 +11,14 @@ namespace thaum::haptics {
 namespace {
 
 // for larger x, q <= 1 gives z > 1, and the series is not used
-constexpr double most_x_of_series = 1.5;
+constexpr double max_x_of_series = 1.5;
 
-constexpr int most_terms = 40;  // enough for x = 1.5; most calls need 8
+constexpr int max_terms = 40;  // enough for x = 1.5; most calls need 8
 
 /// Tables of 1 / ((n + 1) n), 1 / (n + 2) and 1 / ((n + 2) (n + 3)). One division takes as long as the rest
 /// of a term.
 struct Reciprocals {
-    std::array<double, most_terms + 1> term{}, once{}, twice{};
+    std::array<double, max_terms + 1> term{}, once{}, twice{};
     constexpr Reciprocals() {
         for (std::size_t i = 1; i < term.size(); ++i) {
             const auto n = static_cast<double>(i);
@@ -34,7 +34,7 @@ constexpr Reciprocals reciprocals;
 Response by_series(double x, double q) {
     Response r{.t = 1, .s = 1, .s1 = 0.5, .s2 = 1.0 / 6};
     double before = 0, term = 1, factor = 0;
-    for (std::size_t n = 1; n <= most_terms; ++n) {
+    for (std::size_t n = 1; n <= max_terms; ++n) {
         factor += 2 * x;  // 2 x n
         const double next = -(factor * term + q * before) * reciprocals.term[n];
         before = term;
@@ -155,7 +155,7 @@ Response by_equation(const Scaled& in) {
 
 Response in_units_of_t(const Scaled& in) {
     const auto [x, q, z, x_rounded] = in;
-    if (x <= most_x_of_series && q <= 1) return by_series(x, q);
+    if (x <= max_x_of_series && q <= 1) return by_series(x, q);
     if (z > 1) {
         const double fast = x + std::sqrt(z);
         const double slow = q / fast;

@@ -270,7 +270,7 @@ double length_after_work(const SafetyState& state) {
 
 /// Length that the offset keeps in this tick even if it has done all its work (N): it makes no larger jump
 /// than a spring of the device's stiffness and a cap that comes down.
-double least_length(const SafetyState& state, const SafetyInput& input, double size) {
+double min_length(const SafetyState& state, const SafetyInput& input, double size) {
     if (!(input.stiffness > 0 && size > 0)) return 0;
     const double outward = glm::dot(state.offset, input.tip - state.tip) / size;
     return size - cap_slew * tick_seconds - input.stiffness * std::max(0.0, outward);
@@ -325,7 +325,7 @@ vec3 faded(const SafetyLimits& limits, double most, SafetyState& state, vec3 goa
     if (input.settles) settle(most, state, goal);
     const double step = fade_step(limits, input), size = glm::length(state.offset);
     state.remnant = shorter_by(state.remnant, step);
-    const double worked = std::max(length_after_work(state), least_length(state, input, size));
+    const double worked = std::max(length_after_work(state), min_length(state, input, size));
     const double left = std::min(size, worked) - step;
     if (!(left > step * (almost_there - 1))) return without_offset(state, goal);
     const double steady = steady_part(state, goal, input), share = left / size;
@@ -354,7 +354,7 @@ SafetyCause shortening(const SafetyLimits& limits, double most, vec3 wanted) {
 
 /// Largest force of a ramp to zero (N): that of the reserve, or else one that
 /// is no jump from the last output.
-double most_of_ramp(const SafetyState& state, const SafetyInput& input) {
+double max_of_ramp(const SafetyState& state, const SafetyInput& input) {
     const double size = glm::length(state.output);
     const double outward = size > 0 ? glm::dot(state.output, input.tip - state.tip) / size : 0;
     const double falls = cap_slew * tick_seconds + input.stiffness * std::max(0.0, outward);
@@ -415,7 +415,7 @@ vec3 make_safe(const SafetyLimits& wished, SafetyState& state, const SafetyInput
         force = faded(limits, most, state, shortened(target + brake, most), input);
         cause = shortening(limits, most, wanted);
     } else if (ramps(state, cause)) {
-        force = shortened(ramped_down(state), most_of_ramp(state, input));
+        force = shortened(ramped_down(state), max_of_ramp(state, input));
     }
     if (!follows) state.offset = {};
     const bool held_back = follows ? cause == SafetyCause::warm : state.heat_limit > 0 && most < limits.cap;

@@ -18,10 +18,10 @@ constexpr std::uint32_t resume_ticks = 3;
 
 Servo servo_of(const DeviceSpec& spec, double share) {
     return {.limits = safety_limits(spec, share),
-            .most_damping = spec.max_damping,
+            .max_damping = spec.max_damping,
             .latency = spec.latency,
             .quantum = spec.position_quantum,
-            .most_stiffness = spec.max_stiffness};
+            .max_stiffness = spec.max_stiffness};
 }
 
 SafetyLimits limits_of(const Servo& servo, std::uint32_t percent) {
@@ -74,7 +74,7 @@ ServoState resumed(const ServoState& before) {
                                    .path_speed = tip.path_speed,
                                    .reserve_force = energy.reserve_force,
                                    .fade_energy = energy.fade_energy,
-                                   .stiffness = servo.most_stiffness,
+                                   .stiffness = servo.max_stiffness,
                                    .model_age = age,
                                    .switched = push.cut_off || tip.switched,
                                    .settles = state.energy.unsettled != 0,

@@ -59,7 +59,7 @@ struct HapticModel {
 };
 static_assert(sizeof(Pulse) == sizeof(vec3) + 2 * sizeof(std::uint32_t) &&
                   sizeof(SteadyForce) == sizeof(vec3) + 8 &&
-                  sizeof(Detents) == sizeof(vec3) + (most_detents + 2) * sizeof(double) &&
+                  sizeof(Detents) == sizeof(vec3) + (max_detents + 2) * sizeof(double) &&
                   sizeof(Tether) == 2 * sizeof(vec3) + 3 * sizeof(double) + sizeof(Detents) &&
                   sizeof(HapticModel) == sizeof(Pulse) + sizeof(SteadyForce) + sizeof(Tether) + 8 +
                                              sizeof(PrimitiveSet) + sizeof(ProxyCoupling) +
@@ -78,12 +78,12 @@ struct Servo {
     SafetyLimits limits{};
     /// Largest damping that the device renders (N s/m). It limits the passivity controller, a viscous space
     /// and a fluid's drag; 0 switches them off.
-    double most_damping{};
+    double max_damping{};
     int latency{};     ///< delay of the device (ticks)
     double quantum{};  ///< position per encoder count (m)
     /// Largest stiffness that the device renders (N/m). Springs that hold more after a switch than they
     /// received act like one of this stiffness; 0: they are not held back.
-    double most_stiffness{};
+    double max_stiffness{};
 };
 
 /// Servo constants of a device. `share` is the player's cap as a share of the device's peak, 0 to 1.

@@ -10,8 +10,8 @@ namespace {
 
 /// Largest number of stops and releases within one tick. A constant force and an evenly moving target allow
 /// three at most. After the last one the axis is held until the tick ends.
-constexpr int most_phases = 8;
-constexpr int most_refinements = 60;
+constexpr int max_phases = 8;
+constexpr int max_refinements = 60;
 
 /// State of one axis at some moment of a tick.
 struct Axis {
@@ -61,7 +61,7 @@ template <class Of>
 double root(Of of, double low, double high, bool positive_at_low, double guess) {
     const double small = 1e-10 * (high - low);
     double at = guess > low && guess < high ? guess : (low + high) / 2;
-    for (int i = 0; i < most_refinements; ++i) {
+    for (int i = 0; i < max_refinements; ++i) {
         const Value f = of(at);
         ((f.value > 0) == positive_at_low ? low : high) = at;
         const double next = at - f.value / f.slope;
@@ -136,7 +136,7 @@ double slide_on(const SimulatedDevice& d, Axis& a, double direction, double acce
 
 void advance_with_friction(const SimulatedDevice& d, Axis& a) {
     double left = d.dt;
-    for (int phase = 0; phase < most_phases && left > 0; ++phase) {
+    for (int phase = 0; phase < max_phases && left > 0; ++phase) {
         if (a.velocity != 0) {
             const double direction = a.velocity > 0 ? 1 : -1;
             left = slide_on(d, a, direction, (load(d, a) - direction * d.friction) / d.mass, left);
@@ -207,7 +207,7 @@ SimulatedDevice simulated_device(const DeviceSpec& spec, const Hand& hand, doubl
                       .latency = spec.latency,
                       .dt = dt};
     THAUM_ASSERT(d.mass > 0 && dt > 0, "a simulated device needs a mass and a tick");
-    THAUM_ASSERT(d.latency >= 0 && d.latency <= most_latency, "a simulated device cannot be so late");
+    THAUM_ASSERT(d.latency >= 0 && d.latency <= max_latency, "a simulated device cannot be so late");
     d.oscillator = oscillator(d.mass, d.hand_damping + d.damping, d.stiffness);
     THAUM_ASSERT(d.oscillator.frequency2 * dt * dt <= 9, "the hand is too stiff for its mass");
     d.tick = response(d.oscillator, dt);

@@ -68,9 +68,9 @@ struct SimulatedState {
     vec3 target{};    ///< target of the hand (m)
     vec3 force{};     ///< force that acted on the tip in the last tick (N)
     /// Commanded forces that have not acted yet, the next one first (N).
-    std::array<vec3, most_latency> commanded{};
+    std::array<vec3, max_latency> commanded{};
 };
-static_assert(sizeof(SimulatedState) == (4 + most_latency) * 3 * sizeof(double));
+static_assert(sizeof(SimulatedState) == (4 + max_latency) * 3 * sizeof(double));
 
 /// A device at rest, with the hand's target at the same position (m).
 SimulatedState resting_at(vec3 position);

@@ -9,14 +9,14 @@
 
 namespace thaum::haptics {
 
-inline constexpr std::size_t most_detents = 3;
+inline constexpr std::size_t max_detents = 3;
 
 /// Notches along a line. Each draws the tip to its middle. They are the negative gradient of a potential, so
 /// they create no energy.
 struct Detents {
     vec3 axis{};  ///< direction of the line through the tether's anchor (unit, device frame)
     /// Middle of each notch along the axis from the anchor (m).
-    std::array<double, most_detents> places{};
+    std::array<double, max_detents> places{};
     double depth{};  ///< largest force of a notch (N); 0: no notches
     double width{};  ///< width of each notch, > 0, at most the distance between notches (m)
 };

@@ -27,7 +27,7 @@ std::array<std::uint32_t, 3> box_um(const ArmFacts& facts) {
     std::array<std::uint32_t, 3> um{};
     for (int axis = 0; axis < 3; ++axis) {
         const double edge = facts.spec.workspace[axis] * 1e6;
-        if (!(edge >= 1 && edge <= DeviceSpec::most_box_um)) return {};
+        if (!(edge >= 1 && edge <= DeviceSpec::max_box_um)) return {};
         um[static_cast<std::size_t>(axis)] = static_cast<std::uint32_t>(std::lround(edge));
     }
     return um;

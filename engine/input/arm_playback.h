@@ -35,7 +35,7 @@ class ArmPlayback {
 public:
     /// Capacity of the queue of forces: 16 s, so that the arm has forces while other programs delay the
     /// thread that fills the queue.
-    static constexpr std::size_t most_waiting = 16'384;
+    static constexpr std::size_t max_waiting = 16'384;
 
     explicit ArmPlayback(const haptics::Servo& servo) : servo_(servo) {}
 
@@ -67,7 +67,7 @@ private:
     bool next();
 
     haptics::Servo servo_;
-    SpscQueue<Force, most_waiting> forces_;
+    SpscQueue<Force, max_waiting> forces_;
     std::atomic<bool> ended_{false}, stopped_{false};
 
     // The next members are used by the arm's thread.

@@ -56,7 +56,7 @@ enum class Action : std::uint8_t {
 inline constexpr std::size_t button_actions = 23;
 inline constexpr std::size_t actions = 33;
 
-/// Action that selects a wand, 1 to most_wands.
+/// Action that selects a wand, 1 to max_wands.
 constexpr Action wand_action(std::size_t wand) {
     const auto first = static_cast<std::size_t>(wand <= 5 ? Action::wand_1 : Action::wand_6);
     return static_cast<Action>(first + wand - (wand <= 5 ? 1 : 6));

@@ -49,12 +49,12 @@ bool is_button(Action action) { return static_cast<std::size_t>(action) < button
 
 std::uint32_t bit_of(Action action) { return 1U << static_cast<unsigned>(action); }
 
-/// Bit of the action that selects a wand, 1 to most_wands.
+/// Bit of the action that selects a wand, 1 to max_wands.
 std::uint32_t wand_bit(std::uint32_t wand) { return bit_of(wand_action(wand)); }
 
 std::uint32_t all_wand_bits() {
     std::uint32_t bits = 0;
-    for (std::uint32_t wand = 1; wand <= most_wands; ++wand) bits |= wand_bit(wand);
+    for (std::uint32_t wand = 1; wand <= max_wands; ++wand) bits |= wand_bit(wand);
     return bits;
 }
 
@@ -232,7 +232,7 @@ int HandsCollector::wheel_direction() const {
 
 /// The wand whose key was pressed last. After its release, no other key that is still down takes over.
 std::uint8_t HandsCollector::newest_wand(std::uint32_t down) {
-    for (std::uint8_t wand = 1; wand <= most_wands; ++wand) {
+    for (std::uint8_t wand = 1; wand <= max_wands; ++wand) {
         if ((down & ~wands_before_ & wand_bit(wand)) != 0) wand_ = wand;
     }
     if (wand_ != 0 && (down & wand_bit(wand_)) == 0) wand_ = 0;

@@ -74,7 +74,7 @@ enum Count : std::size_t {
 }  // namespace arm
 
 /// Largest number in DeviceSample::wand.
-inline constexpr std::uint32_t most_wands = 9;
+inline constexpr std::uint32_t max_wands = 9;
 
 /// Bits of DeviceSample::buttons. Their order is part of the log's format, so new ones go to the end. Bits 11
 /// to 15 and 19 to 22 stay unused: in format 1 of the log they hold DeviceSample::wand.
@@ -103,7 +103,7 @@ struct DeviceSample {
     std::array<std::int32_t, max_counts> counts{};
     /// Button bits that were down at the end of the tick or were pressed during it.
     std::uint32_t buttons{};
-    /// Wand whose key was pressed last and is still down, 1 to most_wands; 0: none.
+    /// Wand whose key was pressed last and is still down, 1 to max_wands; 0: none.
     std::uint8_t wand{};
     /// The device is unplugged or lost. It joins or leaves the match at a tick by a change of this value.
     bool away{};
@@ -132,7 +132,7 @@ struct InputFrame {
 /// Settings that decide how a device's counts act. They are in the log's header, so a later change of
 /// settings does not change a replay.
 struct DeviceSpec {
-    static constexpr std::uint32_t most_box_um = 10'000'000;
+    static constexpr std::uint32_t max_box_um = 10'000'000;
 
     std::uint32_t player{};  ///< index into LogHeader::players
     DeviceKind kind{};
@@ -148,7 +148,7 @@ struct DeviceSpec {
     std::uint8_t recoil_reduction{};  ///< reduction of the felt recoil of wands (%, at most 100)
     /// Reduction of the felt friction of touched objects (%, at most 100).
     std::uint8_t roughness_reduction{};
-    /// For an arm: edges of the box that the arm reports as its workspace (um), at most most_box_um; zero:
+    /// For an arm: edges of the box that the arm reports as its workspace (um), at most max_box_um; zero:
     /// unknown.
     std::array<std::uint32_t, 3> box_um{};
     /// Reduction of the felt force of each source in a fluid (%, at most 100).

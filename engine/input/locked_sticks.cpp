@@ -15,12 +15,12 @@
 namespace thaum::input {
 namespace {
 
-constexpr std::size_t largest_file = 4096;
+constexpr std::size_t max_file = 4096;
 constexpr unsigned bits_in_word = 64;
 
 /// First line of a file in /sys; empty if there is none.
 std::string first_line(const std::filesystem::path& path) {
-    auto words = read_text_file(path, largest_file).value_or(std::string());
+    auto words = read_text_file(path, max_file).value_or(std::string());
     words.resize(std::min(words.size(), words.find('\n')));
     return words;
 }

@@ -112,7 +112,7 @@ struct BlockPlace {
 
 /// Smallest number of zeros at the end that is taken as a power cut. With fewer it is uncertain, because a
 /// block may end with zeros.
-constexpr std::size_t least_zeros = 16;
+constexpr std::size_t min_zeros = 16;
 
 struct LogReader::State {
     State(std::string name, OpenedLog opened)
@@ -152,7 +152,7 @@ struct LogReader::State {
     /// cut-off.
     bool damaged_or_unwritten(std::size_t end, std::string_view what) {
         const auto written = size_without_zeros(log.file);
-        const bool zeros = written < end && log.file.size - written >= least_zeros;
+        const bool zeros = written < end && log.file.size - written >= min_zeros;
         return zeros ? cut_off("zeros at the end") : damaged(what);
     }
     bool cut_off(std::string_view what) { return end(LogEnding::cut_off, what); }

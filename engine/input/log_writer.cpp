@@ -31,7 +31,7 @@ namespace {
 
 // Number of blocks at the start; enough for a disk that stalls for 4 s.
 constexpr std::size_t usual_blocks = 8;
-constexpr std::size_t most_blocks = 256;  // largest number of blocks: 2 minutes, 22 MiB; then recording ends
+constexpr std::size_t max_blocks = 256;  // largest number of blocks: 2 minutes, 22 MiB; then recording ends
 
 using Clock = std::chrono::steady_clock;
 constexpr auto sync_interval = std::chrono::seconds(1);
@@ -105,7 +105,7 @@ struct LogWriter::State {
           when_behind(behind),
           packer(devices, salt),
           good_size(header_size) {
-        blocks.reserve(most_blocks);
+        blocks.reserve(max_blocks);
         for (std::size_t i = 0; i < usual_blocks; ++i) spare = make_block(spare);
         current = take_spare();
     }
@@ -171,7 +171,7 @@ struct LogWriter::State {
             std::this_thread::sleep_for(std::chrono::microseconds(200));
             spare = used.take_all();
         }
-        if (spare == nullptr && blocks.size() < most_blocks) {
+        if (spare == nullptr && blocks.size() < max_blocks) {
             spare = make_block(nullptr);
             extra_blocks.fetch_add(1, std::memory_order_relaxed);
         }

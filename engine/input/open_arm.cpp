@@ -21,8 +21,8 @@ enum class OwnThread : std::uint8_t { none, runs, ended, given_up };
 
 namespace {
 
-constexpr std::size_t most_name = 80;  ///< longest name or number that is kept (bytes)
-constexpr std::size_t most_line = 600;
+constexpr std::size_t max_name = 80;  ///< longest name or number that is kept (bytes)
+constexpr std::size_t max_line = 600;
 
 }  // namespace
 
@@ -100,24 +100,23 @@ double believable(double value, double most) { return value >= 0 && value <= mos
 /// Facts with short, printable texts and possible numbers.
 ArmFacts checked(ArmFacts facts) {
     // No arm is stronger, stiffer or wider. A larger value has another unit or is invalid.
-    constexpr double most_force = 100, most_stiffness = 1e5, most_damping = 1e3, most_edge = 10,
-                     most_rate = 1e5;
-    constexpr int most_freedom = 16;
+    constexpr double max_force = 100, max_stiffness = 1e5, max_damping = 1e3, max_edge = 10, max_rate = 1e5;
+    constexpr int max_freedom = 16;
     auto& spec = facts.spec;
     for (auto* words : {&spec.name, &facts.serial, &facts.driver, &facts.family})
-        *words = printable(*words, most_name);
-    spec.sensed = std::clamp(spec.sensed, 0, most_freedom);
-    spec.actuated = std::clamp(spec.actuated, 0, most_freedom);
-    spec.peak_force = believable(spec.peak_force, most_force);
-    spec.continuous_force = std::min(believable(spec.continuous_force, most_force), spec.peak_force);
-    spec.max_stiffness = believable(spec.max_stiffness, most_stiffness);
-    spec.max_damping = believable(spec.max_damping, most_damping);
-    for (int axis = 0; axis < 3; ++axis) spec.workspace[axis] = believable(spec.workspace[axis], most_edge);
-    spec.update_rate = believable(spec.update_rate, most_rate);
+        *words = printable(*words, max_name);
+    spec.sensed = std::clamp(spec.sensed, 0, max_freedom);
+    spec.actuated = std::clamp(spec.actuated, 0, max_freedom);
+    spec.peak_force = believable(spec.peak_force, max_force);
+    spec.continuous_force = std::min(believable(spec.continuous_force, max_force), spec.peak_force);
+    spec.max_stiffness = believable(spec.max_stiffness, max_stiffness);
+    spec.max_damping = believable(spec.max_damping, max_damping);
+    for (int axis = 0; axis < 3; ++axis) spec.workspace[axis] = believable(spec.workspace[axis], max_edge);
+    spec.update_rate = believable(spec.update_rate, max_rate);
     return facts;
 }
 
-Error cleaned(const Error& error) { return Error{printable(error.message, most_line)}; }
+Error cleaned(const Error& error) { return Error{printable(error.message, max_line)}; }
 
 // ---- opening and closing, on a thread that may hang -------------------------------------------------------
 
@@ -208,11 +207,11 @@ void leave(std::atomic<OwnThread>& thread, std::string_view driver) {
 
 /// Ticks at 1 kHz until the ticks end.
 void run_servo(ArmTicks& ticks) {
-    constexpr std::int64_t period_ns = 1'000'000, most_late_ns = 5 * period_ns;
+    constexpr std::int64_t period_ns = 1'000'000, max_late_ns = 5 * period_ns;
     auto due = monotonic_ns();
     while (run_tick(ticks.number)) {
         due += period_ns;
-        if (monotonic_ns() > due + most_late_ns) due = monotonic_ns();
+        if (monotonic_ns() > due + max_late_ns) due = monotonic_ns();
         sleep_until_ns(due);
     }
 }
@@ -276,8 +275,7 @@ Expected<void> OpenArm::start(ArmTick tick) {
     ticks.driver = s.driver.get();
     ticks.peak_force = s.facts.spec.peak_force;
     ticks.tick = tick;
-    if (!open_ticks(ticks))
-        return fail(text("at most ", most_open_arms, " arms can tick: close another one"));
+    if (!open_ticks(ticks)) return fail(text("at most ", max_open_arms, " arms can tick: close another one"));
     s.started_ns = monotonic_ns();
     const auto result = std::make_shared<Expected<void>>();
     const auto watched = run_counted(
@@ -294,7 +292,7 @@ ArmStatus OpenArm::status() const {
     const auto newest = s.ticks->times.newest_ns();
     if (const auto fault = s.ticks->fault.load(); fault != 0) {
         auto status = s.driver->status(fault);
-        status.text = printable(status.text, most_line);
+        status.text = printable(status.text, max_line);
         status.newest_ns = newest;
         return status;
     }

@@ -22,7 +22,7 @@
 namespace thaum::input {
 
 /// Greatest number of arms that one process can open at once.
-inline constexpr std::size_t most_open_arms = 8;
+inline constexpr std::size_t max_open_arms = 8;
 
 /// Longest time that a driver may take before it counts as hanging.
 struct ArmPatience {

@@ -10,7 +10,7 @@
 namespace thaum::input {
 namespace {
 
-constexpr std::size_t most_of_line_shown = 40;  // longest part of a line that an error quotes (bytes)
+constexpr std::size_t max_of_line_shown = 40;  // longest part of a line that an error quotes (bytes)
 constexpr std::size_t model_digits = 32;
 
 /// Names of SDL's controls, without the sign for a side of an axis.
@@ -78,7 +78,7 @@ Expected<PadMapping> read_pad_mapping(std::string_view line) {
     const bool printable_line =
         std::ranges::none_of(mapping.words, [](char c) { return static_cast<unsigned char>(c) < ' '; });
     if (!is_model(model) || !printable_line)
-        return fail(text("'", printable(mapping.words, most_of_line_shown),
+        return fail(text("'", printable(mapping.words, max_of_line_shown),
                          "' is no mapping of a pad: must be as in SDL's gamecontrollerdb.txt, 32 hexadecimal "
                          "digits, a name and controls such as a:b0, with commas between them"));
     std::ranges::transform(model, std::back_inserter(mapping.model), lower_case);
@@ -94,7 +94,7 @@ Expected<PadMapping> read_pad_mapping(std::string_view line) {
         if (is_remark(field)) continue;
         if (!is_part(part))
             return fail(
-                text("'", printable(element, most_of_line_shown),
+                text("'", printable(element, max_of_line_shown),
                      "' must be a control and a part of the joystick, such as a:b0, leftx:a0 or dpup:h0.1"));
         if (is_control(field)) ++mapped;
     }

@@ -30,7 +30,7 @@
 namespace thaum::input {
 namespace {
 
-constexpr std::size_t most_shown = 60;  ///< longest part of a pad's name in messages (bytes)
+constexpr std::size_t max_shown = 60;  ///< longest part of a pad's name in messages (bytes)
 
 /// An open device file; the destructor closes it.
 class DeviceFile {
@@ -72,7 +72,7 @@ public:
     void silence() override;
     bool is_connected() override;
     void close() override { end(); }
-    std::string name() const override { return text("pad '", printable(name_, most_shown), "'"); }
+    std::string name() const override { return text("pad '", printable(name_, max_shown), "'"); }
 
 private:
     void upload(ff_effect& effect);

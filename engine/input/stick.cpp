@@ -6,7 +6,7 @@
 namespace thaum::input {
 namespace {
 
-constexpr double most_dead_zone = 0.9;
+constexpr double max_dead_zone = 0.9;
 /// turn_share(t) = linear_part t + cubic_part t^3.
 constexpr double linear_part = 0.3, cubic_part = 0.7;
 constexpr double usual_curve = StickResponse{}.curve;
@@ -24,7 +24,7 @@ double inverse_of_turn_share(double share) {
 
 StickResponse StickResponse::checked() const {
     const StickResponse usual;
-    return {std::isfinite(dead_zone) ? std::clamp(dead_zone, 0.0, most_dead_zone) : usual.dead_zone,
+    return {std::isfinite(dead_zone) ? std::clamp(dead_zone, 0.0, max_dead_zone) : usual.dead_zone,
             std::isfinite(curve) ? std::clamp(curve, 0.0, 1.0) : usual.curve};
 }
 

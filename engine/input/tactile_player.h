@@ -2,7 +2,7 @@
 //
 // The thread checks for frames every 4 ms while the output is open, and every 100 ms otherwise.
 //
-// An output may block its caller for ever, so the destructor waits for the thread for `most_wait_s` only
+// An output may block its caller for ever, so the destructor waits for the thread for `max_wait_s` only
 // (core/step_thread.h). A thread that is abandoned ends when the hanging call returns.
 #pragma once
 #include <memory>
@@ -16,10 +16,10 @@ namespace thaum::input {
 /// A TactilePlayback with its thread.
 class TactilePlayer {
 public:
-    static constexpr double most_wait_s = 1.5;
+    static constexpr double max_wait_s = 1.5;
 
     /// Starts the thread. The destructor silences and closes the output.
-    explicit TactilePlayer(double wait_s = most_wait_s) : thread_(wait_s) {}
+    explicit TactilePlayer(double wait_s = max_wait_s) : thread_(wait_s) {}
 
     /// Queues a frame; the simulation thread calls it every 8 ms. Never waits.
     bool feel(const tactile::TactileFrame& frame);

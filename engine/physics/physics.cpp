@@ -221,7 +221,7 @@ void Physics::Impl::stop_at_walls(Body& body, const BodyState& from) const {
     const detail::InnerSpheres spheres = detail::inner_spheres(body.desc);
     const double path = glm::length(to.position - from.position);
     double share = 1;
-    if (path >= spheres.least_path) {
+    if (path >= spheres.min_path) {
         for (const vec3& centre : spheres) {
             const vec3 start = from.position + from.orientation * centre;
             const vec3 end = to.position + to.orientation * centre;

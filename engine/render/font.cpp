@@ -39,7 +39,7 @@ struct Font::State {
 
 namespace {
 
-constexpr std::size_t largest_font = 32U << 20U;  // bytes
+constexpr std::size_t max_font = 32U << 20U;  // bytes
 
 /// Rounds 26.6 fixed point to whole pixels.
 int pixels(FT_Pos fixed) { return static_cast<int>((fixed + 32) >> 6); }
@@ -116,7 +116,7 @@ Expected<Font> Font::load(const std::vector<std::filesystem::path>& candidates) 
                                     [&](const auto& path) { return std::filesystem::exists(path, ignored); });
     if (found == candidates.end()) return no_font(candidates);
     auto state = std::make_unique<State>();
-    auto file = read_file(*found, largest_font);
+    auto file = read_file(*found, max_font);
     if (!file) return file.error();
     state->file = std::move(*file);
     if (FT_Init_FreeType(&state->library) != 0)

@@ -17,7 +17,7 @@ inline constexpr std::size_t clip_side = 20;  ///< number of cells of the front,
 inline constexpr std::size_t clip_cells =
     40;  ///< front cells, then back cells; rows from the top, each from the wearer's left
 inline constexpr Tick clip_frame_ticks = 20;
-inline constexpr std::size_t most_clip_frames = 3000;  ///< largest number of frames: one minute
+inline constexpr std::size_t max_clip_frames = 3000;  ///< largest number of frames: one minute
 
 /// Strengths at one moment.
 struct ClipFrame {
@@ -29,7 +29,7 @@ struct ClipFrame {
 /// A recorded course of strengths over a grid of places.
 struct Clip {
     std::string name;
-    std::vector<ClipFrame> frames;  ///< strengths; at most most_clip_frames
+    std::vector<ClipFrame> frames;  ///< strengths; at most max_clip_frames
 
     bool operator==(const Clip&) const = default;
 };

@@ -9,7 +9,7 @@
 namespace thaum::tactile {
 namespace {
 
-constexpr std::size_t most_effects = 1000;
+constexpr std::size_t max_effects = 1000;
 constexpr std::size_t longest_caption = 32;  // letters
 
 /// Curve that rises from 0 to 1; smooth if `smooth` is true, else straight.
@@ -185,7 +185,7 @@ Expected<Effect> load_effect(const std::filesystem::path& path) {
     auto effect = read_effect(*file, path.stem().string());
     if (!effect || effect->pattern != Pattern::clip) return effect;
     const auto clip = path.parent_path() / effect->clip_file;
-    const auto json = read_text_file(clip, most_tact_bytes);
+    const auto json = read_text_file(clip, max_tact_bytes);
     if (!json)
         return fail(text(path.string(), ": 'file': ", json.error().message,
                          near_file(clip.stem().string(), path.parent_path(), ".tact")));
@@ -200,8 +200,8 @@ Expected<Effect> load_effect(const std::filesystem::path& path) {
 Expected<EffectBank> load_effects(const std::filesystem::path& folder) {
     const auto files = files_in(folder, ".toml");
     if (!files) return files.error();
-    if (files->size() > most_effects)
-        return fail(text(folder.string(), ": ", files->size(), " effects: keep at most ", most_effects));
+    if (files->size() > max_effects)
+        return fail(text(folder.string(), ": ", files->size(), " effects: keep at most ", max_effects));
     EffectBank bank;
     for (const auto& path : *files) {
         auto effect = load_effect(path);

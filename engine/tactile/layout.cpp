@@ -9,7 +9,7 @@ namespace thaum::tactile {
 namespace {
 
 /// Farthest coordinate of an actuator (m), and least distance between two (m).
-constexpr double farthest = 2.5, least_distance = 0.005;
+constexpr double farthest = 2.5, min_distance = 0.005;
 
 /// Describes what is wrong with the position of one actuator; empty: nothing.
 std::string fault_of(const BodyPoint& place) {
@@ -51,13 +51,13 @@ Actuator read_actuator(const ConfigTable& table, const Actuator& usual, std::siz
 
 Expected<Layout> make_layout(std::string name, Torso torso, std::vector<Actuator> actuators) {
     if (actuators.empty()) return fail("no actuators: give at least one");
-    if (actuators.size() > most_actuators)
-        return fail(text(actuators.size(), " actuators: give at most ", most_actuators));
+    if (actuators.size() > max_actuators)
+        return fail(text(actuators.size(), " actuators: give at most ", max_actuators));
     for (std::size_t i = 0; i < actuators.size(); ++i) {
         if (const auto fault = fault_of(actuators[i]); !fault.empty())
             return fail(text("actuator ", i, " ('", actuators[i].name, "') ", fault));
         for (std::size_t k = 0; k < i; ++k) {
-            if (glm::length(actuators[i].place.at - actuators[k].place.at) < least_distance)
+            if (glm::length(actuators[i].place.at - actuators[k].place.at) < min_distance)
                 return fail(text("actuators ", k, " and ", i, " are in one place: keep them 5 mm apart"));
         }
     }
@@ -98,7 +98,7 @@ void Layout::prepare() {
             sum += groups_[r].size() > 1 ? nearest : 0.1;
         }
         pitch_[r] =
-            std::max(least_distance, groups_[r].empty() ? 0.1 : sum / static_cast<double>(groups_[r].size()));
+            std::max(min_distance, groups_[r].empty() ? 0.1 : sum / static_cast<double>(groups_[r].size()));
     }
 }
 

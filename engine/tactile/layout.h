@@ -13,7 +13,7 @@
 
 namespace thaum::tactile {
 
-inline constexpr std::size_t most_actuators = 64;
+inline constexpr std::size_t max_actuators = 64;
 
 /// One motor or shaker of a device.
 struct Actuator {
@@ -35,7 +35,7 @@ class Layout {
 public:
     std::string name{};
     Torso torso{};
-    std::vector<Actuator> actuators{};  ///< the actuators, 1 to most_actuators of them
+    std::vector<Actuator> actuators{};  ///< the actuators, 1 to max_actuators of them
 
     /// Chart place at which a point of the body is rendered. A part without actuators is rendered on the
     /// torso. On a device without actuators on the torso, only the side of the body is rendered.
@@ -60,7 +60,7 @@ private:
 
     std::array<std::vector<std::uint8_t>, region_count> groups_{};
     /// Chart of the actuator's own region, and chart of Region::whole.
-    std::array<std::array<vec2, most_actuators>, 2> charts_{};
+    std::array<std::array<vec2, max_actuators>, 2> charts_{};
     std::array<double, region_count> pitch_{};
 };
 

@@ -10,7 +10,7 @@ namespace thaum::tactile {
 namespace {
 
 /// Smaller amplitudes are 0 for a motor with 256 steps.
-constexpr double least_amplitude = 1.0 / 256;
+constexpr double min_amplitude = 1.0 / 256;
 /// Longest time between two frames that the next frame still covers (ms).
 constexpr double longest_frame = 1000;
 
@@ -29,7 +29,7 @@ constexpr BodyPoint chest{Part::front, {0, 1.2, 0.115}};
 
 TactileMixer::TactileMixer(const Layout& layout, const EffectBank& bank, const MixerSettings& settings)
     : layout_(&layout), bank_(&bank), settings_(settings) {
-    for (std::size_t i = 0; i < most_playing; ++i) order_[i] = static_cast<std::uint8_t>(i);
+    for (std::size_t i = 0; i < max_playing; ++i) order_[i] = static_cast<std::uint8_t>(i);
     frame_.count = layout.actuators.size();
     frame_.time_to_live = settings.time_to_live;
     const bool has_clips = std::any_of(bank.effects.begin(), bank.effects.end(),
@@ -96,7 +96,7 @@ void TactileMixer::place(Playing& playing, const Effect& effect, const Where& wh
     playing.places[0] = found.shares;
     if (!own || effect.places.size() < 2) return;
     const auto other = phantom(*layout_, layout_->chart_place(effect.places[1]), effect.sigma_cells);
-    for (std::size_t i = 0; i < most_actuators; ++i)
+    for (std::size_t i = 0; i < max_actuators; ++i)
         playing.places[0][i] = (found.shares[i] + other.shares[i]) / 2;
 }
 
@@ -124,8 +124,8 @@ void TactileMixer::place_sweep(Playing& playing, const Effect& effect, const Bod
     THAUM_ASSERT(effect.to, text("the sweep '", effect.name, "' has no end"));
     const auto start = layout_->chart_place(from), end = layout_->chart_place(*effect.to);
     const vec2 way = layout_->between(start.region, start.at, end.at);
-    for (std::size_t k = 0; k < most_places; ++k) {
-        const double part = static_cast<double>(k) / (most_places - 1);
+    for (std::size_t k = 0; k < max_places; ++k) {
+        const double part = static_cast<double>(k) / (max_places - 1);
         ChartPlace at{start.region, start.at + part * way};
         if (start.region != end.region) at = part < 0.5 ? start : end;
         const auto found = phantom(*layout_, at, effect.sigma_cells);
@@ -165,10 +165,8 @@ TactileMixer::Playing* TactileMixer::least_important(bool felt) {
     for (std::size_t i = 0; i < count_; ++i) {
         auto& p = playing_[order_[i]];
         if (felt && !p.felt) continue;
-        const int rank = effect_of(p).priority,
-                  least_rank = least == nullptr ? 0 : effect_of(*least).priority;
-        if (least == nullptr || rank < least_rank || (rank == least_rank && p.begin < least->begin))
-            least = &p;
+        const int rank = effect_of(p).priority, min_rank = least == nullptr ? 0 : effect_of(*least).priority;
+        if (least == nullptr || rank < min_rank || (rank == min_rank && p.begin < least->begin)) least = &p;
     }
     return least;
 }
@@ -176,7 +174,7 @@ TactileMixer::Playing* TactileMixer::least_important(bool felt) {
 /// A place for an effect of this priority; null if all are taken by more important effects, or by effects
 /// that have not been felt yet.
 TactileMixer::Playing* TactileMixer::free_place(int priority) {
-    if (count_ < most_playing) return &playing_[order_[count_++]];
+    if (count_ < max_playing) return &playing_[order_[count_++]];
     auto* least = least_important(true);
     if (least == nullptr || effect_of(*least).priority > priority) return nullptr;
     ++counts_.replaced;
@@ -188,7 +186,7 @@ void TactileMixer::schedule(Playing& next, Tick now) {
     auto& free_at = free_at_[next.main];
     // An event that waits for the gap begins a gap of its own.
     const bool in_gap = free_at > now && free_at - now <= 2 * settings_.gap;
-    auto* running = in_gap || count_ == most_playing ? running_at(next.main, now) : nullptr;
+    auto* running = in_gap || count_ == max_playing ? running_at(next.main, now) : nullptr;
     if (in_gap && running != nullptr) {
         ++counts_.merged;
         next.begin = std::max(now, running->begin);
@@ -307,8 +305,8 @@ void TactileMixer::add_spread(const Playing& playing, const Effect& effect, Span
 }
 
 void TactileMixer::add_sweep(const Playing& playing, const Effect& effect, double amplitude, double ms) {
-    const double way = std::clamp(ms / effect.length_ms, 0.0, 1.0) * (most_places - 1);
-    const auto k = std::min(static_cast<std::size_t>(way), most_places - 2);
+    const double way = std::clamp(ms / effect.length_ms, 0.0, 1.0) * (max_places - 1);
+    const auto k = std::min(static_cast<std::size_t>(way), max_places - 2);
     const auto part = static_cast<float>(way - static_cast<double>(k));
     Shares between{};
     for (std::size_t i = 0; i < layout_->actuators.size(); ++i)
@@ -423,7 +421,7 @@ void TactileMixer::limit(Tick now) {
     for (std::size_t i = 0; i < layout_->actuators.size(); ++i) {
         const auto& actuator = layout_->actuators[i];
         double amplitude = std::min(std::sqrt(static_cast<double>(energy_[i])), actuator.limit);
-        if (amplitude < least_amplitude) amplitude = 0;
+        if (amplitude < min_amplitude) amplitude = 0;
         amplitude = pass_gap(i, amplitude, now);
         sum += amplitude * amplitude;
         ringing_ = ringing_ || on_[i] || waiting_[i] > 0;

@@ -21,9 +21,9 @@
 
 namespace thaum::tactile {
 
-static_assert(most_actuators == frame_capacity);
+static_assert(max_actuators == frame_capacity);
 
-inline constexpr std::size_t most_playing = 64;
+inline constexpr std::size_t max_playing = 64;
 
 /// The place at which an effect is felt. An effect with places of its own ignores it.
 struct Where {
@@ -104,7 +104,7 @@ public:
 private:
     /// Places of a sweep for which shares are solved. Between two of them shares are interpolated, which
     /// moves the centroid along a straight line exactly.
-    static constexpr std::size_t most_places = 9;
+    static constexpr std::size_t max_places = 9;
 
     struct Playing {
         std::uint32_t effect{};
@@ -119,7 +119,7 @@ private:
         std::uint8_t main{};  ///< actuator at which the beginning is strongest
         bool felt{};          ///< true: the effect has been in a frame
         /// Shares for each place; for a spread, the first element holds distances instead (m).
-        std::array<Shares, most_places> places{};
+        std::array<Shares, max_places> places{};
     };
     /// Part of an effect's time that a frame covers (ms since the beginning).
     struct Span {
@@ -156,21 +156,21 @@ private:
     Faders faders_{};
     Pose pose_{};
     MixerCounts counts_{};
-    std::array<Playing, most_playing> playing_{};
+    std::array<Playing, max_playing> playing_{};
     /// Indices of the places in use: the first count_ entries.
-    std::array<std::uint8_t, most_playing> order_{};
+    std::array<std::uint8_t, max_playing> order_{};
     std::size_t count_{};
     /// Tick from which another event may begin at an actuator.
-    std::array<Tick, most_actuators> free_at_{};
+    std::array<Tick, max_actuators> free_at_{};
     std::array<Shares, clip_cells> clip_shares_{};  ///< shares of each cell of a clip
     // sum of the energies of one frame at each actuator
-    std::array<float, most_actuators> energy_{};
+    std::array<float, max_actuators> energy_{};
     /// Largest energy of a single effect at each actuator; that effect gives the carrier.
-    std::array<float, most_actuators> strongest_{};
-    std::array<bool, most_actuators> on_{};
-    std::array<Tick, most_actuators> may_begin_{};
-    std::array<double, most_actuators> waiting_{};  ///< amplitude that waits until the gap is over
-    bool ringing_{};                                ///< true: some actuator is on or waits
+    std::array<float, max_actuators> strongest_{};
+    std::array<bool, max_actuators> on_{};
+    std::array<Tick, max_actuators> may_begin_{};
+    std::array<double, max_actuators> waiting_{};  ///< amplitude that waits until the gap is over
+    bool ringing_{};                               ///< true: some actuator is on or waits
     Tick mixed_at_{};
     bool mixed_{};
     TactileFrame frame_{};

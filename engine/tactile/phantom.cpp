@@ -5,9 +5,9 @@
 namespace thaum::tactile {
 namespace {
 
-constexpr double least_sigma = 0.2;   // cells
-constexpr double kept_share = 0.01;   // smallest share that is kept, relative to the largest one
-constexpr double least_share = 1e-4;  // smallest share that is kept if the place cannot be rendered otherwise
+constexpr double min_sigma = 0.2;    // cells
+constexpr double kept_share = 0.01;  // smallest share that is kept, relative to the largest one
+constexpr double min_share = 1e-4;   // smallest share that is kept if the place cannot be rendered otherwise
 // Largest error of the felt place that is accepted when actuators are left out (cells).
 constexpr double tolerated = 0.01;
 constexpr double solved = 1e-4;  // error at which the search stops (cells); far below what skin resolves
@@ -18,10 +18,10 @@ constexpr double stiffening = 1e-4;
 
 /// Positions of the participating actuators relative to the wanted place, in cells.
 struct Cells {
-    std::array<std::uint8_t, most_actuators> number{};
-    std::array<vec2, most_actuators> offset{};
-    std::array<double, most_actuators> log_prior{};
-    std::array<double, most_actuators> share{};
+    std::array<std::uint8_t, max_actuators> number{};
+    std::array<vec2, max_actuators> offset{};
+    std::array<double, max_actuators> log_prior{};
+    std::array<double, max_actuators> share{};
     std::size_t count{};
 };
 
@@ -142,7 +142,7 @@ Cells cells_about(const Layout& layout, const ChartPlace& target, vec2 sigma, bo
 
 PhantomResult phantom(const Layout& layout, const ChartPlace& place, vec2 sigma_cells) {
     const double pitch = layout.pitch(place.region);
-    const vec2 sigma = glm::max(sigma_cells, vec2(least_sigma));
+    const vec2 sigma = glm::max(sigma_cells, vec2(min_sigma));
     const vec2 target = reachable(layout, place);
     const bool narrow = place.region == Region::torso && sigma.x * pitch < layout.torso.round() / 4;
     Cells cells = cells_about(layout, {place.region, target}, sigma, narrow);
@@ -151,7 +151,7 @@ PhantomResult phantom(const Layout& layout, const ChartPlace& place, vec2 sigma_
     const Cells all = cells;
     if (!drop_below(cells, kept_share)) {
         cells = all;
-        drop_below(cells, least_share);
+        drop_below(cells, min_share);
     }
     PhantomResult result;
     vec2 felt(0);

@@ -19,7 +19,7 @@
 namespace thaum::tactile {
 
 /// Shares of the energy, one for each actuator; the sum is 1.
-using Shares = std::array<float, most_actuators>;
+using Shares = std::array<float, max_actuators>;
 
 /// Shares of the actuators by which a place between them is felt.
 struct PhantomResult {

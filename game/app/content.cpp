@@ -34,7 +34,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_bytes = 1U << 20U;
+constexpr std::size_t max_bytes = 1U << 20U;
 
 /// A line up to its comment, which begins the line or follows a blank.
 std::string_view without_comment(std::string_view line) {
@@ -123,7 +123,7 @@ private:
 
     /// Reads a file and parses it as version 1. An error is added to the report.
     std::optional<Config> config_of(const std::string& name) {
-        const auto words = read_text_file(assets_ / name, most_bytes);
+        const auto words = read_text_file(assets_ / name, max_bytes);
         if (!words) return add(words.error()), std::nullopt;
         auto config = Config::parse(*words, game::shown_path(assets_, name), 1);
         if (!config) return add(config.error()), std::nullopt;
@@ -153,7 +153,7 @@ private:
 
     void read_single_files() {
         add_fault_of(game::load_felt_bands(assets_ / "tactile" / "sound.toml"));
-        const auto words = read_text_file(assets_ / "settings.toml", most_bytes);
+        const auto words = read_text_file(assets_ / "settings.toml", max_bytes);
         if (!words) return add(words.error());
         const auto settings = read_settings(*words, game::shown_path(assets_, "settings.toml"));
         add_fault_of(settings);
@@ -198,7 +198,7 @@ private:
     /// Place of a name in a file: "assets/wands/bolt.toml:12: 'sound'".
     std::string place_of(const game::MissingName& missing) {
         auto shown = game::shown_path(assets_, missing.file);
-        const auto words = read_text_file(assets_ / missing.file, most_bytes);
+        const auto words = read_text_file(assets_ / missing.file, max_bytes);
         const auto config = words ? Config::parse(*words, shown, 1) : Expected<Config>(words.error());
         if (!config) return shown;
         auto table = config->root();
@@ -310,7 +310,7 @@ private:
     /// Invisible characters make two names differ that look the same. Comments may have them, and shown texts
     /// may have no-break spaces.
     void find_invisible(const std::string& file) {
-        auto words = read_text_file(assets_ / file, most_bytes).value_or("");
+        auto words = read_text_file(assets_ / file, max_bytes).value_or("");
         auto rest = without_byte_order_mark(words);
         for (std::size_t line = 1; !rest.empty(); ++line) {
             const auto end = std::min(rest.find('\n'), rest.size());

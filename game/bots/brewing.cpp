@@ -67,8 +67,8 @@ vec3 way_to_niche(const BotTurn& turn, vec3 from, vec3 niche) {
 
 /// Force at which a bot draws: in the middle of the recipe's band.
 double force_for(const RecipeStroke& stroke) {
-    if (stroke.least_force > plain) return std::max(hard, 1.2 * stroke.least_force);
-    return stroke.most_force < plain ? std::min(gentle, 0.8 * stroke.most_force) : plain;
+    if (stroke.min_force > plain) return std::max(hard, 1.2 * stroke.min_force);
+    return stroke.max_force < plain ? std::min(gentle, 0.8 * stroke.max_force) : plain;
 }
 
 /// Points of a gesture's first template, and its length (m).

@@ -9,11 +9,11 @@
 namespace thaum::game {
 namespace {
 
-constexpr Tick choice_period = 256;   ///< ticks between two choices; a multiple of gameplay_period
-constexpr double least_worth = 0.05;  ///< least worth of an errand (full needs per second)
-constexpr double in_a_fight = 0.45;   ///< factor on the worth of a power-up while the bot could shoot
-constexpr double time_lost = 2;       ///< time for turning away and back (s)
-constexpr double walk_speed = 4;      ///< walking speed along a way, corners included (m/s)
+constexpr Tick choice_period = 256;  ///< ticks between two choices; a multiple of gameplay_period
+constexpr double min_worth = 0.05;   ///< least worth of an errand (full needs per second)
+constexpr double in_a_fight = 0.45;  ///< factor on the worth of a power-up while the bot could shoot
+constexpr double time_lost = 2;      ///< time for turning away and back (s)
+constexpr double walk_speed = 4;     ///< walking speed along a way, corners included (m/s)
 constexpr int hiding_places_tried = 10;
 constexpr double hiding_within = 9;  ///< largest distance of a hiding place (m)
 constexpr Tick hiding_time = ticks(2.5);
@@ -37,7 +37,7 @@ double worth(const BotTurn& turn, PowerUpKind kind) {
 }
 
 struct Choice {
-    double worth = least_worth;
+    double worth = min_worth;
     vec3 place{};
     bool found = false;
 };
@@ -48,7 +48,7 @@ Choice best_to_fetch(const BotTurn& turn, bool fights) {
     const auto& grid = turn.grid;
     auto& from_here = turn.ways.from_here;
     const auto& power_ups = turn.match.data().arena.power_ups;
-    for (std::size_t i = 0; i < std::min(power_ups.size(), most_power_ups); ++i) {
+    for (std::size_t i = 0; i < std::min(power_ups.size(), max_power_ups); ++i) {
         const double wanted = worth(turn, power_ups[i].kind) * (fights ? in_a_fight : 1.0);
         if (wanted / time_lost <= best.worth) continue;
         if (!ways_known) grid.find_ways(grid.cell_at(turn.self.centre), from_here);

@@ -8,7 +8,7 @@
 namespace thaum::game {
 
 /// Largest number of rounds in a result; rules allow no more (rules.cpp).
-inline constexpr std::size_t most_rounds = 99;
+inline constexpr std::size_t max_rounds = 99;
 
 /// Result of one match of a league. It holds plain bytes, so that it can be sent between processes.
 struct LeagueMatch {
@@ -16,8 +16,8 @@ struct LeagueMatch {
     std::uint64_t seed{};
     std::uint32_t winner{no_player};  ///< winner of the match; no_player: a draw
     std::uint32_t rounds{};
-    std::array<Tick, most_rounds> lengths{};  ///< length of each round (ticks)
-    std::array<std::uint8_t, most_rounds> timed_out{};
+    std::array<Tick, max_rounds> lengths{};  ///< length of each round (ticks)
+    std::array<std::uint8_t, max_rounds> timed_out{};
     AllMatchStats match_stats{};
     std::array<Tick, players> alive{};  ///< time alive (ticks of play)
     std::array<Tick, players> dry{};    ///< part of `alive` without energy for a shot (ticks)
@@ -52,10 +52,10 @@ struct LeagueSummary {
     /// Matches won by each seat (player number). A fair arena gives both equal shares, since every seed is
     /// played with the levels in both seats.
     std::array<std::uint32_t, players> seat_wins{};
-    std::vector<double> round_s;                     ///< lengths of all rounds, sorted (s)
-    std::uint32_t timed_out{};                       ///< number of rounds that ended on time
-    std::array<std::uint32_t, most_causes> kills{};  ///< kills by cause
-    std::uint32_t own_deaths{};                      ///< deaths that are a kill of no player
+    std::vector<double> round_s;                    ///< lengths of all rounds, sorted (s)
+    std::uint32_t timed_out{};                      ///< number of rounds that ended on time
+    std::array<std::uint32_t, max_causes> kills{};  ///< kills by cause
+    std::uint32_t own_deaths{};                     ///< deaths that are a kill of no player
     double median_round_s() const;
 };
 

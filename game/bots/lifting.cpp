@@ -19,7 +19,7 @@ constexpr double handy = 0.8;  ///< share of the wand's reach from which the bot
 constexpr double too_near = 1.8;
 constexpr double near_foe = 3;       ///< distance of the foe below which the bot does not turn away (m)
 constexpr double far_foe = 15;       ///< distance of the foe above which a throw does not arrive (m)
-constexpr double least_harm = 8;     ///< least harm of a throw (HP)
+constexpr double min_harm = 8;       ///< least harm of a throw (HP)
 constexpr double carrying_cost = 8;  ///< estimated energy of carrying a thing until it is thrown
 constexpr double cost_per_kg = 0.3;  ///< estimated additional energy per mass (1/kg)
 constexpr double walk_pace = 4;      ///< walking speed (m/s)
@@ -75,12 +75,12 @@ double worth_of(const BotTurn& turn, const Lifter& lifter, const Sighting& seen)
     const vec3 to = seen.place - self.eye;
     const double distance = glm::length(to);
     const double walk = std::max(0.0, distance - handy * lifter.grasp.reach);
-    const bool fits = body.mass <= lifter.grasp.mass_max && size_of(body) <= skill.largest;
+    const bool fits = body.mass <= lifter.grasp.max_mass && size_of(body) <= skill.largest;
     if (!fits || walk > skill.seek || along_ground(self.eye, seen.place) < too_near) return 0;
     const double speed =
         throw_speed(lifter.grasp, body.mass, lifter.energy - carrying_cost - cost_per_kg * body.mass);
     const double harm = harm_of(match.data().wizard, body.mass, speed);
-    if (harm < least_harm || (walk > 0 && !turn.grid.straight(self.centre, seen.place))) return 0;
+    if (harm < min_harm || (walk > 0 && !turn.grid.straight(self.centre, seen.place))) return 0;
     const vec3 to_foe = turn.mind.foe - self.eye;
     const double angle = det::acos(
         std::clamp(glm::dot(to, to_foe) / std::max(1e-9, distance * glm::length(to_foe)), -1.0, 1.0));
@@ -257,7 +257,7 @@ Aim hold_and_throw(const BotTurn& turn, const Lifter& lifter) {
     if (guards && waits) return aim_to_guard(turn);
     const vec3 thing = *self.held;
     const auto t = plan_throw(turn, lifter);
-    if (t.harm < least_harm) {  // holding has cost too much energy
+    if (t.harm < min_harm) {  // holding has cost too much energy
         end_lifting(turn);
         return as_it_is;
     }

@@ -5,9 +5,9 @@
 
 namespace thaum::game {
 
-inline constexpr std::size_t bot_memory = 128;     ///< number of glimpses; one second at 8 ms each
-inline constexpr std::size_t most_power_ups = 16;  ///< number of power-ups that a bot remembers
-inline constexpr std::size_t most_things = 32;     ///< number of loose things that a bot remembers
+inline constexpr std::size_t bot_memory = 128;    ///< number of glimpses; one second at 8 ms each
+inline constexpr std::size_t max_power_ups = 16;  ///< number of power-ups that a bot remembers
+inline constexpr std::size_t max_things = 32;     ///< number of loose things that a bot remembers
 
 /// Observation of the foe in one gameplay tick.
 struct Glimpse {
@@ -36,8 +36,8 @@ struct Seat {
 struct Eyes {
     std::uint64_t looks{};
     std::array<Glimpse, bot_memory> glimpses{};
-    std::array<Tick, most_power_ups> back_at{};  ///< when each power-up is available again, as last seen
-    std::array<Sighting, most_things> things{};
+    std::array<Tick, max_power_ups> back_at{};  ///< when each power-up is available again, as last seen
+    std::array<Sighting, max_things> things{};
     THAUM_COMPONENT(Eyes, looks, glimpses, back_at, things);
 };
 

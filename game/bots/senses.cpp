@@ -126,7 +126,7 @@ void see_foe(const Simulation& match, const Self& self, const Seat& seat, Eyes& 
 }
 
 void see_power_ups(const Simulation& match, const Self& self, const Seat& seat, Eyes& eyes) {
-    const auto count = std::min(match.data().arena.power_ups.size(), most_power_ups);
+    const auto count = std::min(match.data().arena.power_ups.size(), max_power_ups);
     if (count == 0) return;
     const auto number = static_cast<std::uint32_t>(eyes.looks % count);
     const vec3 place = match.data().arena.power_ups[number].position + vec3(0, 0.5, 0);
@@ -139,7 +139,7 @@ void see_power_ups(const Simulation& match, const Self& self, const Seat& seat, 
 }
 
 void see_things(const Simulation& match, const Self& self, const Seat& seat, Eyes& eyes) {
-    const auto count = std::min<std::uint64_t>(match.world().count<Prop>(), most_things);
+    const auto count = std::min<std::uint64_t>(match.world().count<Prop>(), max_things);
     if (count == 0) return;
     const auto number = eyes.looks % count;
     std::uint64_t i = 0;

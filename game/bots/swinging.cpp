@@ -23,7 +23,7 @@ constexpr double costs_as = 9;       ///< walking distance that takes as long as
 constexpr double let_go_past = 2.2;  ///< distance behind the anchor at which the bot lets go (m)
 constexpr double aim_share = 0.7;    ///< share of the angle within which the rope finds its anchor
 constexpr double energy_needed = 20;
-constexpr double least_health = 35;  ///< least health for a swing (HP): a fall into the gap must not kill
+constexpr double min_health = 35;  ///< least health for a swing (HP): a fall into the gap must not kill
 constexpr Tick again_after = ticks(2.0), look_again = ticks(0.1);
 constexpr Tick edge_time = ticks(3.0), latch_time = ticks(1.5), hang_time = ticks(4.0), fly_time = ticks(1.5);
 constexpr Tick tug_time = ticks(0.03);
@@ -123,7 +123,7 @@ void plan_to_swing(const BotTurn& turn) {
     const bool hunts = mind.foe_seen_at == 0 || tick > mind.foe_seen_at + ticks(1.0);
     const bool errand = mind.errand == Errand::fetch || mind.errand == Errand::hide;
     const auto* roper = roper_of(match);
-    if (roper == nullptr || self.health < least_health || (!hunts && !errand)) return;
+    if (roper == nullptr || self.health < min_health || (!hunts && !errand)) return;
     const auto& belt = match.world().get<WandBelt>(wizard_of(match.world(), seat.player));
     if (belt.energy[roper->stats.energy_slot] < energy_needed) return;
     if (to_goal.goal != grid.cell_at(mind.goal)) return;

@@ -18,7 +18,7 @@
 namespace thaum::game {
 
 /// Number of the ingredient in each substance of the fluid.
-using Contents = std::array<std::uint32_t, fluid::substances_most>;
+using Contents = std::array<std::uint32_t, fluid::max_substances>;
 
 struct Brew {
     fluid::Fluid fluid;

@@ -29,7 +29,7 @@ std::span<const float> brew_samples(const ecs::World& world, std::size_t which, 
 /// is cleared or restored.
 struct BrewFields {
     field::StaggeredGrid velocity{};
-    std::array<field::Grid, fluid::substances_most> substances{};
+    std::array<field::Grid, fluid::max_substances> substances{};
 };
 BrewFields fields_of(const ecs::World& world, std::size_t which, const fluid::Fluid& fluid,
                      field::Kernel kernel);

@@ -16,7 +16,7 @@ using input::Button;
 namespace hand = input::hand;
 
 /// Limit of mouse counts per tick, equal to the limit in player/controls.cpp.
-constexpr std::int32_t most_counts = 10'000;
+constexpr std::int32_t max_counts = 10'000;
 
 const input::DeviceSpec* free_device(const MatchContext& context, std::uint32_t player, std::size_t& number) {
     const auto& devices = context.input.devices;
@@ -36,7 +36,7 @@ void move_along(const MatchContext& context, std::uint32_t player, FreeHand& fre
     const double um = context.data.haptic_rules.clutch_per_count * spec->look_rad_per_count /
                       input::DeviceSpec{}.look_rad_per_count;
     const auto way = [&](std::size_t look) {
-        return 1e-6 * um * std::clamp(counts[look], -most_counts, most_counts);
+        return 1e-6 * um * std::clamp(counts[look], -max_counts, max_counts);
     };
     free.path += vec3(way(hand::look_right), way(hand::look_up), 0);
 }

@@ -19,7 +19,7 @@ constexpr std::size_t points_before = 12;
 // Weights of what counts besides the logarithm of the distance, as in gesture/spotter.cpp: the logarithm of the pace
 // before the window as a share of its own, and the squared one of its duration as a multiple of the usual.
 constexpr double pace_weight = 0.14, duration_weight = 0.1;
-constexpr double least_pace = 0.1, most_pace = 3;  // a hand at rest, and one in a hurry
+constexpr double min_pace = 0.1, max_pace = 3;  // a hand at rest, and one in a hurry
 /// Way from a place within which a hand stops, as a share of the gesture's size. A tremor stays within it.
 constexpr double stop_way = 0.03;
 
@@ -133,7 +133,7 @@ void read_window(const CastingRules& rules, const GestureSet& gestures, const Fr
         .force = found.mean_force,
         .gesture = found.gesture};
     window.score = found.evidence.distance - found.evidence.usual +
-                   pace_weight * det::log(std::clamp(pace, least_pace, most_pace)) +
+                   pace_weight * det::log(std::clamp(pace, min_pace, max_pace)) +
                    duration_weight * duration * duration;
     const double size = size_of(stroke);
     if (size < rules.free_smallest) window.miss = Miss::too_small;

@@ -24,14 +24,14 @@ struct DrawnPoint {
 
 /// Capacity of a stroke: 4 s. When it is full, every second point is dropped and later points are half as
 /// dense, repeatedly.
-inline constexpr std::size_t most_drawn_points = 512;
+inline constexpr std::size_t max_drawn_points = 512;
 
 /// Value of DrawnStroke::over: a key chord has taken the stroke's place.
 inline constexpr std::uint32_t by_chord = 2;
 
 /// The stroke of a wizard who holds Trace.
 struct DrawnStroke {
-    std::array<DrawnPoint, most_drawn_points> points{};
+    std::array<DrawnPoint, max_drawn_points> points{};
     std::uint32_t count{};
     std::uint32_t every{1};  ///< gameplay ticks between two points
     std::uint32_t waits{};   ///< gameplay ticks until the next point

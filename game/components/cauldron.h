@@ -27,10 +27,10 @@ struct Stroke {
 
 /// Capacity of Strokes. The first `players` places belong to the ladles; each sums one ladle's momentum until
 /// the next fluid step.
-inline constexpr std::size_t most_strokes = 12;
+inline constexpr std::size_t max_strokes = 12;
 
 struct Strokes {
-    std::array<Stroke, most_strokes> list{};
+    std::array<Stroke, max_strokes> list{};
     std::uint32_t count{players};
     std::uint32_t spare{};
     THAUM_FIELDS(Strokes, list, count, spare);

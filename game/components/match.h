@@ -106,7 +106,7 @@ enum class EventKind : std::uint32_t {
 };
 
 /// Largest number of causes of harm, those of the rules and of all wands together.
-inline constexpr std::size_t most_causes = 16;
+inline constexpr std::size_t max_causes = 16;
 
 struct Event {
     Tick tick{};
@@ -134,7 +134,7 @@ struct MatchStats {
 struct EventLog {
     std::uint64_t count{};
     std::array<Event, 64> events{};
-    std::array<std::array<MatchStats, most_causes>, 2> match_stats{};
+    std::array<std::array<MatchStats, max_causes>, 2> match_stats{};
     THAUM_COMPONENT(EventLog, count, events, match_stats);
 };
 

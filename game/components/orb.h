@@ -26,16 +26,16 @@ struct Orb {
 };
 
 inline constexpr std::uint32_t no_mode = 0xFFFF'FFFF;
-inline constexpr std::size_t most_orb_modes = 8;
-inline constexpr std::size_t most_worn_modes = 2;
+inline constexpr std::size_t max_orb_modes = 8;
+inline constexpr std::size_t max_worn_modes = 2;
 
 /// Haptic modes that a wizard has switched on at the orb, and the curves of their strength. They remain when
 /// the wizard leaves the orb.
 struct WornModes {
-    std::array<std::uint32_t, most_worn_modes> worn{no_mode,
-                                                    no_mode};  ///< numbers of the modes, the oldest first
+    std::array<std::uint32_t, max_worn_modes> worn{no_mode,
+                                                   no_mode};  ///< numbers of the modes, the oldest first
     /// For each mode, strength as a function of its property, as the rules give it or as the wizard drew it.
-    std::array<field::TransferFunction, most_orb_modes> strength{};
+    std::array<field::TransferFunction, max_orb_modes> strength{};
     std::uint32_t told{};  ///< 1: the orb has already rewarded this wizard in this life
     /// 1: the orb has already shown this player the orders of recipes in this match.
     std::uint32_t order_told{};

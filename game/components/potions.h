@@ -10,14 +10,14 @@
 namespace thaum::game {
 
 inline constexpr std::uint32_t no_potion = 0xFFFF'FFFF;
-inline constexpr std::size_t most_potions = 8;
-inline constexpr std::size_t most_recipe_ingredients = 3;
+inline constexpr std::size_t max_potions = 8;
+inline constexpr std::size_t max_recipe_ingredients = 3;
 
 /// Potions that act on a wizard. The effects of harm and poison are in Health, that of a poisoned lob in
 /// WandBelt.
 struct Potions {
     /// Time at which each potion stops acting, by its number (ticks of play)
-    std::array<Tick, most_potions> until{};
+    std::array<Tick, max_potions> until{};
     /// 1: the wizard holds Azoth, which is half of the Great Work.
     std::uint32_t work_half{};
     std::uint32_t spare{};
@@ -29,7 +29,7 @@ struct Potions {
 /// from the seed. order[player][i] is the index in the recipe's list of the ingredient that comes i-th. For a
 /// recipe with fewer ingredients, indices that it lacks are skipped.
 struct DrawnOrders {
-    std::array<std::array<std::uint32_t, most_recipe_ingredients>, players> order{};
+    std::array<std::array<std::uint32_t, max_recipe_ingredients>, players> order{};
     THAUM_COMPONENT(DrawnOrders, order);
 };
 

@@ -9,7 +9,7 @@
 namespace thaum::game {
 
 inline constexpr std::size_t players = 2;
-inline constexpr std::size_t wand_slots = input::most_wands;
+inline constexpr std::size_t wand_slots = input::max_wands;
 
 struct Wizard {
     std::uint32_t player{};  ///< 0 or 1

@@ -14,7 +14,7 @@ namespace {
 /// Angle from the foe within which the view turns more slowly (rad)
 constexpr double slow_zone = 4 * radians_per_degree;
 /// Largest share of the turning speed that is taken away, with the crosshair on the foe.
-constexpr double most_slowed = 0.7;
+constexpr double max_slowed = 0.7;
 constexpr double draw_rate = 40;  ///< turning speed towards the foe per angle from the foe (1/s)
 /// Largest speed at which the view is turned towards the foe (rad/s)
 constexpr double fastest_draw = 120 * radians_per_degree;
@@ -118,8 +118,8 @@ ViewHelp view_help(const MatchContext& context, ecs::Entity wizard) {
         foe_beside(rules, meeting_point(context, foe, eye, speed_in_hand(context, wizard)), eye, ahead);
     const double beside = std::max(0.0, std::min(seen.off - seen.half_width, met.off - met.half_width));
     if (beside >= slow_zone || !sees(context, wizard, eye, foe)) return {};
-    ViewHelp help{.turn_share = 1 - most_slowed * strength * (1 - beside / slow_zone)};
-    if (beside < most_pull) draw_to(eye, met.point, gaze, strength, help);
+    ViewHelp help{.turn_share = 1 - max_slowed * strength * (1 - beside / slow_zone)};
+    if (beside < max_pull) draw_to(eye, met.point, gaze, strength, help);
     return help;
 }
 
@@ -130,7 +130,7 @@ vec3 helped_aim(const MatchContext& context, ecs::Entity wizard, vec3 from, vec3
     const auto foe = foe_in_reach(context, player, from);
     if (!foe) return aim;
     const auto target = foe_beside(context.data.wizard, meeting_point(context, foe, from, speed), from, aim);
-    const double pull = strength * most_pull;
+    const double pull = strength * max_pull;
     if (target.off > target.half_width + pull || !sees(context, wizard, from, foe)) return aim;
     return turned_towards(aim, glm::normalize(target.point - from), std::min(pull, target.off));
 }

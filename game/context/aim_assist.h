@@ -16,7 +16,7 @@ namespace thaum::game {
 
 /// Angle from the foe within which the view is drawn towards it, and largest turn of a shot at full strength
 /// (rad).
-inline constexpr double most_pull = 2 * radians_per_degree;
+inline constexpr double max_pull = 2 * radians_per_degree;
 
 /// Help with the view in one tick.
 struct ViewHelp {

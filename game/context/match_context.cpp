@@ -18,10 +18,10 @@
 namespace thaum::game {
 namespace {
 
-void add_up(const Event& event, std::array<std::array<MatchStats, most_causes>, players>& match_stats) {
+void add_up(const Event& event, std::array<std::array<MatchStats, max_causes>, players>& match_stats) {
     const bool about_cause = event.kind == EventKind::shot || event.kind == EventKind::death;
     const auto cause = cause_of(about_cause ? static_cast<EventKind>(event.detail) : event.kind);
-    if (cause == most_causes || event.subject >= players) return;
+    if (cause == max_causes || event.subject >= players) return;
     if (event.kind == EventKind::shot) {
         ++match_stats[event.subject][cause].shots;
         return;

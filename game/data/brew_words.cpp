@@ -49,7 +49,7 @@ BrewWords brew_words_of(const MatchData& data) {
 
 std::vector<std::string_view> names_of_order(const BrewWords& words, std::uint32_t detail) {
     std::vector<std::string_view> names;
-    for (std::uint32_t i = 1; i <= most_recipe_ingredients; ++i) {
+    for (std::uint32_t i = 1; i <= max_recipe_ingredients; ++i) {
         const auto name = words.ingredient((detail >> (8 * i)) & 0xFFU);
         if (!name.empty()) names.push_back(name);
     }

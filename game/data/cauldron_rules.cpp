@@ -10,7 +10,7 @@
 namespace thaum::game {
 namespace {
 
-constexpr Range viscosity{0, fluid::viscosity_most};
+constexpr Range viscosity{0, fluid::max_viscosity};
 const std::vector<std::string_view> solver_names{"thaum", "classic"};
 
 /// Reads the settings of the surface. brew_surface sets `side` later.
@@ -66,7 +66,7 @@ void read_brewing(const ConfigTable& table, CauldronRules& rules) {
     rules.recoil = table.number("recoil_n_s", {0, 1e3});
     rules.recoil_length = ticks(table.number("recoil_s", {0.001, 1}));
     rules.burst = table.number("burst_n_s", {0, 1e5});
-    rules.wrest_least = table.number("wrest_least_j", {0, 1e6});
+    rules.min_wrest = table.number("wrest_least_j", {0, 1e6});
     rules.spoils_after = rules.useless_spoils_after = ticks(table.number("spoils_after_s", {0.1, 3600}));
     rules.spoil_push = table.number("spoil_push_m_s", {0, 100});
     rules.spoil_harm = table.number("spoil_harm", {0, 1e6});
@@ -130,7 +130,7 @@ fluid::Settings brew_settings(const CauldronRules& rules, const Basin& basin) {
                              .h = h,
                              .edges = {fluid::Edge::no_slip, fluid::Edge::free_slip, fluid::Edge::no_slip},
                              .viscosity = rules.viscosity,
-                             .substances = std::vector<fluid::Substance>(fluid::substances_most)};
+                             .substances = std::vector<fluid::Substance>(fluid::max_substances)};
     const auto walls = std::make_shared<const Basin>(basin);
     settings.solid = [walls, corner = brew_corner(settings)](vec3 place) {
         const vec3 at = place + corner;

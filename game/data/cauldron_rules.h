@@ -78,7 +78,7 @@ struct CauldronRules {
     Tick recoil_length{};
     double burst{};  ///< downward momentum of a lob that bursts at the brew (N s)
     /// Work of a ladle within 1.5 s from which on its wizard can take over the brew (J)
-    double wrest_least{};
+    double min_wrest{};
     Tick spoils_after{};  ///< time from the first ingredient to boiling over (ticks)
     /// Time from the first ingredient to boiling over, for a brew that can no longer become a potion (ticks)
     Tick useless_spoils_after{};

@@ -16,7 +16,7 @@ struct ControlNames {
     std::string fire{}, stir{}, throw_{}, next_wand{}, trace{};
     std::string move{}, look{}, jump{}, pause{};
     std::string aside{};  ///< the two controls for walking sideways, which also turn a crystal
-    std::array<std::string, input::most_wands> wands{};    ///< controls that select a wand, by slot
+    std::array<std::string, input::max_wands> wands{};     ///< controls that select a wand, by slot
     bool fire_toggles{}, trace_toggles{}, stir_toggles{};  ///< true: one press begins, and the next one ends
     bool operator==(const ControlNames&) const = default;
 };

@@ -83,13 +83,13 @@ const RuleKind rule_kinds[] = {
      {.name = "mode_worn", .with = EventWith::mode, .unit = "worn", .placed = true, .has_subject = true}},
 };
 
-constexpr std::uint32_t most_kinds = 256;
+constexpr std::uint32_t max_kinds = 256;
 
 /// Writes a row at its number, or a fault if that number or name is already in use.
 void set_row(EventKinds& all, std::uint32_t number, const EventKindInfo& info) {
     const auto same = [&](const EventKindInfo& other) { return other.name == info.name; };
-    if (info.name.empty() || number >= most_kinds) {
-        all.fault = text("event '", info.name, "': it needs a name and a number below ", most_kinds);
+    if (info.name.empty() || number >= max_kinds) {
+        all.fault = text("event '", info.name, "': it needs a name and a number below ", max_kinds);
     } else if (std::any_of(all.kinds.begin(), all.kinds.end(), same)) {
         all.fault = text("event '", info.name, "' is registered twice: give one of them another name");
     } else {
@@ -108,10 +108,10 @@ std::size_t cause_number(EventKinds& all, const EventKindInfo& kind,
     const auto number = fixed                       ? fixed->cause
                         : known != all.causes.end() ? static_cast<std::size_t>(known - all.causes.begin())
                                                     : all.causes.size();
-    if (kind.cause.empty() || number >= most_causes) {
+    if (kind.cause.empty() || number >= max_causes) {
         all.fault = text("event '", kind.name, "': its cause needs a name, and there are at most ",
-                         most_causes, " causes");
-        return most_causes;
+                         max_causes, " causes");
+        return max_causes;
     }
     if (number >= all.causes.size()) all.causes.resize(number + 1);
     if (!all.causes[number].empty() && all.causes[number] != kind.cause)
@@ -131,7 +131,7 @@ struct FreeKind {
 void number_by_name(EventKinds& all, std::vector<FreeKind> kinds) {
     std::ranges::sort(kinds, {}, [](const FreeKind& kind) { return kind.info.name; });
     for (auto& [info, is_hit] : kinds) {
-        info.cause_number = is_hit || !info.cause.empty() ? cause_number(all, info, {}) : most_causes;
+        info.cause_number = is_hit || !info.cause.empty() ? cause_number(all, info, {}) : max_causes;
         set_row(all, static_cast<std::uint32_t>(all.kinds.size()), info);
     }
 }
@@ -171,7 +171,7 @@ EventKinds number_event_kinds(std::span<const HitKind> hits, std::span<const Eve
     });
     std::vector<FreeKind> unnumbered;
     for (const auto& hit : sorted) {
-        auto info = hit_info(hit.name, hit.cause, most_causes);
+        auto info = hit_info(hit.name, hit.cause, max_causes);
         if (hit.fixed) {
             info.cause_number = cause_number(all, info, hit.fixed);
             set_row(all, hit.fixed->kind, info);

@@ -44,7 +44,7 @@ struct EventKindInfo {
     std::string_view unit{};  ///< unit of `amount`; empty: the event has no amount
     bool placed{};            ///< true: the event has a position
     bool has_subject{};       ///< true: the event happens to `subject`, a player shown in the column `whom`
-    std::size_t cause_number{most_causes};  ///< index in causes(); most_causes: none
+    std::size_t cause_number{max_causes};  ///< index in causes(); max_causes: none
 };
 
 /// Numbers that older saved states already contain.
@@ -100,7 +100,7 @@ EventKind hit_kind(std::string_view name);
 
 /// Names of the causes of harm, by number.
 std::span<const std::string_view> causes();
-/// Number of the cause of harm; most_causes if the kind takes no health.
+/// Number of the cause of harm; max_causes if the kind takes no health.
 std::size_t cause_of(EventKind kind);
 
 }  // namespace thaum::game

@@ -396,8 +396,8 @@ void check_different(const std::vector<Recipe>& recipes, const std::optional<Con
 /// Loads all recipes of assets/potions.
 void load_recipes(MatchData& data, Loader& loader) {
     const auto names = names_in(loader, "potions");
-    if (names.size() > most_potions)
-        return loader.refuse({text(loader.shown("potions"), ": more than ", most_potions, " potions")});
+    if (names.size() > max_potions)
+        return loader.refuse({text(loader.shown("potions"), ": more than ", max_potions, " potions")});
     std::vector<std::string> gestures;
     for (const auto& one : data.gestures->gestures()) gestures.push_back(one.name);
     for (const auto& name : names) {

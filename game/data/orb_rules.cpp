@@ -42,7 +42,7 @@ OrbMode read_mode(const ConfigTable& table) {
                  .filters = read_filters(table),
                  .strength = field::read_transfer(table, "strength", any, {}),
                  .friction = field::read_transfer(table, "friction", any, {0, 0}),
-                 .most_property = table.number("most_property", {1e-3, 1e6}),
+                 .max_property = table.number("most_property", {1e-3, 1e6}),
                  .least = table.number("least_n", {-1000, 0}, 0)};
     check_mode(table, mode);
     return mode;
@@ -73,8 +73,8 @@ OrbRules read_orb_rules(const Config& file) {
         rules.modes.push_back(read_mode(table));
     }
     if (tables.empty()) root.report("mode", "there must be a mode at least");
-    if (tables.size() > most_orb_modes)
-        root.report("mode", text("there are more than ", most_orb_modes, " modes"));
+    if (tables.size() > max_orb_modes)
+        root.report("mode", text("there are more than ", max_orb_modes, " modes"));
     return rules;
 }
 

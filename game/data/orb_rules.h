@@ -20,7 +20,7 @@ struct OrbMode {
     field::TransferFunction strength{};
     field::TransferFunction friction{};  ///< coefficient of friction, as a function of the field's value
     /// Property at the right end of the plane on which a wizard draws the strength curve.
-    double most_property{};
+    double max_property{};
     double least{};  ///< strength at the bottom of the drawing plane (N); the plane's left end is property 0
 };
 
@@ -38,7 +38,7 @@ struct OrbRules {
     double column_share{};  ///< width of a column of a drawn curve, as a share of the plane's width
     /// Hand displacement after which it starts to draw, so that a key chord draws nothing (m)
     double begins{};
-    std::vector<OrbMode> modes;  ///< all modes, 1 to most_orb_modes of them
+    std::vector<OrbMode> modes;  ///< all modes, 1 to max_orb_modes of them
 };
 
 OrbRules read_orb_rules(const Config& file);

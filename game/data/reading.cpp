@@ -21,7 +21,7 @@ vec3 place_of(const DrawnPoint& p) { return {p.x, p.y, p.z}; }
 template <class Take>
 void each_point(const DrawnStroke& stroke, Take&& take) {
     const double apart = stroke.every * gameplay_dt;
-    std::array<vec3, most_drawn_points> places;
+    std::array<vec3, max_drawn_points> places;
     for (std::uint32_t i = 0; i < stroke.count; ++i) places[i] = place_of(stroke.points[i]);
     spread_jumps(std::span(places).first(stroke.count), apart);
     for (std::uint32_t i = 0; i < stroke.count; ++i) {
@@ -118,14 +118,14 @@ gesture::Recognition read_turns(const gesture::Recogniser& recogniser, Points st
 
 void spread_jumps(std::span<vec3> places, double apart) {
     // Minimum length of a jump; the steps of a slow hand are shorter (m)
-    constexpr double least_jump = 0.0015;
+    constexpr double min_jump = 0.0015;
     constexpr double longest_rest = 0.064;  // a rest shorter than this belongs to the jump after it (s)
     std::size_t rest = 0;                   // index of the first point of the rest
     for (std::size_t i = 1; i < places.size(); ++i) {
         if (places[i] == places[rest]) continue;
         const auto steps = static_cast<double>(i - rest);
         const vec3 jump = places[i] - places[rest];
-        const bool spreads = steps * apart < longest_rest && glm::length(jump) >= least_jump;
+        const bool spreads = steps * apart < longest_rest && glm::length(jump) >= min_jump;
         for (std::size_t k = rest + 1; spreads && k < i; ++k)
             places[k] = places[rest] + jump * (static_cast<double>(k - rest) / steps);
         rest = i;
@@ -146,14 +146,14 @@ double mean_force_of(const DrawnStroke& stroke) {
 
 Slip slip_of(const CastingRules& rules, const DrawnStroke& trace) {
     // Arc length above which the hand did more than press the button (m)
-    constexpr double least_move = 0.0015;
+    constexpr double min_move = 0.0015;
     double length = 0;
     for (std::uint32_t i = 1; i < trace.count; ++i) {
         length += glm::distance(place_of(trace.points[i - 1]), place_of(trace.points[i]));
     }
     const Tick lasts = Tick{trace.count} * trace.every * gameplay_period;
     if (length >= rules.smallest) return lasts < rules.shortest ? Slip::too_quick : Slip::none;
-    return lasts < rules.shortest || length < least_move ? Slip::tap : Slip::too_small;
+    return lasts < rules.shortest || length < min_move ? Slip::tap : Slip::too_small;
 }
 
 bool is_too_fast(const CastingRules& rules, double force) { return force >= 2 * rules.harsh_from; }

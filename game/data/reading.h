@@ -13,7 +13,7 @@ namespace thaum::game {
 /// Working memory of the reader. It is no state: the reading of a stroke does not depend on earlier ones.
 struct ReadingSpace {
     gesture::RecogniserSpace recogniser;
-    std::array<gesture::StrokePoint, most_drawn_points> stroke{};
+    std::array<gesture::StrokePoint, max_drawn_points> stroke{};
 };
 
 struct Reading {

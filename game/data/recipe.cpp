@@ -35,10 +35,9 @@ RecipeStroke read_stroke(const ConfigTable& table, const RecipeNames& names) {
         table.report("gesture", text("no file of gestures has the name '", read.gesture, "'",
                                      did_you_mean(read.gesture, names.gestures)));
     read.sense = static_cast<CircleSense>(table.choice("turn", {"any", "clockwise", "counterclockwise"}, 0));
-    read.least_force = table.number("least_n", force, 0);
-    read.most_force = table.number("most_n", {0.05, force.high}, force.high);
-    if (read.most_force < read.least_force)
-        table.report("most_n", "'most_n' must not be less than 'least_n'");
+    read.min_force = table.number("least_n", force, 0);
+    read.max_force = table.number("most_n", {0.05, force.high}, force.high);
+    if (read.max_force < read.min_force) table.report("most_n", "'most_n' must not be less than 'least_n'");
     return read;
 }
 
@@ -61,8 +60,8 @@ PotionGift read_gift(const ConfigTable& table) {
 }
 
 void check_lengths(const ConfigTable& root, const Recipe& recipe) {
-    if (recipe.ingredients.empty() || recipe.ingredients.size() > most_recipe_ingredients)
-        root.report("ingredient", text("there must be 1 to ", most_recipe_ingredients, " ingredients"));
+    if (recipe.ingredients.empty() || recipe.ingredients.size() > max_recipe_ingredients)
+        root.report("ingredient", text("there must be 1 to ", max_recipe_ingredients, " ingredients"));
     for (std::size_t i = 1; i < recipe.ingredients.size(); ++i) {
         const auto end = recipe.ingredients.begin() + static_cast<std::ptrdiff_t>(i);
         if (std::any_of(recipe.ingredients.begin(), end, [&](const RecipeIngredient& other) {

@@ -33,7 +33,7 @@ struct RecipeStroke {
     /// Required number of times; a stroke with several whole circles counts once for each circle.
     std::uint32_t times{};
     CircleSense sense{};
-    double least_force{}, most_force{};  ///< allowed range of the stroke's mean force (N)
+    double min_force{}, max_force{};  ///< allowed range of the stroke's mean force (N)
 };
 
 /// Change of the brew by the potion, until the time is up or another ingredient is dropped in.

@@ -56,7 +56,7 @@ WizardRules read_wizard_rules(const Config& file) {
     rules.fall_damage = health.number("fall_damage_per_m_s", {0, 1000});
     rules.object_safe = health.number("object_safe_n_s", {0, 1e6});
     rules.object_damage = health.number("object_damage_per_n_s", {0, 1000});
-    rules.object_damage_max = health.number("object_damage_max", {0, 1e6});
+    rules.max_object_damage = health.number("object_damage_max", {0, 1e6});
     rules.object_again = ticks(health.number("object_again_s", {0, 60}));
     rules.blame = ticks(health.number("blame_s", {0, 60}));
     rules.pitch_limit = file.root().table("gaze").number("pitch_limit_deg", {1, 89}) * radians_per_degree;

@@ -50,7 +50,7 @@ struct WizardRules {
     /// Largest landing speed without harm (m/s), and harm per speed above it (HP per m/s).
     double fall_safe{}, fall_damage{};
     /// Largest impulse without harm (N s), harm per impulse above it (HP per N s), largest harm (HP).
-    double object_safe{}, object_damage{}, object_damage_max{};
+    double object_safe{}, object_damage{}, max_object_damage{};
     /// Ticks after the beginning of a blow in which the same thing cannot hurt again.
     Tick object_again{};
     /// Ticks for which a fall, or a blow by a thing that the other player moved, counts for the other player.

@@ -63,7 +63,7 @@ struct ShotKind {
 /// How a wand takes up and throws loose things, for bots.
 struct GraspKind {
     double reach{};               ///< reach of the wand from the eye (m)
-    double mass_max{};            ///< largest mass that the wand can take up (kg)
+    double max_mass{};            ///< largest mass that the wand can take up (kg)
     double speed{};               ///< largest speed of a throw (m/s)
     double energy_per_impulse{};  ///< energy per impulse of a throw (1/(N s))
     double crossing{};  ///< distance from the eye at which a throw's path crosses the line of sight (m)

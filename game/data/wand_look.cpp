@@ -75,7 +75,7 @@ std::optional<std::uint32_t> hex_colour(std::string_view words) {
 }
 
 WandLook read_wand_look(const ConfigTable& look) {
-    constexpr std::size_t most_parts = 64;
+    constexpr std::size_t max_parts = 64;
     WandLook read;
     read.flat = look.boolean("flat", false);
     read.steady_force = look.string("steady_force", read.steady_force);
@@ -83,10 +83,10 @@ WandLook read_wand_look(const ConfigTable& look) {
         look.report("steady_force", "'steady_force' must be a word of at most 16 characters");
     for (const auto& part : look.tables("wand")) read.wand.push_back(read_part(part));
     for (const auto& part : look.tables("missile")) read.missile.push_back(read_part(part));
-    if (read.wand.empty() || read.wand.size() > most_parts)
-        look.report("wand", text("a wand's look needs 1 to ", most_parts, " parts [[look.wand]]"));
-    if (read.missile.size() > most_parts)
-        look.report("missile", text("a missile's look has at most ", most_parts, " parts"));
+    if (read.wand.empty() || read.wand.size() > max_parts)
+        look.report("wand", text("a wand's look needs 1 to ", max_parts, " parts [[look.wand]]"));
+    if (read.missile.size() > max_parts)
+        look.report("missile", text("a missile's look has at most ", max_parts, " parts"));
     return read;
 }
 

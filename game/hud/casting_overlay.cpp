@@ -30,9 +30,9 @@ const fvec4 grey_paint = colour(0xA8A4B0, 1.0F);
 // -------------------------------------------------------------------------------------------------
 
 /// Share of the view's shorter edge that a stroke of usual size fills, and the maximum share of any stroke.
-constexpr float usual_share = 0.34F, most_share = 0.66F;
+constexpr float usual_share = 0.34F, max_share = 0.66F;
 constexpr float usual_size = 0.08F;  // m
-constexpr std::size_t most_stroke_pieces = 160;
+constexpr std::size_t max_stroke_pieces = 160;
 
 /// Maps points of a stroke to the view. A stroke begins at the crosshair, and is moved and scaled down as far
 /// as the panel of strokes requires.
@@ -54,7 +54,7 @@ Drawing drawing_of(const StrokePicture& stroke, const ViewLayout& l) {
     Drawing drawing{.centre = l.centre,
                     .shift = fvec2(stroke.points[0].x, -stroke.points[0].y),
                     .scale = usual_share * edge / usual_size};
-    const float glow = 6 * l.unit, most = most_share * edge / 2;  // px
+    const float glow = 6 * l.unit, most = max_share * edge / 2;  // px
     const fvec2 before = glm::min(l.centre - l.strokes.low - glow, fvec2(most)),
                 after = glm::min(l.strokes.high - l.centre - glow, fvec2(most)), room = before + after;
     const fvec2 extent = glm::max(high - low, fvec2(1e-6F));
@@ -141,7 +141,7 @@ void add_stroke(Overlay& out, const CastingPicture& casting, const Presentation&
     const auto at = [&](std::size_t i) { return drawing.at(stroke.points[i]); };
     const auto add = [&](float widen, float alpha) {
         std::uint32_t piece = 0;
-        each_piece(stroke.count, most_stroke_pieces, at, [&](std::size_t from, std::size_t to) {
+        each_piece(stroke.count, max_stroke_pieces, at, [&](std::size_t from, std::size_t to) {
             if (is_broken(stroke, ++piece, age)) return;
             const float share = share_of(casting, stroke.points[to].force);
             auto paint = widen > 0 && likely != nullptr ? colour(likely->colour, 1)
@@ -165,7 +165,7 @@ void add_free_trail(Overlay& out, const CastingPicture& casting, std::uint32_t p
     const auto& newest = free.trail[free.count - 1];
     const auto at = [&](fvec3 p) {
         const fvec2 way = usual_share * edge / usual_size * fvec2(p.x - newest.x, newest.y - p.y);
-        const float most = most_share * edge / 2;
+        const float most = max_share * edge / 2;
         return l.centre + glm::clamp(way, fvec2(-most), fvec2(most));
     };
     const auto paint = team_colours(player).light;

@@ -78,8 +78,7 @@ void add_cell(render::Overlay& out, const GestureWallPicture& wall, std::size_t 
 
 /// Adds the newest stroke in its own panel.
 void add_own_panel(render::Overlay& out, const GestureWallPicture& wall, const Panel& box, float u) {
-    constexpr double least_drawn =
-        0.1;  // strokes smaller than this are not enlarged while they are drawn (m)
+    constexpr double min_drawn = 0.1;  // strokes smaller than this are not enlarged while they are drawn (m)
     out.items.emplace_back(render::RectItem{box.low, box.high, opaque(fvec3(paints.white), 0.06F), 8 * u});
     const auto inner = inset_by(box, wall_inset * u);
     const float below_title = inner.low.y + wall_name_high * u;
@@ -87,7 +86,7 @@ void add_own_panel(render::Overlay& out, const GestureWallPicture& wall, const P
                 render::Align::left);
     const auto room = inset_by({{inner.low.x, below_title}, inner.high}, wall_inset * u);
     if (wall.stroke.empty() || !has_room(room)) return;
-    add_stroke(out, wall.stroke, fit_stroke(wall.stroke, room, wall.drawing ? least_drawn : 0.02),
+    add_stroke(out, wall.stroke, fit_stroke(wall.stroke, room, wall.drawing ? min_drawn : 0.02),
                {.width = 4 * u, .by_force = true});
 }
 
@@ -108,8 +107,8 @@ void add_wall_lines(render::Overlay& out, const std::vector<std::string>& lines,
 void add_gesture_wall(render::Overlay& out, const GestureWallPicture& wall,
                       const std::vector<std::string>& lines, const Panel& box, float unit) {
     if (!wall.on || !wall.gestures) return;
-    constexpr float least_high = 260;  // units
-    unit = std::min(unit, (box.high.y - box.low.y) / least_high);
+    constexpr float min_high = 260;  // units
+    unit = std::min(unit, (box.high.y - box.low.y) / min_high);
     const auto l = lay_out_wall(box, wall.gestures->size(), unit);
     out.items.emplace_back(render::RectItem{box.low, box.high, paints.plate, 12 * unit});
     for (std::size_t i = 0; i < wall.gestures->size(); ++i) add_cell(out, wall, i, l.cell_at(i), unit);

@@ -10,10 +10,10 @@ namespace {
 /// picture does not follow directly on the last one, as after a jump in a replay, the zoom is at its end at
 /// once.
 void come_nearer(NearView& view, const Picture& picture, bool carves) {
-    constexpr double whole_way_s = 0.35, largest_gap_s = 1;
-    const double gone_s = picture.tick >= view.tick ? seconds(picture.tick - view.tick) : largest_gap_s;
+    constexpr double whole_way_s = 0.35, max_gap_s = 1;
+    const double gone_s = picture.tick >= view.tick ? seconds(picture.tick - view.tick) : max_gap_s;
     view.tick = picture.tick;
-    const double step = gone_s < largest_gap_s ? gone_s / whole_way_s : 1;
+    const double step = gone_s < max_gap_s ? gone_s / whole_way_s : 1;
     view.share = std::clamp(view.share + (carves ? step : -step), 0.0, 1.0);
 }
 

@@ -22,8 +22,8 @@ constexpr float line = 20;  // height of a line of messages, notices or feed
 // Height down to the panels below notices that are below the score.
 constexpr float under_notices = under_score + 2 * line + edge;
 constexpr float lesson_words = 14;  // text size of a lesson (em)
-constexpr float ring_least = 26, ring_most = 66;
-constexpr float likely_least = 14;  // height of the likely spell above the ring
+constexpr float min_ring = 26, max_ring = 66;
+constexpr float min_likely = 14;  // height of the likely spell above the ring
 
 // A tall view has its messages above the corner panels, a flat view between them.
 constexpr float tall_least_high = 400, tall_least_wide = 236;
@@ -55,8 +55,8 @@ struct Arrangement {
 
 /// Minimum width of a flat view in which the corner panels do not touch the ring or a score between two
 /// views.
-float least_flat_width(const Arrangement& how, std::size_t wands) {
-    const float middle = how.stacked ? score_half_wide : ring_least + edge;
+float min_flat_width(const Arrangement& how, std::size_t wands) {
+    const float middle = how.stacked ? score_half_wide : min_ring + edge;
     return std::max(flat_least_wide, 2 * (middle + ring_gap + strip_of(wands, 2).wide));
 }
 
@@ -72,10 +72,8 @@ float wanted_unit(const Arrangement& how, const render::Rect& view, render::Size
 float unit_of(const Arrangement& how, const render::Rect& view, float wanted, std::size_t wands) {
     const auto w = static_cast<float>(view.width), h = static_cast<float>(view.height);
     const float tall = std::min(w / tall_least_wide, h / tall_least_high);
-    const float least_high = how.alone      ? flat_alone_high
-                             : how.beside() ? flat_beside_high
-                                            : flat_stacked_high;
-    const float flat = std::min(w / least_flat_width(how, wands), h / least_high);
+    const float min_high = how.alone ? flat_alone_high : how.beside() ? flat_beside_high : flat_stacked_high;
+    const float flat = std::min(w / min_flat_width(how, wands), h / min_high);
     return std::min(wanted, how.alone && how.lesson ? tall : std::max(tall, flat));
 }
 
@@ -121,8 +119,8 @@ void place_middle(const Arrangement& how, InUnits& out) {
         out.tall ? w / 2 - edge : std::min(w / 2 - left_column, out.strip.low.x - edge - w / 2);
     const float least = (how.cards && out.tall ? 6 : 2) * line;  // height of the messages
     out.ring =
-        std::clamp(std::min({h / 2 - above - edge / 2 - likely_least, bottom - h / 2 - edge - least, aside}),
-                   ring_least, ring_most);
+        std::clamp(std::min({h / 2 - above - edge / 2 - min_likely, bottom - h / 2 - edge - least, aside}),
+                   min_ring, max_ring);
     const float top = h / 2 + out.ring + edge / 2;
     out.messages = out.tall ? Panel{{edge, std::max(top, bottom - messages_high)}, {w - edge, bottom}}
                             : Panel{{left_column, top}, {out.strip.low.x - edge, bottom}};
@@ -197,19 +195,18 @@ void place_figure(const Arrangement& how, InUnits& out) {
 /// Places the likely spell above the ring, and the panel of strokes around the ring, which ends above two
 /// lines of messages.
 void place_strokes(const Arrangement& how, InUnits& out) {
-    constexpr float most_high = 24, captions = 2 * 1.4F * 15;
+    constexpr float max_high = 24, captions = 2 * 1.4F * 15;
     const fvec2 middle(out.wide / 2, out.high / 2);
     const float head = bottom_of_head(how), bottom = middle.y - out.ring - edge / 2;
-    const float half = out.ring + edge / 2, top = std::max(head, bottom - most_high);
-    if (bottom - top >= likely_least - 0.01F)
-        out.likely = {{middle.x - half, top}, {middle.x + half, bottom}};
+    const float half = out.ring + edge / 2, top = std::max(head, bottom - max_high);
+    if (bottom - top >= min_likely - 0.01F) out.likely = {{middle.x - half, top}, {middle.x + half, bottom}};
     out.strokes = {{edge, std::min(head, middle.y - out.ring)},
                    {out.wide - edge, std::max(out.messages.high.y - captions, middle.y + out.ring)}};
 }
 
 /// Places the free room right of the ring, left of the figure and the strip of wands.
 void place_aside(const Arrangement& how, InUnits& out) {
-    constexpr float least_wide = 180, least_high = 48;
+    constexpr float min_wide = 180, min_high = 48;
     if (how.alone && how.lesson) return;
     const float above = how.beside()  ? under_notices
                         : how.alone   ? under_score
@@ -217,7 +214,7 @@ void place_aside(const Arrangement& how, InUnits& out) {
                                       : 0;
     const fvec2 low(out.wide / 2 + out.ring + edge, std::max(out.feed.high.y, above) + edge / 2);
     const fvec2 high(out.figure.low.x - edge, std::min(out.messages.low.y, out.strip.low.y) - edge / 2);
-    if (high.x - low.x >= least_wide && high.y - low.y >= least_high) out.aside = {low, high};
+    if (high.x - low.x >= min_wide && high.y - low.y >= min_high) out.aside = {low, high};
 }
 
 InUnits in_units(const Arrangement& how, fvec2 size, std::size_t wands, bool curve) {
@@ -297,7 +294,7 @@ float count_size_of(const std::array<std::optional<ViewLayout>, players>& views)
     return std::floor(1.2F * ring);
 }
 
-constexpr float smallest_words = 4;        // smallest text size of the typeface (px)
+constexpr float min_words = 4;             // smallest text size of the typeface (px)
 constexpr float widest_character = 1.12F;  // em
 
 /// Upper estimate of a character's width in the typeface (em).
@@ -362,14 +359,13 @@ std::vector<std::string> broken_between_groups(std::string_view words, float siz
 /// Breaks a text at spaces, or between groups if it has groups. At the smallest size a word that is longer
 /// than a line is broken, too.
 std::vector<std::string> broken(std::string_view words, float size, float wide) {
-    if (size > smallest_words && words.find(group_gap) != std::string_view::npos)
+    if (size > min_words && words.find(group_gap) != std::string_view::npos)
         return broken_between_groups(words, size, wide);
     std::vector<std::string> lines;
     while (!words.empty()) {
-        const auto end =
-            size > smallest_words ? unbroken_part(words) : std::min(words.find(' '), words.size());
+        const auto end = size > min_words ? unbroken_part(words) : std::min(words.find(' '), words.size());
         const auto word =
-            words.substr(0, size > smallest_words ? end : std::min(end, longest_part(words, size, wide)));
+            words.substr(0, size > min_words ? end : std::min(end, longest_part(words, size, wide)));
         words.remove_prefix(word.size() < end ? word.size() : std::min(end + 1, words.size()));
         if (!lines.empty() &&
             width_of(lines.back(), size) + width_of(word, size) + character_width(' ') * size <= wide)
@@ -425,9 +421,9 @@ float width_of(std::string_view line, float size) {
 
 FittedWords fit(std::string_view words, float size, fvec2 room) {
     // The typeface has only whole sizes.
-    FittedWords out{{}, std::max(smallest_words, std::floor(size))};
+    FittedWords out{{}, std::max(min_words, std::floor(size))};
     out.lines = broken(words, out.size, room.x);
-    while (out.size > smallest_words && !fits(out, room)) {
+    while (out.size > min_words && !fits(out, room)) {
         out.size -= 1;
         out.lines = broken(words, out.size, room.x);
     }

@@ -35,7 +35,7 @@ struct Answers {
 /// Working memory. Results kept from earlier pictures save time and do not change the answer.
 struct LikelySpace {
     gesture::PrefixSpace prefix{};
-    std::array<gesture::StrokePoint, StrokePicture::most_points> points{};
+    std::array<gesture::StrokePoint, StrokePicture::max_points> points{};
     /// Recognitions for the strokes of both players, the most recently used first.
     std::array<Answers, 2> answers{};
 

@@ -46,7 +46,7 @@ float head_units(const MenuPicture& menu) {
 }
 
 /// Text sizes of help and key hint (HUD units), and the maximum number of lines of each.
-constexpr float help_size = 16, hint_size = 14, most_lines = 3;
+constexpr float help_size = 16, hint_size = 14, max_lines = 3;
 
 /// Widths of the texts at the foot of the menu (em). Room for the longest help is always kept, so that the
 /// rows do not move when another row is chosen.
@@ -62,7 +62,7 @@ FootWords foot_of(const MenuPicture& menu) {
 
 /// Height of a text of the given width in em, broken into lines (px). Assumes that lines are rarely full.
 float height_of_lines(float ems, float size, float width) {
-    const float lines = std::clamp(std::ceil(ems * size / (0.88F * width)), 1.0F, most_lines);
+    const float lines = std::clamp(std::ceil(ems * size / (0.88F * width)), 1.0F, max_lines);
     return lines * FittedWords::line_spacing * size + 1;
 }
 

@@ -59,7 +59,7 @@ std::optional<Offer> offer_to(const PlayerPicture& p, const ControlNames& contro
         return Offer{PromptKind::drop, &controls.fire, text("Drop ", p.stations.carries)};
     }
     if (p.stations.scrying.scries && !p.stations.scrying.draws && !p.stations.scrying.told &&
-        p.stations.scrying.newest < most_orb_modes)
+        p.stations.scrying.newest < max_orb_modes)
         return Offer{PromptKind::draw_curve, &controls.trace,
                      text("Draw the strength of ", p.stations.scrying.modes.at(p.stations.scrying.newest))};
     if (p.stations.scrying.scries || p.stations.carving.carves) return std::nullopt;

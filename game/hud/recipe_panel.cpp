@@ -14,11 +14,11 @@ using render::LineItem;
 using render::Overlay;
 using render::RectItem;
 
-constexpr float least_row = 18, dot_wide = 14;  // units
-constexpr float band_least = 60;                // minimum width of the force scale (HUD units)
+constexpr float min_row = 18, dot_wide = 14;  // units
+constexpr float min_band = 60;                // minimum width of the force scale (HUD units)
 // Text size of the words for the force (HUD units), and its minimum (px)
-constexpr float words_size = 13, words_least = 12;
-constexpr double most_shown_n = 2.5;  ///< force at the right end of the scale (N)
+constexpr float words_size = 13, min_words_px = 12;
+constexpr double max_shown_n = 2.5;  ///< force at the right end of the scale (N)
 
 std::string percent(double share) { return text(std::lround(100 * share), " %"); }
 
@@ -55,8 +55,8 @@ std::string_view words_of_sense(CircleSense sense) {
 /// Words for the required force: " gently", " hard", or empty if any force is allowed.
 std::string_view words_of_force(const RecipePicture& recipe) {
     constexpr double harsh = 1.2;  // N
-    if (recipe.least_force >= harsh) return " hard";
-    return recipe.most_force < most_shown_n ? " gently" : "";
+    if (recipe.min_force >= harsh) return " hard";
+    return recipe.max_force < max_shown_n ? " gently" : "";
 }
 
 std::string words_of_stroke(const RecipePicture& recipe, bool stirs, const ControlNames& controls) {
@@ -83,7 +83,7 @@ std::string words_of_band(const RecipePicture& recipe) {
 }
 
 /// Text size of the words for the force (px).
-float words_em(float u) { return std::max(words_least, std::floor(words_size * u)); }
+float words_em(float u) { return std::max(min_words_px, std::floor(words_size * u)); }
 
 /// One dot for each required stroke; those already drawn are filled.
 void add_dots(Overlay& out, const RecipePicture& recipe, fvec2 low, float u) {
@@ -98,13 +98,13 @@ void add_dots(Overlay& out, const RecipePicture& recipe, fvec2 low, float u) {
 /// Bar of the force with the allowed range, and a mark at the current force.
 void add_force_band(Overlay& out, const RecipePicture& recipe, const Panel& bar, float u) {
     const auto x = [&](double force) {
-        const auto share = static_cast<float>(std::clamp(force / most_shown_n, 0.0, 1.0));
+        const auto share = static_cast<float>(std::clamp(force / max_shown_n, 0.0, 1.0));
         return bar.low.x + share * (bar.high.x - bar.low.x);
     };
     out.items.emplace_back(RectItem{bar.low, bar.high, paints.track, 3 * u});
-    const bool inside = recipe.force >= recipe.least_force && recipe.force <= recipe.most_force;
-    out.items.emplace_back(RectItem{{x(recipe.least_force), bar.low.y},
-                                    {x(recipe.most_force), bar.high.y},
+    const bool inside = recipe.force >= recipe.min_force && recipe.force <= recipe.max_force;
+    out.items.emplace_back(RectItem{{x(recipe.min_force), bar.low.y},
+                                    {x(recipe.max_force), bar.high.y},
                                     inside ? paints.white : paints.soft,
                                     3 * u});
     const float now = x(recipe.force);
@@ -156,10 +156,10 @@ void add_ghost(Overlay& out, const RecipePicture& recipe, fvec2 centre, float ha
     out.items.emplace_back(ArcItem{at(runner), 0, 4.5F * u, 0, whole_turn, paints.amber});
 }
 
-float stroke_row_high(float u) { return std::max(least_row * u, FittedWords::line_spacing * words_em(u)); }
+float stroke_row_high(float u) { return std::max(min_row * u, FittedWords::line_spacing * words_em(u)); }
 
 float stroke_row_wide(const RecipePicture& recipe, float u) {
-    return (dot_wide * static_cast<float>(recipe.times) + 4 + band_least + 16) * u +
+    return (dot_wide * static_cast<float>(recipe.times) + 4 + min_band + 16) * u +
            width_of(words_of_band(recipe), words_em(u)) + 2;
 }
 
@@ -171,7 +171,7 @@ void add_stroke_row(Overlay& out, const RecipePicture& recipe, const Panel& row,
     const float right = std::min(left + width_of(words, words_em(u)) + 2, row.high.x);
     add_text_in(out, {{left, row.low.y}, {right, row.high.y + 1}}, words, words_em(u), paints.white,
                 render::Align::left);
-    if (row.high.x - right >= band_least * u)
+    if (row.high.x - right >= min_band * u)
         add_force_band(out, recipe, {{right + 8 * u, middle - 4 * u}, {row.high.x - 8 * u, middle + 4 * u}},
                        u);
 }

@@ -17,10 +17,10 @@ using render::RectItem;
 // Sizes in HUD units.
 constexpr float side_room = 10, row_high = 17, track_high = 18, key_words = 10.5F, keys_high = 15,
                 row_gap = 2;
-constexpr int keys_lines_most = 3;
+constexpr int max_keys_lines = 3;
 constexpr float line_high = 6, knob_wide = 5, mark_radius = 5.5F;
-constexpr float least_wide = 260;       // width that fits into every window (HUD units)
-constexpr float largest_share = 0.22F;  // maximum share of the window's height
+constexpr float min_wide = 260;               // width that fits into every window (HUD units)
+constexpr float max_share_of_window = 0.22F;  // maximum share of the window's height
 constexpr float usual_high = 600, usual_wide = 900;
 
 float share_of(Tick tick, Tick length) {
@@ -97,9 +97,9 @@ struct BarSize {
 BarSize size_of_bar(float wanted, float wide, float high) {
     constexpr float full = 0.85F;
     BarSize best;
-    for (int lines = 1; lines <= keys_lines_most; ++lines) {
+    for (int lines = 1; lines <= max_keys_lines; ++lines) {
         BarSize bar{.lines = lines};
-        bar.unit = std::min({wanted, high * largest_share / bar.high(), wide / least_wide});
+        bar.unit = std::min({wanted, high * max_share_of_window / bar.high(), wide / min_wide});
         const float room = static_cast<float>(lines) * (wide - 2 * side_room * bar.unit);
         bar.words = std::min(key_words * bar.unit, (lines > 1 ? full : 1) * room / replay_keys_wide);
         if (best.lines == 0 || bar.words > 1.02F * best.words) best = bar;

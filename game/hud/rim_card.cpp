@@ -18,7 +18,7 @@ using render::RectItem;
 // Sizes in units of the card. The card's unit is smaller than the HUD's if its text needs that.
 constexpr float card_pad = 4, card_gap = 2;
 constexpr float ghost_side = 52;
-constexpr float gauge_high = 11, gauge_wide = 150, gauge_least = 70;
+constexpr float gauge_high = 11, gauge_wide = 150, min_gauge = 70;
 constexpr float step_size = 15, brew_size = 13;  // em
 constexpr float readable = 12;                   // text size below which text should not shrink (px)
 
@@ -133,7 +133,7 @@ FittedCard sized_card(const RimCard& card, const Parts& parts, float em, float w
     fit_state(card, parts, std::floor(std::max(std::min(em, readable), brew_size * u)), room, out);
     float least = std::min(room.x, gauge_wide * u), feet = gauge_high * u;
     if (card.stroke != nullptr) {
-        const float row = stroke_row_wide(*card.stroke, u) + gauge_least * u;
+        const float row = stroke_row_wide(*card.stroke, u) + min_gauge * u;
         out.gauge_in_row = room.x >= row;
         feet = stroke_row_high(u) + (out.gauge_in_row ? 0 : card_gap * u + feet);
         if (out.gauge_in_row) least = row;
@@ -281,7 +281,7 @@ void add_rim_card(Overlay& out, const RimCard& card, const FittedCard& fitted, f
     if (card.stroke != nullptr) {
         const float high = stroke_row_high(u);
         const float row =
-            fitted.gauge_in_row ? (wide + stroke_row_wide(*card.stroke, u) - gauge_least * u) / 2 : wide;
+            fitted.gauge_in_row ? (wide + stroke_row_wide(*card.stroke, u) - min_gauge * u) / 2 : wide;
         add_stroke_row(out, *card.stroke, {corner, corner + fvec2(row, high)}, u);
         corner +=
             fitted.gauge_in_row ? fvec2(row, (high - gauge_high * u) / 2) : fvec2(0, high + card_gap * u);

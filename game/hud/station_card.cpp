@@ -70,7 +70,7 @@ RimCard orb_card_of(const Picture& picture, const HudSettings& settings, std::ui
         .fresh = focus_share(p),
         .paint = opaque(team_colours(player).glow)};
     if (orb.told) card.gauge.mixed = 1;
-    if (orb.scries && orb.newest < most_orb_modes) card.curve = orb.curve;
+    if (orb.scries && orb.newest < max_orb_modes) card.curve = orb.curve;
     if (!settings.captions[player]) return card;
     const auto& controls = settings.controls[player];
     card.step = words_of_search(orb, controls);
@@ -78,7 +78,7 @@ RimCard orb_card_of(const Picture& picture, const HudSettings& settings, std::ui
     if (!orb.order[0].empty() && !orb.told)
         card.potions = text(words_of_order(orb), card.potions.empty() ? "" : "   ", card.potions);
     if (!orb.scries) return card;
-    card.brew = orb.draws && orb.newest < most_orb_modes
+    card.brew = orb.draws && orb.newest < max_orb_modes
                     ? text("Drawing the strength of ", orb.modes.at(orb.newest))
                     : words_of_modes(orb, controls);
     return card;

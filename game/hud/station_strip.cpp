@@ -14,7 +14,7 @@ using render::Align;
 using render::Overlay;
 using render::RectItem;
 
-constexpr float least_high = 17;  // minimum height of a line of text (HUD units)
+constexpr float min_high = 17;  // minimum height of a line of text (HUD units)
 
 /// A haptic mode or a carving tool that a key chooses.
 struct Choice {
@@ -37,8 +37,8 @@ std::vector<Choice> choices_of(const PlayerPicture& p) {
 /// Cells from left to right and then down, in as few columns as leave room for lines of text.
 std::vector<Panel> cells_of(const Panel& box, float u, std::size_t count) {
     const fvec2 room = box.high - box.low;
-    const auto most_rows = static_cast<std::size_t>(std::max(1.0F, std::floor(room.y / (u * least_high))));
-    const std::size_t columns = (count + most_rows - 1) / most_rows, rows = (count + columns - 1) / columns;
+    const auto max_rows = static_cast<std::size_t>(std::max(1.0F, std::floor(room.y / (u * min_high))));
+    const std::size_t columns = (count + max_rows - 1) / max_rows, rows = (count + columns - 1) / columns;
     const fvec2 size = room / fvec2(static_cast<float>(columns), static_cast<float>(rows));
     std::vector<Panel> cells;
     for (std::size_t i = 0; i < count; ++i) {

@@ -10,8 +10,8 @@
 namespace thaum::game {
 namespace {
 
-constexpr std::size_t most_stroke_lines = 160;  // maximum number of lines that one stroke is drawn with
-constexpr float ghost_start = 0.12F;            // share of a ghost's path at which the arrow stands
+constexpr std::size_t max_stroke_lines = 160;  // maximum number of lines that one stroke is drawn with
+constexpr float ghost_start = 0.12F;           // share of a ghost's path at which the arrow stands
 
 fvec2 on_screen(const StrokeFit& fit, vec3 at) {
     const vec3 from = fit.scale * (at - fit.middle);
@@ -28,14 +28,14 @@ void add_arrow(render::Overlay& out, fvec2 from, fvec2 to, float size, fvec4 col
 
 }  // namespace
 
-StrokeFit fit_stroke(gesture::Points stroke, const Panel& box, double least_size) {
+StrokeFit fit_stroke(gesture::Points stroke, const Panel& box, double min_size) {
     if (stroke.empty()) return {.middle = vec3(0), .centre = 0.5F * (box.low + box.high)};
     vec3 low = stroke[0].at, high = low;
     for (const auto& p : stroke) {
         low = glm::min(low, p.at);
         high = glm::max(high, p.at);
     }
-    const vec3 size = glm::max(high - low, vec3(least_size));
+    const vec3 size = glm::max(high - low, vec3(min_size));
     const fvec2 room = box.high - box.low;
     return {.middle = 0.5 * (low + high),
             .centre = 0.5F * (box.low + box.high),
@@ -44,7 +44,7 @@ StrokeFit fit_stroke(gesture::Points stroke, const Panel& box, double least_size
 
 void add_stroke(render::Overlay& out, gesture::Points stroke, const StrokeFit& fit, const StrokeLook& look) {
     const auto at = [&](std::size_t i) { return stroke[i].at; };
-    each_piece(stroke.size(), most_stroke_lines, at, [&](std::size_t from, std::size_t to) {
+    each_piece(stroke.size(), max_stroke_lines, at, [&](std::size_t from, std::size_t to) {
         const double share = stroke[to].force / (2 * gesture::harsh_force);
         const fvec4 colour = look.by_force ? fvec4(force_colour(share), 1) : look.colour;
         out.items.push_back(

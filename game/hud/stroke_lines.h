@@ -14,8 +14,8 @@ struct StrokeFit {
     double scale = 1;  ///< px per m
 };
 
-/// The map with which a stroke fills a box. Strokes smaller than `least_size` (m) are not enlarged further.
-StrokeFit fit_stroke(gesture::Points stroke, const Panel& box, double least_size = 0.02);
+/// The map with which a stroke fills a box. Strokes smaller than `min_size` (m) are not enlarged further.
+StrokeFit fit_stroke(gesture::Points stroke, const Panel& box, double min_size = 0.02);
 
 struct StrokeLook {
     fvec4 colour{1};

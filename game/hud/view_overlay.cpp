@@ -452,7 +452,7 @@ void add_felt(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
 /// Adds text for sounds and effects, the newest at the bottom, as much as fits. In a narrow panel each text
 /// has up to two lines.
 void add_heard(Overlay& out, const PlayerPicture& p, HeardWish wish, const ViewLayout& l) {
-    const float u = l.unit, inset = 6 * u, most_high = 2 * heard_line_high * u;
+    const float u = l.unit, inset = 6 * u, max_high = 2 * heard_line_high * u;
     const float room = l.heard.high.x - l.heard.low.x - 2 * inset;
     float bottom = l.heard.high.y;
     for (std::uint32_t i = p.senses.heard_lines; i > 0; --i) {
@@ -460,7 +460,7 @@ void add_heard(Overlay& out, const PlayerPicture& p, HeardWish wish, const ViewL
         if (!wants(wish, heard)) continue;
         const float left = bottom - l.heard.low.y;
         if (left < heard_line_high * u - 0.5F) return;
-        const auto fitted = fit(words_of(heard), 13 * u, {room, std::min(left, most_high)});
+        const auto fitted = fit(words_of(heard), 13 * u, {room, std::min(left, max_high)});
         // Older lines are left out rather than drawn in tiny text.
         if (bottom < l.heard.high.y && fitted.size < 10 * u) return;
         float wide = 0;

@@ -63,7 +63,7 @@ std::string bhaptics_request(const tactile::TactileFrame& frame) {
 }
 
 Expected<BhapticsReply> read_bhaptics_reply(std::string_view json) {
-    if (json.size() > most_reply_bytes) return fail("the Player's reply is too long");
+    if (json.size() > max_reply_bytes) return fail("the Player's reply is too long");
     const auto reply = parse_json(json);
     if (!reply || !reply->is_object()) return fail("the Player's reply is no JSON object");
     BhapticsReply read;

@@ -18,7 +18,7 @@ namespace thaum::app {
 /// Address of the Player on this machine.
 inline constexpr std::string_view bhaptics_place = "127.0.0.1:15881";
 inline constexpr std::string_view bhaptics_path = "/v2/feedbacks?app_id=thaum&app_name=Thaum";
-inline constexpr std::size_t most_reply_bytes = 1U << 16U;
+inline constexpr std::size_t max_reply_bytes = 1U << 16U;
 
 /// Request that plays a frame of the layout `x40`. Amplitudes may be anything; they become 0 to 100.
 std::string bhaptics_request(const tactile::TactileFrame& frame);
@@ -30,7 +30,7 @@ struct BhapticsReply {
     /// Whether there is a vest, as far as the reply tells; it tells nothing of older Players' devices.
     bool may_have_vest() const { return vest.value_or(devices.value_or(1) > 0); }
 };
-/// Reads a reply of at most most_reply_bytes. Unknown keys are ignored. The error says why it is none.
+/// Reads a reply of at most max_reply_bytes. Unknown keys are ignored. The error says why it is none.
 Expected<BhapticsReply> read_bhaptics_reply(std::string_view json);
 
 }  // namespace thaum::app

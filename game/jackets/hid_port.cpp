@@ -34,10 +34,10 @@ public:
         return hid_write(device_, report.data(), report.size()) >= 0;
     }
     bool is_there() override {
-        constexpr int most_reports = 16;  // a device that talks without end must not hold up the caller
+        constexpr int max_reports = 16;  // a device that talks without end must not hold up the caller
         std::array<unsigned char, 64> thrown_away{};
         int got = 1;
-        for (int i = 0; i < most_reports && got > 0; ++i)
+        for (int i = 0; i < max_reports && got > 0; ++i)
             got = hid_read_timeout(device_, thrown_away.data(), thrown_away.size(), 0);
         return got >= 0;
     }

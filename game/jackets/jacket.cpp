@@ -8,10 +8,10 @@
 namespace thaum::app {
 namespace {
 
-constexpr std::size_t most_words_shown = 60;
+constexpr std::size_t max_words_shown = 60;
 
 Error no_jacket(std::string_view words, std::string_view why) {
-    return fail(text("'", printable(words, most_words_shown), "' is no jacket: ", why));
+    return fail(text("'", printable(words, max_words_shown), "' is no jacket: ", why));
 }
 
 /// The jacket whose form has this word, without its place; none if there is no such form.
@@ -71,7 +71,7 @@ Expected<tactile::Layout> load_own_layout(const std::string& words, const Jacket
         return fail(text("'jacket_layout': ", jacket.maker->keeps_layout));
     const auto motors = jacket.layout().motors;
     if (layout->actuators.size() > motors)
-        return fail(text("'jacket_layout': '", printable(words, most_words_shown), "' has ",
+        return fail(text("'jacket_layout': '", printable(words, max_words_shown), "' has ",
                          layout->actuators.size(), " actuators, and the jacket ", motors, " motors"));
     return layout;
 }

@@ -9,8 +9,8 @@
 namespace thaum::app {
 namespace {
 
-constexpr std::size_t longest_host = 253;       ///< characters, as in the domain name system
-constexpr std::size_t most_of_host_shown = 60;  ///< bytes of a host's name in messages
+constexpr std::size_t longest_host = 253;      ///< characters, as in the domain name system
+constexpr std::size_t max_of_host_shown = 60;  ///< bytes of a host's name in messages
 
 bool fits_host(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
@@ -54,7 +54,7 @@ std::optional<NetAddress> read_address(std::string_view words) {
 std::string place_of(const NetAddress& address) { return with_port(address.host, address.port, ":%"); }
 
 std::string words_of(const NetAddress& address) {
-    return with_port(printable(address.host, most_of_host_shown), address.port, ":");
+    return with_port(printable(address.host, max_of_host_shown), address.port, ":");
 }
 
 Expected<std::string> read_net_place(std::string_view word, std::string_view place) {

@@ -8,18 +8,18 @@
 namespace thaum::game {
 namespace {
 
-constexpr double most_number = 1e6;
+constexpr double max_number = 1e6;
 
 constexpr std::array<FeelForm, 6> forms{{
     {"opacity", 1, 2, 1, {"force (N)", "drag (N s/m)"}},
     {"attract", 1, 2, 1, {"force (N)", "drag (N s/m)"}},
     {"shell", 3, 4, 1, {"low", "high", "force (N)", "drag (N s/m)"}},
-    {"wall", 2, 3, haptics::most_walls_felt, {"density", "force (N)", "friction"}},
+    {"wall", 2, 3, haptics::max_walls_felt, {"density", "force (N)", "friction"}},
     {"gravity", 3, 3, 1, {"x (N)", "y (N)", "z (N)"}},
     {"plane",
      7,
      7,
-     haptics::most_guides,
+     haptics::max_guides,
      {"x (m)", "y (m)", "z (m)", "normal x", "normal y", "normal z", "force (N)"}},
 }};
 
@@ -42,8 +42,8 @@ vec3 normal_of(const FeelPart& part) { return {part.numbers[3], part.numbers[4],
 Expected<void> check(const FeelPart& part) {
     const auto& form = form_of(part.kind);
     for (const double number : part.numbers)
-        if (!(std::abs(number) <= most_number))
-            return fail(text(form.name, ": numbers must be within +-", most_number));
+        if (!(std::abs(number) <= max_number))
+            return fail(text(form.name, ": numbers must be within +-", max_number));
     for (const double strength : strengths_of(part))
         if (strength < 0) return fail(text(form.name, ": a force, drag or friction must not be negative"));
     if (part.kind == FeelKind::shell && !(part.numbers[0] < part.numbers[1]))
@@ -108,9 +108,9 @@ Expected<haptics::VolumeFeel> feel_of_parts(std::span<const FeelPart> parts,
     for (const FeelPart& part : parts) {
         if (auto sound = check(part); !sound) return sound.error();
         const auto& form = form_of(part.kind);
-        if (++counts[static_cast<std::size_t>(part.kind)] > form.most_parts)
+        if (++counts[static_cast<std::size_t>(part.kind)] > form.max_parts)
             return fail(
-                text(form.name, ": at most ", form.most_parts, form.most_parts == 1 ? " acts" : " act"));
+                text(form.name, ": at most ", form.max_parts, form.max_parts == 1 ? " acts" : " act"));
         put(part, opacity, reach, feel);
     }
     if (counts[0] > 0 && counts[1] > 0) return fail("opacity and attract do not act together");

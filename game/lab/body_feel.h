@@ -23,12 +23,12 @@ namespace thaum::game {
 
 enum class FeelKind : std::uint32_t { opacity, attract, shell, wall, gravity, plane };
 
-inline constexpr std::size_t most_feel_numbers = 7;
+inline constexpr std::size_t max_feel_numbers = 7;
 
 /// One part of a feel. Its kind uses the first `count` numbers.
 struct FeelPart {
     FeelKind kind{};
-    std::array<double, most_feel_numbers> numbers{};
+    std::array<double, max_feel_numbers> numbers{};
     bool operator==(const FeelPart&) const = default;
 };
 
@@ -36,8 +36,8 @@ struct FeelPart {
 struct FeelForm {
     std::string_view name{};
     std::size_t least{}, count{};  ///< how many numbers must be given, and how many there are
-    std::size_t most_parts{};      ///< how many parts of this kind may act together
-    std::array<std::string_view, most_feel_numbers> labels{};
+    std::size_t max_parts{};       ///< how many parts of this kind may act together
+    std::array<std::string_view, max_feel_numbers> labels{};
 };
 std::span<const FeelForm> feel_forms();
 const FeelForm& form_of(FeelKind kind);

@@ -11,11 +11,11 @@ using Rules = CauldronRules;
 
 constexpr double root_of_ten = 3.1622776601683795;
 constexpr double thin = 1e-6;  // smallest viscosity other than 0 (m^2/s)
-constexpr double weight_step = 0.05, weight_least = -1, weight_most = 2;
+constexpr double weight_step = 0.05, min_weight = -1, max_weight = 2;
 
 /// Next viscosity up or down, in steps of half a decade; below the smallest comes 0 (m^2/s).
 double other_viscosity(double now, int way) {
-    if (way > 0) return now < thin ? thin : std::min(now * root_of_ten, fluid::viscosity_most);
+    if (way > 0) return now < thin ? thin : std::min(now * root_of_ten, fluid::max_viscosity);
     return now <= 1.01 * thin ? 0 : now / root_of_ten;
 }
 
@@ -110,7 +110,7 @@ constexpr std::array controls{
                [](LabHands& h, const Rules&, int way) {
                    if (Ingredient* i = chosen(h))
                        i->substance.weight =
-                           std::clamp(i->substance.weight + way * weight_step, weight_least, weight_most);
+                           std::clamp(i->substance.weight + way * weight_step, min_weight, max_weight);
                }},
     LabControl{"D", "F", "  spreads by",
                [](const LabHands& h, const Rules&) {

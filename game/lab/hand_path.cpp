@@ -17,7 +17,7 @@ constexpr double round_s = 4;
 constexpr double width_share = 0.25;   // radius of the circle, as a share of the narrower horizontal edge
 constexpr double height_share = 0.45;  // start and turning point of a press, as a share of the height
 
-constexpr std::size_t trace_most = 512U << 20U;  // maximum size of a file with a hand's path (bytes)
+constexpr std::size_t max_trace = 512U << 20U;  // maximum size of a file with a hand's path (bytes)
 constexpr std::array<std::string_view, 6> trace_titles{"time_s",   "hand_x_m", "hand_y_m",
                                                        "hand_z_m", "tool",     "history"};
 
@@ -67,7 +67,7 @@ Expected<HandPath> hand_path(std::string_view word) {
     if (word == "rest") return HandPath{HandWay::rest, {}, {}};
     if (word == "press") return HandPath{HandWay::press, {}, {}};
     if (word == "circle") return HandPath{HandWay::circle, {}, {}};
-    const auto csv = read_text_file(word, trace_most);
+    const auto csv = read_text_file(word, max_trace);
     const bool names_file = word.find_first_of("./") != std::string_view::npos;
     if (!csv && names_file) return csv.error();
     if (!csv) return fail(text("takes rest, press, circle or a table: ", csv.error().message));

@@ -12,16 +12,16 @@
 namespace thaum::game {
 namespace {
 
-constexpr double gravity_most = 100;  // largest gravity (m/s^2)
+constexpr double max_gravity = 100;  // largest gravity (m/s^2)
 // largest speed of the ladle (m/s); the mouse may jump any distance in a step
-constexpr double ladle_speed_most = 8;
+constexpr double max_ladle_speed = 8;
 constexpr double pour_radius = 0.25;  // radius of a poured cloud (m)
 
 Expected<void> check(const LabSettings& s) {
     if (std::ranges::find(lab_cells, s.cells) == lab_cells.end())
         return fail(text("cells ", s.cells, ": must be 15, 16, 24, 32, 48 or 64"));
-    if (!(std::abs(s.gravity) <= gravity_most))
-        return fail(text("gravity ", s.gravity, ": must be within ", gravity_most, " m/s^2"));
+    if (!(std::abs(s.gravity) <= max_gravity))
+        return fail(text("gravity ", s.gravity, ": must be within ", max_gravity, " m/s^2"));
     return {};
 }
 
@@ -64,7 +64,7 @@ bool same_grid(const LabSettings& a, const LabSettings& b) {
 /// the ladle does not become faster than the ladle.
 double stir(LabState& lab, vec3 to) {
     const vec3 from = lab.ladle.value_or(to);
-    const vec3 speed = limited((to - from) / lab_dt, ladle_speed_most);
+    const vec3 speed = limited((to - from) / lab_dt, max_ladle_speed);
     const auto& ladle = lab.rules.ladle;
     const double radius = std::max(ladle.radius, 1.5 * lab.brew.fluid.lattice.h);
     const vec3 place = to - lab.brew.corner;
@@ -131,7 +131,7 @@ LabSettings lab_settings(const LabData& data) {
     const auto& rules = data.rules;
     LabSettings settings{
         .solver = rules.solver, .cells = rules.cells_across, .viscosity = rules.viscosity, .room = data.room};
-    const auto count = std::min(rules.ingredients.size(), fluid::substances_most);
+    const auto count = std::min(rules.ingredients.size(), fluid::max_substances);
     settings.substances.assign(rules.ingredients.begin(),
                                rules.ingredients.begin() + static_cast<std::ptrdiff_t>(count));
     return settings;

@@ -39,7 +39,7 @@ struct LabSettings {
     bool no_slip = true;    ///< true: the fluid sticks to the walls; the surface is always free
     double viscosity{};     ///< kinematic viscosity of the base fluid (m^2/s)
     double gravity = 9.81;  ///< downward acceleration (m/s^2)
-    std::vector<Ingredient> substances{};  ///< the substances, at most fluid::substances_most
+    std::vector<Ingredient> substances{};  ///< the substances, at most fluid::max_substances
     LabBowl room{};
 };
 
@@ -87,7 +87,7 @@ struct LabFigures {
     double cfl{};     ///< CFL number: number of cells that the fastest velocity component crosses in one step
     vec3 momentum{};  ///< volume integral of the velocity (m^4/s)
     double mixing{};  ///< mixing number of the substance that was poured last
-    std::array<double, fluid::substances_most> amounts{};  ///< amount of each substance (m^3)
+    std::array<double, fluid::max_substances> amounts{};  ///< amount of each substance (m^3)
     double fluid_us{}, surface_us{};  ///< computing times, which differ from run to run (us)
     double ladle_n{};                 ///< force of the brew on the ladle (N)
     std::string refused{};            ///< reason why a change of settings was rejected; empty: none

@@ -10,10 +10,10 @@ namespace thaum::game {
 namespace {
 
 // Maximum file size (bytes); a grid 64 cells wide needs 5 million.
-constexpr std::size_t lab_file_most = 256U << 20U;
-constexpr std::size_t name_most = 32;  // longest name of a substance (characters)
+constexpr std::size_t max_lab_file = 256U << 20U;
+constexpr std::size_t max_name = 32;  // longest name of a substance (characters)
 constexpr std::uint32_t kept_version = 1;
-constexpr std::int64_t steps_most = std::int64_t{1} << 40;
+constexpr std::int64_t max_steps = std::int64_t{1} << 40;
 
 template <class Room, class F>
 void each_number(Room& room, F&& f) {
@@ -84,7 +84,7 @@ Expected<Ingredient> get_ingredient(ByteReader& in, const fluid::Substance& subs
     for (int c = 0; c < 3; ++c) result.colour[c] = in.get<double>();
     const bool plain =
         std::ranges::all_of(result.name, [](char c) { return c >= ' ' && c < 0x7f && c != ','; });
-    if (result.name.empty() || result.name.size() > name_most || !plain)
+    if (result.name.empty() || result.name.size() > max_name || !plain)
         return fail("a substance has no name that could be one");
     for (int c = 0; c < 3; ++c)
         if (!(result.colour[c] >= 0 && result.colour[c] <= 1))
@@ -117,8 +117,8 @@ Expected<LabState> get_kept(ByteReader& in, const fluid::Settings& fluid, const 
         s.substances.push_back(std::move(*ingredient));
     }
     if (!in.ok() || in.left() != 0) return fail("the lab's part of the file is cut off or too long");
-    if (lab.steps < 0 || lab.steps > steps_most || !is_finite(ladle) ||
-        lab.last_poured >= fluid::substances_most)
+    if (lab.steps < 0 || lab.steps > max_steps || !is_finite(ladle) ||
+        lab.last_poured >= fluid::max_substances)
         return fail("the lab's part of the file has impossible values");
     if (dips) lab.ladle = ladle;
     return lab;
@@ -168,7 +168,7 @@ Expected<void> save_lab(const LabState& lab, const std::filesystem::path& file) 
 }
 
 Expected<LabState> load_lab(const std::filesystem::path& file, const CauldronRules& rules) {
-    const auto bytes = read_file(file, lab_file_most);
+    const auto bytes = read_file(file, max_lab_file);
     if (!bytes) return bytes.error();
     return with_name(file, restore_lab(*bytes, rules));
 }

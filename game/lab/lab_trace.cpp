@@ -9,7 +9,7 @@ std::string lab_trace_header(bool times) {
         "time_s,energy_m5_s2,momentum_x_m4_s,momentum_y_m4_s,momentum_z_m4_s,speed_m_s,divergence,cfl,"
         "substeps,"
         "fell_back,pressure_iterations,cells,mixing,surface_j,surface_substeps,ladle_x_m,ladle_y_m,ladle_z_m";
-    for (std::size_t s = 1; s <= fluid::substances_most; ++s) header += text(",substance_", s, "_m3");
+    for (std::size_t s = 1; s <= fluid::max_substances; ++s) header += text(",substance_", s, "_m3");
     if (times) header += ",fluid_us,surface_us";
     return header + "\n";
 }

@@ -15,11 +15,11 @@ constexpr double radius_share = 0.6, depth_share = 0.4;
 // The ladle's entry from above, to which the surface reacts: duration (s), and start height above the level
 // surface (m).
 constexpr double dip_s = 0.5, dip_from = 0.1;
-constexpr std::size_t path_file_most = 16U << 20U;
-constexpr double time_most = 1e6, place_most = 100;  // largest time (s) and coordinate (m) in a file
+constexpr std::size_t max_path_file = 16U << 20U;
+constexpr double max_time = 1e6, max_place = 100;  // largest time (s) and coordinate (m) in a file
 
 bool is_sound(const StirPath::Point& p) {
-    return p.time >= 0 && p.time <= time_most && glm::length(p.place) <= place_most;
+    return p.time >= 0 && p.time <= max_time && glm::length(p.place) <= max_place;
 }
 
 std::optional<vec3> on_points(const std::vector<StirPath::Point>& points, double seconds) {
@@ -42,7 +42,7 @@ Expected<StirPath> read_stir_path(TableReader& table) {
     while (table.next()) {
         const StirPath::Point point{table.number(time), {table.number(x), table.number(y), table.number(z)}};
         if (!is_sound(point))
-            table.report(text("times are 0 to ", time_most, " s, places within ", place_most, " m"));
+            table.report(text("times are 0 to ", max_time, " s, places within ", max_place, " m"));
         if (!path.points.empty() && !(point.time > path.points.back().time)) table.report("times must rise");
         path.points.push_back(point);
     }
@@ -60,7 +60,7 @@ Expected<StirPath> stir_path(std::string_view word) {
     if (word == "none") return StirPath{};
     if (word == "circle") return StirPath{.kind = Stirring::circle};
     if (word == "figure8") return StirPath{.kind = Stirring::figure8};
-    const auto csv = read_text_file(word, path_file_most);
+    const auto csv = read_text_file(word, max_path_file);
     if (csv) return parse_stir_path(*csv, word);
     if (std::filesystem::exists(word)) return csv.error();
     return fail(text("--stir takes none, circle, figure8 or a file: ", csv.error().message));

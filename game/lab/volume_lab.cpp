@@ -28,7 +28,7 @@ constexpr double farthest_place = 1;
 /// Displacement of a volume in one change that counts as a jump of its feel (m).
 constexpr double jump = 0.001;
 constexpr std::int64_t device_file_version = 1;
-constexpr std::size_t most_file_bytes = std::size_t{1} << 20U;
+constexpr std::size_t max_file_bytes = std::size_t{1} << 20U;
 
 /// A volume in its present state as the source of filters. `version` differs for each volume and each of its
 /// changes.
@@ -158,8 +158,8 @@ Expected<void> check_places(const VolumeLab& lab, const std::vector<LabPlace>& p
         const vec3 o = place.origin;
         if (!near(o.x) || !near(o.y) || !near(o.z) || !std::isfinite(place.yaw))
             return fail(text("a place must be within ", farthest_place, " m of the middle"));
-        if (!(place.scale >= least_place_scale && place.scale <= most_place_scale))
-            return fail(text("the scale of a place must be ", least_place_scale, " to ", most_place_scale));
+        if (!(place.scale >= min_place_scale && place.scale <= max_place_scale))
+            return fail(text("the scale of a place must be ", min_place_scale, " to ", max_place_scale));
     }
     return {};
 }
@@ -238,7 +238,7 @@ vec3 pure_step(VolumeLab& lab, vec3 tip) {
     if (usable)
         state.proxy = haptics::settle(
             state.settling, {before, found.proxy, tip, spring, spring.stiffness, lab.model.field_motion});
-    const double drag = std::min(lab.model.viscosity, lab.servo.most_damping);
+    const double drag = std::min(lab.model.viscosity, lab.servo.max_damping);
     std::shift_right(lab.tips.begin(), lab.tips.end(), 1);
     lab.tips[0] = tip;
     return limited(lab.model.coupling.stiffness * (state.proxy - tip) - drag / tick_seconds * way,
@@ -303,7 +303,7 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
 template <class Read>
 auto read_config(const std::filesystem::path& path, std::int64_t version, Read read)
     -> decltype(read(std::declval<const Config&>())) {
-    const auto words = read_text_file(path, most_file_bytes);
+    const auto words = read_text_file(path, max_file_bytes);
     if (!words) return words.error();
     const auto config = Config::parse(*words, path.string(), version);
     if (!config) return config.error();
@@ -389,15 +389,15 @@ void change_device(VolumeLab& lab, haptics::DeviceSpec device) {
 }
 
 void set_servo_rate(VolumeLab& lab, int steps_per_tick) {
-    THAUM_ASSERT(steps_per_tick >= 1 && steps_per_tick <= most_steps_per_tick, "a rate that the lab offers");
+    THAUM_ASSERT(steps_per_tick >= 1 && steps_per_tick <= max_steps_per_tick, "a rate that the lab offers");
     lab.steps_per_tick = steps_per_tick;
     lab.device = haptics::simulated_device(lab.data.device, haptics::Hand{}, tick_seconds / steps_per_tick);
     lab.tips.fill(haptics::measured_position(lab.device, lab.hand));
 }
 
 Expected<void> add_volume_beside(VolumeLab& lab, field::Volume volume, bool registered) {
-    if (lab.beside.size() == most_volumes_beside)
-        return fail(text("at most ", most_volumes_beside, " volumes lie beside the first one"));
+    if (lab.beside.size() == max_volumes_beside)
+        return fail(text("at most ", max_volumes_beside, " volumes lie beside the first one"));
     if (*std::ranges::min_element(volume.count) < 2)
         return fail("the volume needs two samples or more along each axis");
     if (registered && !(placement_in_file(lab.source) && placement_in_file(volume)))

@@ -36,7 +36,7 @@
 namespace thaum::game {
 
 /// Largest number of servo steps in a tick: 0.2 ms each.
-inline constexpr int most_steps_per_tick = 5;
+inline constexpr int max_steps_per_tick = 5;
 
 /// Ticks between two uses of a tool that is held.
 inline constexpr Tick ticks_of_a_dab = 8;
@@ -58,7 +58,7 @@ struct LabPlace {
     bool operator==(const LabPlace&) const = default;
 };
 
-inline constexpr double least_place_scale = 0.05, most_place_scale = 20;
+inline constexpr double min_place_scale = 0.05, max_place_scale = 20;
 
 /// Settings that can change during a session.
 struct VolumeLabSettings {
@@ -134,7 +134,7 @@ struct VolumeLab {
     haptics::HapticModel model{};
     int steps_per_tick = 1;  ///< servo steps in a tick; set by set_servo_rate
     /// Positions of the tip at the last steps, newest first, if a tick has several steps (m).
-    std::array<vec3, most_steps_per_tick> tips{};
+    std::array<vec3, max_steps_per_tick> tips{};
     double moved{};  ///< longest displacement of a volume at the tip since the last step (m)
     Tick tick{};
     vec3 last_dab{};       ///< position of the tool at its last use (m)
@@ -164,7 +164,7 @@ struct VolumeLabFigures {
 /// Makes a session. The error says what is wrong with the volume, such as too few samples along an axis.
 Expected<VolumeLab> make_volume_lab(field::Volume volume, VolumeLabData data);
 
-/// Makes the servo step more often than once per tick, 1 to most_steps_per_tick times. Several steps per tick
+/// Makes the servo step more often than once per tick, 1 to max_steps_per_tick times. Several steps per tick
 /// are reduced to tip -> modes -> balance -> force, because the servo's safety stage and observer count in
 /// ticks of 1 ms. The force is then limited only by the device's peak. The motion is damped only by device,
 /// hand and the drag of the body's feel. So use this only for a simulated device.
@@ -183,7 +183,7 @@ void change_device(VolumeLab& lab, haptics::DeviceSpec device);
 Expected<void> add_volume_beside(VolumeLab& lab, field::Volume volume, bool registered = false);
 
 /// Maximum number of volumes added to the first one.
-inline constexpr std::size_t most_volumes_beside = 7;
+inline constexpr std::size_t max_volumes_beside = 7;
 
 /// One volume of the lab, by its number.
 struct VolumeRef {

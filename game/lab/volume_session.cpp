@@ -10,7 +10,7 @@ namespace thaum::game {
 namespace {
 
 constexpr std::int64_t session_version = 1;
-constexpr std::size_t session_most = std::size_t{1} << 20U;  // bytes
+constexpr std::size_t max_session = std::size_t{1} << 20U;  // bytes
 constexpr Range any{-1e100, 1e100};
 
 std::string points_text(const field::TransferFunction& f) {
@@ -27,7 +27,7 @@ field::TransferFunction read_points(const ConfigTable& table, std::string_view k
 LabMode read_lab_mode(const ConfigTable& table) {
     LabMode mode{.name = table.string("name")};
     if (haptics::find_mode(mode.name) == nullptr) table.report("name", "there is no such mode");
-    mode.volume = static_cast<std::size_t>(table.integer("reads", {0, double{most_volumes_beside}}, 0));
+    mode.volume = static_cast<std::size_t>(table.integer("reads", {0, double{max_volumes_beside}}, 0));
     mode.settings.strength = read_points(table, "strength");
     mode.settings.friction = read_points(table, "friction");
     mode.settings.level = table.number("level", any, 0);
@@ -42,7 +42,7 @@ LabMode read_lab_mode(const ConfigTable& table) {
 void read_feel(const ConfigTable& root, std::vector<FeelPart>& feel) {
     for (const auto& table : root.tables("feel")) {
         const auto kind = table.string("kind");
-        const auto numbers = table.numbers("numbers", any, most_feel_numbers, {});
+        const auto numbers = table.numbers("numbers", any, max_feel_numbers, {});
         auto part = feel_part(kind, numbers);
         if (part)
             feel.push_back(*part);
@@ -134,8 +134,8 @@ Expected<VolumeSession> read_session(const Config& file) {
     VolumeSession session;
     session.first = read_session_volume(root);
     for (const auto& table : root.tables("beside")) session.beside.push_back(read_session_volume(table));
-    if (session.beside.size() > most_volumes_beside)
-        file.report(text("at most ", most_volumes_beside, " volumes beside the first one"));
+    if (session.beside.size() > max_volumes_beside)
+        file.report(text("at most ", max_volumes_beside, " volumes beside the first one"));
     session.registered = root.boolean("registered", false);
     session.device = root.string("device", session.device);
     session.translucent = root.choice("look", {"surface", "translucent"}, 0) == 1;
@@ -155,7 +155,7 @@ Expected<void> save_session(const VolumeSession& session, const std::filesystem:
 }
 
 Expected<VolumeSession> load_session(const std::filesystem::path& file) {
-    const auto words = read_text_file(file, session_most);
+    const auto words = read_text_file(file, max_session);
     if (!words) return words.error();
     const auto config = Config::parse(*words, file.string(), session_version);
     if (!config) return config.error();

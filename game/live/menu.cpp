@@ -247,8 +247,8 @@ void LiveMenu::repeat(std::int64_t now_ns) {
 
 void LiveMenu::name_pads(const Pads& pads) {
     for (std::size_t i = 0; i < pads.size(); ++i) {
-        constexpr std::size_t most_of_name = 40;
-        const auto name = pads[i].present ? printable(pads[i].name, most_of_name) : std::string();
+        constexpr std::size_t max_of_name = 40;
+        const auto name = pads[i].present ? printable(pads[i].name, max_of_name) : std::string();
         if (name == context_.pads[i]) continue;
         context_.pads[i] = name;
         if (!pads[i].present) step({.kind = Kind::gone, .device = {DeviceKind::pad, static_cast<int>(i)}});

@@ -12,9 +12,9 @@
 namespace thaum::app {
 namespace {
 
-constexpr std::size_t most_of_name_shown = 28;  // the rows of the menu hold no more
+constexpr std::size_t max_of_name_shown = 28;  // the rows of the menu hold no more
 
-std::string shown(const std::string& name) { return printable(name, most_of_name_shown); }
+std::string shown(const std::string& name) { return printable(name, max_of_name_shown); }
 
 /// The question of an assignment: "3 of 20: press X, the leftmost of the four".
 std::string question_of(const input::PadAssignment& assignment) {

@@ -12,7 +12,7 @@ using game::Playback;
 
 constexpr std::int64_t idle_ns = 8'000'000;  ///< sleep between two looks at the requests (ns)
 constexpr double publish_period_ns = 4e6;    ///< period of published pictures, at any speed
-constexpr std::int64_t most_behind_ns =
+constexpr std::int64_t max_behind_ns =
     250'000'000;  ///< backlog that is left out; no tick is lost, only shown later
 
 struct ReplayThread {
@@ -102,7 +102,7 @@ void go_to(ReplayThread& r, Tick target) {
 void play(ReplayThread& r) {
     const auto late_ns = monotonic_ns() - r.due_ns(r.now() + 1);
     if (late_ns < 0) return sleep_until_ns(r.due_ns(r.now() + 1));
-    if (late_ns > most_behind_ns) begin_clock(r);
+    if (late_ns > max_behind_ns) begin_clock(r);
     const auto every = static_cast<Tick>(std::max(1.0, std::round(publish_period_ns / r.tick_ns())));
     do {
         r.at_end = !r.playback().step();

@@ -17,13 +17,13 @@ using input::DeviceKind;
 
 Expected<Seat> hand_named(std::string_view word) {
     constexpr std::string_view numbered_arm = "arm:";
-    constexpr std::uint64_t most_number = 1000;
+    constexpr std::uint64_t max_number = 1000;
     if (word == "mouse") return Seat{.kind = SeatKind::keyboard_mouse};
     if (word == "half") return Seat{.kind = SeatKind::keyboard_half};
     if (word == "pad") return Seat{.kind = SeatKind::pad};
     if (word == "arm") return Seat{.kind = SeatKind::keyboard_mouse, .arm = ArmWish{}};
     if (word.starts_with(numbered_arm)) {
-        const auto number = parse_whole(word.substr(numbered_arm.size()), "--hands arm:", 0, most_number);
+        const auto number = parse_whole(word.substr(numbered_arm.size()), "--hands arm:", 0, max_number);
         if (!number) return number.error();
         return Seat{.kind = SeatKind::keyboard_mouse, .arm = ArmWish{*number}};
     }

@@ -19,7 +19,7 @@ using input::Button;
 
 namespace {
 
-constexpr Tick most_behind = 250;
+constexpr Tick max_behind = 250;
 constexpr Tick publish_period = 4;  ///< period of published pictures in real time (ticks)
 // Periods for a pause and the time after the end, when little moves:
 constexpr Tick idle_wake = 8;             ///< ticks computed at each wake-up of the thread
@@ -428,7 +428,7 @@ void run_session(SimulationThread& s) {
             wait_for_next(s);
             continue;
         }
-        if (behind > most_behind) skip(s, behind);
+        if (behind > max_behind) skip(s, behind);
         const auto before = monotonic_ns();
         keep_pace_with_arms(s, behind);
         run_tick(s);

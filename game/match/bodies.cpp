@@ -114,7 +114,7 @@ void copy_places(MatchContext& context) {
 }
 
 double harm_of_blow(const WizardRules& rules, double impulse) {
-    return std::clamp(rules.object_damage * (impulse - rules.object_safe), 0.0, rules.object_damage_max);
+    return std::clamp(rules.object_damage * (impulse - rules.object_safe), 0.0, rules.max_object_damage);
 }
 
 void rebuild_physics(MatchContext& context) {

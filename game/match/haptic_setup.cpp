@@ -23,12 +23,12 @@ void set_workspace(const MatchData& data, std::uint32_t player, vec3 box, Haptic
 /// Workspace of a real arm (m); zero if the device is no arm or gives no plausible size. Edges are limited to
 /// 1 m: no real arm is wider, and a wider workspace would make the hand slow.
 vec3 workspace_of(const input::DeviceSpec& device) {
-    constexpr std::uint32_t least_um = 20'000, most_um = 1'000'000;
+    constexpr std::uint32_t min_um = 20'000, max_um = 1'000'000;
     vec3 box{};
     for (std::size_t i = 0; i < device.box_um.size(); ++i) {
         const auto edge = device.box_um[i];
-        if (device.kind != input::DeviceKind::arm || edge < least_um) return vec3(0);
-        box[static_cast<int>(i)] = std::min(edge, most_um) * 1e-6;
+        if (device.kind != input::DeviceKind::arm || edge < min_um) return vec3(0);
+        box[static_cast<int>(i)] = std::min(edge, max_um) * 1e-6;
     }
     return box;
 }

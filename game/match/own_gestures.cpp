@@ -11,7 +11,7 @@ namespace thaum::game {
 namespace {
 
 /// Maximum size of a gesture file (bytes). Three strokes of some seconds need a tenth of it.
-constexpr std::size_t largest_text = std::size_t{1} << 20U;
+constexpr std::size_t max_text = std::size_t{1} << 20U;
 
 std::string words_of(const input::ProfileData& item) {
     return text("gesture '", printable(item.name, 40), "' of player ", item.player + 1);
@@ -19,8 +19,8 @@ std::string words_of(const input::ProfileData& item) {
 
 Expected<gesture::Gesture> read_item(const input::ProfileData& item) {
     const auto what = words_of(item);
-    if (item.bytes.size() > largest_text)
-        return fail(text(what, ": more than ", largest_text, " bytes; record shorter strokes"));
+    if (item.bytes.size() > max_text)
+        return fail(text(what, ": more than ", max_text, " bytes; record shorter strokes"));
     const std::string_view toml(reinterpret_cast<const char*>(item.bytes.data()), item.bytes.size());
     const auto config = Config::parse(toml, what, gesture::gesture_file_version);
     if (!config) return config.error();

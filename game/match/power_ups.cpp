@@ -35,7 +35,7 @@ Taker find_taker(MatchContext& context, const PowerUp& power_up, vec3 place) {
                 distance_on_floor(context.data.wizard, motion.position, place, rules.radius);
             if (!distance || *distance >= best.distance) return;
             const auto gift = gift_of(context.data, power_up.kind, health, belt);
-            if (gift.amount() >= least_gift) best = {e, gift, *distance};
+            if (gift.amount() >= min_gift) best = {e, gift, *distance};
         });
     return best;
 }

@@ -16,6 +16,6 @@ struct Gift {
 Gift gift_of(const MatchData& data, PowerUpKind kind, const Health& health, const WandBelt& belt);
 
 /// Minimum gain (HP or energy). A power-up that would give less is not picked up.
-inline constexpr double least_gift = 1;
+inline constexpr double min_gift = 1;
 
 }  // namespace thaum::game

@@ -29,7 +29,7 @@ Bytes unpacked(const Bytes& packed) {
 
 // Filling ---------------------------------------------------------------------------------------------------
 
-ReplayIndex::ReplayIndex(const Playback& at_start, std::size_t most_bytes) : most_bytes_(most_bytes) {
+ReplayIndex::ReplayIndex(const Playback& at_start, std::size_t max_bytes) : max_bytes_(max_bytes) {
     THAUM_ASSERT(at_start.match().now() == 0, "an index begins at the first tick");
     add_state(at_start.match());
 }
@@ -43,7 +43,7 @@ void ReplayIndex::add_state(const Simulation& match) {
     const std::scoped_lock lock(mutex_);
     bytes_ += kept->size();
     keyframes_.push_back({at, std::move(kept)});
-    while (bytes_ > most_bytes_ && keyframes_.size() > 1) {
+    while (bytes_ > max_bytes_ && keyframes_.size() > 1) {
         spacing_ *= 2;
         std::erase_if(keyframes_, [&](const Keyframe& k) {
             const bool drop = k.at % spacing_ != 0;

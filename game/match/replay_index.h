@@ -29,9 +29,9 @@ class ReplayIndex {
 public:
     static constexpr std::size_t usual_bytes = std::size_t{224} << 20U;
 
-    /// Stores the state at the log's first tick, where the playback must be. `most_bytes`: memory limit for
+    /// Stores the state at the log's first tick, where the playback must be. `max_bytes`: memory limit for
     /// all states.
-    explicit ReplayIndex(const Playback& at_start, std::size_t most_bytes = usual_bytes);
+    explicit ReplayIndex(const Playback& at_start, std::size_t max_bytes = usual_bytes);
 
     /// Fills the index by playing from the first tick to the log's end, or until `stop` is set. Only one
     /// thread may call it.
@@ -67,7 +67,7 @@ private:
     void add_state(const Simulation& match);
     void look(const Playback& playback, std::uint64_t& events_seen);
 
-    const std::size_t most_bytes_;
+    const std::size_t max_bytes_;
     mutable std::mutex mutex_;
     // The mutex guards the following members:
     std::vector<Keyframe> keyframes_;  ///< stored states in increasing order of tick; the first is at tick 0

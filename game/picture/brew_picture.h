@@ -17,7 +17,7 @@ class Simulation;
 /// Colours of the base fluid and the substances (linear light).
 struct BrewColours {
     fvec3 base{};
-    std::array<fvec3, fluid::substances_most> substances{};
+    std::array<fvec3, fluid::max_substances> substances{};
 };
 
 /// One moment of a brew as plain data. Copying a brew into the same object again allocates nothing.
@@ -28,7 +28,7 @@ struct BrewPicture {
     /// Position of each velocity component of cell (0, 0, 0), in cells.
     std::array<vec3, 3> velocity_places{};
     /// Density of each substance; empty if the substance holds no ingredient.
-    std::array<fluid::Samples, fluid::substances_most> densities{};
+    std::array<fluid::Samples, fluid::max_substances> densities{};
     BrewColours colours{};
     fluid::SpringSurface surface{};
 };
@@ -47,7 +47,7 @@ struct CauldronPicture {
     BrewPicture brew;
     std::array<std::optional<LadlePicture>, players> ladles{};
     /// Names of the ingredients; an empty name is an unused substance.
-    std::array<std::string_view, fluid::substances_most> contents{};
+    std::array<std::string_view, fluid::max_substances> contents{};
     std::string_view potion{};  ///< name of the potion that has changed the brew; empty: none
     std::uint32_t owner{no_player};
     /// Share of the brew that the newest ingredient fills, 0 to 1 (fluid::filled_share). This is another

@@ -142,7 +142,7 @@ void take_free(const Simulation& match, ecs::Entity wizard, FreePicture& out) {
     const auto* hand = world.find<FreeHand>(wizard);
     if (hand == nullptr || hand->count == 0) return;
     const auto points = std::min(hand->count, shown);
-    out.count = std::min<std::uint32_t>(points, FreePicture::most_points);
+    out.count = std::min<std::uint32_t>(points, FreePicture::max_points);
     for (std::uint32_t i = 0; i < out.count; ++i) {
         const auto back = out.count > 1 ? (out.count - 1 - i) * (points - 1) / (out.count - 1) : 0;
         out.trail[i] = hand->points[(hand->first + hand->count - 1 - back) % free_points];

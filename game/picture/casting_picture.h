@@ -27,9 +27,9 @@ inline constexpr double flash_apart_seconds = 0.4;
 
 /// The stroke that a wizard draws, or has just finished.
 struct StrokePicture {
-    static constexpr std::size_t most_points = most_drawn_points;
+    static constexpr std::size_t max_points = max_drawn_points;
 
-    std::array<DrawnPoint, most_points> points{};
+    std::array<DrawnPoint, max_points> points{};
     std::uint32_t count{};
     double apart_s = 0.008;  ///< time between two points of the stroke (s)
     bool drawing{};          ///< true: Trace is held
@@ -41,7 +41,7 @@ struct StrokePicture {
     double force_mean{};     ///< mean force along the stroke, which decides between gentle and harsh (N)
     bool chord{};  ///< true: a key chord has replaced the stroke, and the forces are those of the chord
     /// The points on the brew, for a stroke of the ladle only (m, world).
-    std::array<fvec3, most_points> places{};
+    std::array<fvec3, max_points> places{};
 };
 
 /// Result of a stroke.
@@ -67,10 +67,10 @@ struct ReadingPicture {
 
 /// The hand of a wizard who casts without a button.
 struct FreePicture {
-    static constexpr std::size_t most_points = 64;
+    static constexpr std::size_t max_points = 64;
     /// Path of the hand in the last second: points at even intervals, the newest last; only the first `count`
     /// are used (m).
-    std::array<fvec3, most_points> trail{};
+    std::array<fvec3, max_points> trail{};
     std::uint32_t count{};
     double miss_age_s{1e6};  ///< time since the hand last almost cast a spell (s)
     NearMiss miss{};

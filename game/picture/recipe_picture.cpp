@@ -35,12 +35,12 @@ void take_ghost(const gesture::Gesture& gesture, CircleSense sense, double scale
     const double turns = area_of(points);
     const bool mirrored = (sense == CircleSense::clockwise && turns > 0) ||
                           (sense == CircleSense::counterclockwise && turns < 0);
-    for (std::size_t i = 0; i < most_ghost_points; ++i) {
-        const auto from = i * (points.size() - 1) / (most_ghost_points - 1);
+    for (std::size_t i = 0; i < max_ghost_points; ++i) {
+        const auto from = i * (points.size() - 1) / (max_ghost_points - 1);
         const vec2 at = scale * (vec2(points[from].at) - (low + high) / 2.0);
         out.ghost.at(i) = {mirrored ? -at.x : at.x, at.y};
     }
-    out.ghost_points = most_ghost_points;
+    out.ghost_points = max_ghost_points;
 }
 
 void take_stroke(const Simulation& match, const Cauldron& cauldron, const Recipe& recipe,
@@ -57,8 +57,8 @@ void take_stroke(const Simulation& match, const Cauldron& cauldron, const Recipe
         out.sense = stroke.sense;
         out.done = done;
         out.times = stroke.times;
-        out.least_force = stroke.least_force;
-        out.most_force = stroke.most_force;
+        out.min_force = stroke.min_force;
+        out.max_force = stroke.max_force;
         const auto* gestures = gestures_of(match.context(), player);
         const auto number = gestures != nullptr ? gestures->number(stroke.gesture) : std::nullopt;
         if (number)

@@ -19,7 +19,7 @@ enum class RecipeStep : std::uint8_t {
     spoilt       ///< nothing can come of this brew
 };
 
-inline constexpr std::size_t most_ghost_points = 40;
+inline constexpr std::size_t max_ghost_points = 40;
 
 struct RecipePicture {
     RecipeStep step{};
@@ -36,11 +36,11 @@ struct RecipePicture {
     /// Number of right strokes of this gesture so far, and the required number.
     std::uint32_t done{}, times{};
     bool begun{};  ///< true after the first right stroke: from then on `reached` no longer matters
-    double least_force{}, most_force{};  ///< allowed range of the stroke's mean force (N)
-    double force{};                      ///< present force of the ladle, as it counts for a stroke (N)
+    double min_force{}, max_force{};  ///< allowed range of the stroke's mean force (N)
+    double force{};                   ///< present force of the ladle, as it counts for a stroke (N)
     /// Shape of the next gesture as the wizard sees it: x to the right, y away, around the middle of the brew
     /// (m, scaled to the ladle). Only the first `ghost_points` are used.
-    std::array<vec2, most_ghost_points> ghost{};
+    std::array<vec2, max_ghost_points> ghost{};
     std::uint32_t ghost_points{};
     double yaw{};  ///< yaw of the ladle's frame (rad); valid while the wizard stirs
     /// Recipes that can be begun, or others that can be continued: their names, and the ingredients still

@@ -91,7 +91,7 @@ double force_share(const Simulation& match, std::uint32_t player, vec3 force) {
 void take_curve(const OrbRules& rules, const OrbMode& mode, const field::TransferFunction& strength,
                 std::array<float, curve_points>& out) {
     for (std::size_t i = 0; i < out.size(); ++i) {
-        const double at = mode.most_property * static_cast<double>(i) / static_cast<double>(out.size() - 1);
+        const double at = mode.max_property * static_cast<double>(i) / static_cast<double>(out.size() - 1);
         out.at(i) = static_cast<float>((strength(at) - mode.least) / (rules.most - mode.least));
     }
 }

@@ -50,8 +50,8 @@ struct ScryingPicture {
     bool faces{};   ///< true: the wizard looks towards the orb, or scries
     bool scries{};  ///< true: the wizard holds the probe
     /// Names of all modes, by the key that chooses them; empty: none.
-    std::array<std::string_view, most_orb_modes> modes{};
-    std::array<bool, most_orb_modes> worn{};  ///< for each mode, true if it is active
+    std::array<std::string_view, max_orb_modes> modes{};
+    std::array<bool, max_orb_modes> worn{};  ///< for each mode, true if it is active
     std::uint32_t newest{no_mode};  ///< newest active mode, whose strength Trace draws; no_mode: none
     bool draws{};                   ///< true: Trace draws the strength of the newest mode
     /// Strength of the newest mode as a share of the drawing plane's height, at equal distances over its

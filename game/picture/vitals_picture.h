@@ -19,8 +19,8 @@ struct VitalsPicture {
     std::int32_t kills{}, deaths{};
     double returns_in_s{};  ///< time until the wizard returns, if dead
     /// Potions that act on the wizard, and the time that is left (s); the first `potions`.
-    std::array<std::string_view, most_potions> potion_names{};
-    std::array<double, most_potions> potion_left_s{};
+    std::array<std::string_view, max_potions> potion_names{};
+    std::array<double, max_potions> potion_left_s{};
     std::uint32_t potions{};
     double poisoned_s{};  ///< time for which poison will hurt the wizard; 0: none does
 };

@@ -15,8 +15,8 @@ struct WandPicture {
     std::string_view name;   ///< kind of the wand in hand; empty: none
     std::uint32_t number{};  ///< its index in Presentation::wands
     double energy{}, energy_cap{};
-    std::array<double, input::most_wands> charges{};  ///< energy of each wand of Presentation::wands
-    std::uint32_t fired{};                            ///< number of shots and throws so far
+    std::array<double, input::max_wands> charges{};  ///< energy of each wand of Presentation::wands
+    std::uint32_t fired{};                           ///< number of shots and throws so far
     Target target{};     ///< the thing under the crosshair, as the wand in hand sees it
     double readiness{};  ///< charge or draw of the wand, 0 to 1
     vec3 turn{};         ///< rotation about its tip by the stylus: axis times angle (rad, eye frame)

@@ -72,9 +72,9 @@ struct Lessons {
 };
 
 /// Maximum number of words in a step's text, and of characters in such a word and in a step's name.
-inline constexpr std::size_t most_lesson_words = 12, longest_lesson_word = 24, longest_lesson_name = 24;
+inline constexpr std::size_t max_lesson_words = 12, longest_lesson_word = 24, longest_lesson_name = 24;
 /// Maximum number of steps of all lessons, and of deeds of one step.
-inline constexpr std::size_t most_lessons = 50, most_deeds = 16;
+inline constexpr std::size_t max_lessons = 50, max_deeds = 16;
 
 /// Reads assets/apprentice.toml. The error names file, line and key.
 Expected<Lessons> load_lessons(const std::filesystem::path& assets);

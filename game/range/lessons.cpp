@@ -152,8 +152,8 @@ std::string read_text(const ConfigTable& table, std::string_view key) {
     check_words(table, key, words);
     std::istringstream in(words);
     const std::vector<std::string> all(std::istream_iterator<std::string>(in), {});
-    if (all.size() > most_lesson_words)
-        table.report(key, text("'", key, "' has ", all.size(), " words: at most ", most_lesson_words));
+    if (all.size() > max_lesson_words)
+        table.report(key, text("'", key, "' has ", all.size(), " words: at most ", max_lesson_words));
     for (const auto& word : all) {
         if (const auto length = decode_utf8(word).size(); length > longest_lesson_word)
             table.report(key, text("'", key, "' has a word of ", length, " characters: at most ",
@@ -173,8 +173,8 @@ LessonStep read_step(const Places& places, const ConfigTable& table) {
         static_cast<DummyKind>(table.choice("dummy_does", {dummy_names.begin(), dummy_names.end()}, 0));
     step.dummy_waits = ticks(table.number("dummy_waits_s", {0, longest}, 0));
     for (const auto& deed : table.tables("goal")) step.deeds.push_back(read_deed(places, deed));
-    if (step.deeds.size() > most_deeds)
-        table.report("goal", text("'goal' has ", step.deeds.size(), " deeds: at most ", most_deeds));
+    if (step.deeds.size() > max_deeds)
+        table.report("goal", text("'goal' has ", step.deeds.size(), " deeds: at most ", max_deeds));
     if (step.deeds.empty()) table.report("goal", "a step needs a goal: a list with at least one deed");
     return step;
 }
@@ -194,8 +194,8 @@ Places places_of(const ConfigTable& root, const std::string& arena, const std::f
 void read_steps(const ConfigTable& root, const Places& places, std::vector<LessonStep>& steps) {
     const auto tables = root.tables("step");
     if (tables.empty()) root.report("", "the course needs at least one [[step]]");
-    if (tables.size() > most_lessons)
-        root.report("step", text("the course has ", tables.size(), " steps: at most ", most_lessons));
+    if (tables.size() > max_lessons)
+        root.report("step", text("the course has ", tables.size(), " steps: at most ", max_lessons));
     for (const auto& table : tables) {
         auto step = read_step(places, table);
         const auto same = [&](const LessonStep& other) { return other.name == step.name; };

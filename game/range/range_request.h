@@ -16,13 +16,13 @@ class Practice;
 /// the struct, and the struct acts.
 class RangeRequest {
 public:
-    static constexpr std::size_t most_bytes = 8;
+    static constexpr std::size_t max_bytes = 8;
 
     /// Asks for nothing.
     RangeRequest() = default;
     template <class T>
     requires(!std::is_same_v<T, RangeRequest>) explicit RangeRequest(const T& request) : carry_out_(run<T>) {
-        static_assert(std::is_trivially_copyable_v<T> && sizeof(T) <= most_bytes);
+        static_assert(std::is_trivially_copyable_v<T> && sizeof(T) <= max_bytes);
         std::memcpy(bytes_.data(), &request, sizeof(T));
     }
 
@@ -47,7 +47,7 @@ private:
         request.value<T>().carry_out(practice);
     }
 
-    std::array<std::byte, most_bytes> bytes_{};
+    std::array<std::byte, max_bytes> bytes_{};
     void (*carry_out_)(const RangeRequest&, Practice&) = nullptr;  ///< null: the request asks for nothing
 };
 

@@ -83,7 +83,7 @@ std::deque<input::InputFrame> take(Channel& channel) {
 struct LateRun {
     std::vector<std::uint64_t> hashes;
     Reached end;
-    std::size_t largest_burst = 0;
+    std::size_t max_burst = 0;
 };
 
 LateRun run_late(const Play& play, Channel& channel, std::uint64_t seed) {
@@ -91,7 +91,7 @@ LateRun run_late(const Play& play, Channel& channel, std::uint64_t seed) {
     Random random = random_stream(seed, 1);
     LateRun run;
     for (auto burst = take(channel); !burst.empty(); burst = take(channel)) {
-        run.largest_burst = std::max(run.largest_burst, burst.size());
+        run.max_burst = std::max(run.max_burst, burst.size());
         for (const auto& frame : burst) {
             match.tick(frame);
             if (match.now() % hash_interval == 0) run.hashes.push_back(match.state_hash());
@@ -159,7 +159,7 @@ std::string check_late(const Play& play, std::uint64_t seed) {
     send_frames(play, channel, seed);
     simulation.join();
     if (auto found = other_state(play, "late", late.hashes); !found.empty()) return found;
-    if (late.largest_burst < 2) return "no burst of frames: the match was never late";
+    if (late.max_burst < 2) return "no burst of frames: the match was never late";
     return difference(play.match->now(), "the late match has another state", reached(*play.match), late.end);
 }
 

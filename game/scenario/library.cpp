@@ -248,7 +248,7 @@ int sorted_pairs(lua_State* lua) {
 
 // ---- C loops that the instruction count does not see ------------------------------------------------------
 
-constexpr lua_Integer most_moved = 1 << 16;
+constexpr lua_Integer max_moved = 1 << 16;
 
 constexpr std::size_t bytes_per_step = 8;
 
@@ -297,8 +297,8 @@ int safe_range(lua_State* lua) {
     luaL_checktype(lua, 1, LUA_TTABLE);
     const auto first = luaL_optinteger(lua, at, 1);
     const auto last = lua_isnoneornil(lua, at + 1) ? luaL_len(lua, 1) : luaL_checkinteger(lua, at + 1);
-    if (last >= first && static_cast<double>(last) - static_cast<double>(first) > most_moved) {
-        return luaL_error(lua, "a range of more than %d", static_cast<int>(most_moved));
+    if (last >= first && static_cast<double>(last) - static_cast<double>(first) > max_moved) {
+        return luaL_error(lua, "a range of more than %d", static_cast<int>(max_moved));
     }
     if (last >= first) state_of(lua).spend(static_cast<std::uint64_t>(last - first) / 4);
     lua_pushvalue(lua, lua_upvalueindex(1));
@@ -321,7 +321,7 @@ std::uint64_t bytes_in_list(lua_State* lua, lua_Integer count) {
 int counted_sort(lua_State* lua) {
     luaL_checktype(lua, 1, LUA_TTABLE);
     const auto count = luaL_len(lua, 1);
-    if (count > most_moved) return luaL_error(lua, "a list of more than %d", static_cast<int>(most_moved));
+    if (count > max_moved) return luaL_error(lua, "a list of more than %d", static_cast<int>(max_moved));
     const auto elements = static_cast<std::uint64_t>(std::max<lua_Integer>(0, count));
     const auto halvings = static_cast<std::uint64_t>(std::bit_width(elements));
     charge(lua, elements / 8 + halvings * bytes_in_list(lua, count) / bytes_per_step);
@@ -331,8 +331,8 @@ int counted_sort(lua_State* lua) {
 /// Wraps table.insert and table.remove, which use a length that a metatable may define.
 int safe_length(lua_State* lua) {
     luaL_checktype(lua, 1, LUA_TTABLE);
-    if (luaL_len(lua, 1) > most_moved)
-        return luaL_error(lua, "a list of more than %d", static_cast<int>(most_moved));
+    if (luaL_len(lua, 1) > max_moved)
+        return luaL_error(lua, "a list of more than %d", static_cast<int>(max_moved));
     state_of(lua).spend(static_cast<std::uint64_t>(std::max<lua_Integer>(0, luaL_len(lua, 1))) / 8);
     lua_pushvalue(lua, lua_upvalueindex(1));
     lua_insert(lua, 1);

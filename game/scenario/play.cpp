@@ -24,8 +24,8 @@ namespace thaum::game {
 namespace {
 
 /// Largest turn of a scripted player's view per tick: 400 degrees a second, as fast as a quick player.
-constexpr std::int32_t most_counts = 8;
-constexpr std::size_t most_trace_bytes = 64U << 20U;
+constexpr std::int32_t max_counts = 8;
+constexpr std::size_t max_trace_bytes = 64U << 20U;
 
 input::DeviceSpec script_device(std::uint32_t player) {
     return {.player = player, .kind = input::DeviceKind::script, .name = "script", .moves_faders = true};
@@ -52,7 +52,7 @@ void open_log(Play& play) {
 
 /// Returns the part of a turn that fits in one tick, and subtracts it.
 std::int32_t part_of(std::int32_t& left) {
-    const auto part = std::clamp(left, -most_counts, most_counts);
+    const auto part = std::clamp(left, -max_counts, max_counts);
     left -= part;
     return part;
 }
@@ -100,7 +100,7 @@ void note_forces(Play& play) {
     for (std::uint32_t player = 0; player < players; ++player)
         forces[player] = part<HandState>(play, player).servo.safety.output;
     play.felt->record.add(play.match->now(), forces);
-    if (!play.keeps_files || play.options->out.empty() || play.felt->csv.size() > most_trace_bytes) return;
+    if (!play.keeps_files || play.options->out.empty() || play.felt->csv.size() > max_trace_bytes) return;
     append_forces(*play.match, play.felt->csv);
 }
 
@@ -395,7 +395,7 @@ Expected<void> add_column(const Play& play, const std::string& column, Trace& tr
 }
 
 void trace_now(const Play& play, Trace& trace) {
-    if (!play.keeps_files || trace.csv.size() > most_trace_bytes) return;
+    if (!play.keeps_files || trace.csv.size() > max_trace_bytes) return;
     append_text(trace.csv, fixed(seconds(play.match->match().played), 3));
     for (std::size_t i = 0; i < trace.readers.size(); ++i) {
         trace.csv += ',';

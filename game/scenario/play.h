@@ -45,7 +45,7 @@ struct Hand {
     std::int32_t stick_right{}, stick_up{};  ///< deflection of the stick that turns the view, -127 to 127
     std::int32_t strafe{}, forward{};        ///< movement axes, -127 to 127
     std::uint32_t buttons{};
-    std::uint8_t wand{};                        ///< wand whose key is down, 1 to input::most_wands; 0: none
+    std::uint8_t wand{};                        ///< wand whose key is down, 1 to input::max_wands; 0: none
     std::int32_t trigger{255};                  ///< pull of the trigger while fire is held, 0 to 255
     std::vector<input::FaderChange> changes{};  ///< moves of faders that are still to be sent, one per tick
 };

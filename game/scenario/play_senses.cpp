@@ -13,7 +13,7 @@
 namespace thaum::game {
 namespace {
 
-constexpr std::size_t most_mixed = 120 * audio::sample_rate;  // samples
+constexpr std::size_t max_mixed = 120 * audio::sample_rate;  // samples
 
 }  // namespace
 
@@ -59,7 +59,7 @@ void PlaySenses::follow(const Simulation& match) {
     inside_->senses->follow(match);
     if (!inside_->mixer || match.now() % audio::frame_ticks != 0) return;
     inside_->mixer->play(inside_->senses->heard(), inside_->block);
-    if (inside_->mixed.size() + audio::frame_samples > most_mixed) inside_->mixed.clear();
+    if (inside_->mixed.size() + audio::frame_samples > max_mixed) inside_->mixed.clear();
     for (std::size_t i = 0; i < inside_->block.size(); i += 2) inside_->mixed.push_back(inside_->block.at(i));
 }
 

@@ -16,7 +16,7 @@
 namespace thaum::game {
 namespace {
 
-constexpr std::size_t most_source = 1U << 20U;
+constexpr std::size_t max_source = 1U << 20U;
 /// Changes below this limit happen in an arena even without any action (HP, m, rad and so on).
 constexpr double noticeable = 0.02;
 
@@ -79,8 +79,8 @@ Expected<void> play_on(Play& play) {
     if (!play.waits) return fail("coroutine.yield outside of a coroutine: tick() waits");
     play.waits = false;
     while (now_of(play) < play.wait_until) {
-        if (now_of(play) >= play.options->most_ticks) {
-            return fail(text("it takes more than ", seconds(play.options->most_ticks), " s"));
+        if (now_of(play) >= play.options->max_ticks) {
+            return fail(text("it takes more than ", seconds(play.options->max_ticks), " s"));
         }
         tick(play);
     }
@@ -198,7 +198,7 @@ std::string fault_of_repeat(std::string_view source, const std::string& name, co
                 describe_difference(source, name, options, *differs));
 }
 
-constexpr std::size_t most_force_trace = 1U << 20U;
+constexpr std::size_t max_force_trace = 1U << 20U;
 
 /// Writes the force trace, or compares it with the stored one. Returns an empty string, or the fault.
 std::string check_forces(const std::string& forces, const std::string& name,
@@ -208,7 +208,7 @@ std::string check_forces(const std::string& forces, const std::string& name,
         const auto written = write_text_file(file, forces);
         return written ? std::string() : written.error().message;
     }
-    const auto kept = read_text_file(file, most_force_trace);
+    const auto kept = read_text_file(file, max_force_trace);
     if (!kept)
         return text("no force trace is kept: THAUM_KEEP_FORCES=", folder.string(), " thaum scenario ", name);
     const auto found = difference_of_forces(*kept, forces);
@@ -265,7 +265,7 @@ std::filesystem::path forces_folder(const std::filesystem::path& script, const S
 
 ScenarioResult run_scenario(const std::filesystem::path& script, const ScenarioOptions& options) {
     const auto name = script.stem().string();
-    const auto source = read_text_file(script, most_source);
+    const auto source = read_text_file(script, max_source);
     if (!source) return {.name = name, .message = source.error().message, .output = {}, .files = {}};
     return run_source(*source, name, options, forces_folder(script, options));
 }

@@ -63,7 +63,7 @@ struct ScenarioOptions {
     /// beside the script's folder, if that folder exists.
     std::filesystem::path keep_forces{};
     SameAgain same_again = SameAgain::by_replay;
-    Tick most_ticks = ticks(660);  ///< longest duration of one run
+    Tick max_ticks = ticks(660);  ///< longest duration of one run
     SandboxLimits limits;
     /// Hook for tests of the runner: called before every tick of each run (1, 2). It may corrupt the match.
     std::function<void(Simulation& match, int run)> spoil;

@@ -136,12 +136,12 @@ void read_arms(lua_State* lua, int index, MatchOptions& wanted) {
 
 /// Reads a list of positions such as {{0, 0}, {1, 2}}.
 std::vector<vec3> read_places(lua_State* lua, int index, const std::string& name) {
-    constexpr lua_Unsigned most_places = 1000;
+    constexpr lua_Unsigned max_places = 1000;
     if (!lua_istable(lua, index)) fault("gestures: '", name, "' must be a list of places {x, y}");
     index = lua_absindex(lua, index);
     const auto count = lua_rawlen(lua, index);
-    if (count < 2 || count > most_places)
-        fault("gestures: '", name, "' must have 2 to ", most_places, " places");
+    if (count < 2 || count > max_places)
+        fault("gestures: '", name, "' must have 2 to ", max_places, " places");
     std::vector<vec3> places(count);
     for (lua_Unsigned i = 0; i < count; ++i) {
         lua_rawgeti(lua, index, static_cast<lua_Integer>(i) + 1);
@@ -273,7 +273,7 @@ std::uint8_t wand_of_button(std::string_view name) {
     constexpr std::string_view start = "wand_";
     if (!name.starts_with(start) || name.size() != start.size() + 1) return 0;
     const auto number = static_cast<std::uint8_t>(name.back() - '0');
-    return number <= input::most_wands ? number : 0;
+    return number <= input::max_wands ? number : 0;
 }
 
 int verb_button(lua_State* lua, void* context) {

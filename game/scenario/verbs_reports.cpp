@@ -18,10 +18,10 @@ namespace arg = arguments;
 using arg::fault;
 using arg::Options;
 
-constexpr std::size_t most_states = 64;
-constexpr std::size_t most_pictures = 16;
-constexpr std::size_t most_traces = 8;
-constexpr std::size_t most_sought = 64;
+constexpr std::size_t max_states = 64;
+constexpr std::size_t max_pictures = 16;
+constexpr std::size_t max_traces = 8;
+constexpr std::size_t max_sought = 64;
 
 // ---- events -----------------------------------------------------------------------------------------------
 
@@ -181,7 +181,7 @@ int verb_deeds(lua_State* lua, void* context) {
 
 int verb_state(lua_State* lua, void* context) {
     auto& play = began(context);
-    if (play.states.size() == most_states) fault("there are ", most_states, " states already");
+    if (play.states.size() == max_states) fault("there are ", max_states, " states already");
     save_state(play, play.states.emplace_back());
     lua_pushinteger(lua, static_cast<lua_Integer>(play.states.size()));
     return 1;
@@ -227,7 +227,7 @@ int verb_trace(lua_State* lua, void* context) {
     Trace trace;
     trace.name = arg::plain_name(lua, 1, "name");
     if (!lua_istable(lua, 2)) fault("columns must be a list");
-    if (play.traces.size() == most_traces) fault("there are ", most_traces, " traces already");
+    if (play.traces.size() == max_traces) fault("there are ", max_traces, " traces already");
     trace.csv = "time_s";
     const auto count = std::min<lua_Unsigned>(lua_rawlen(lua, 2), 64);
     for (lua_Unsigned i = 1; i <= count; ++i) {
@@ -274,7 +274,7 @@ int verb_picture(lua_State* lua, void* context) {
             fault("split '", name, "': side_by_side or top_bottom");
         if (name == "top_bottom") split = Split::top_bottom;
     }
-    if (play.pictures.size() == most_pictures) fault("there are ", most_pictures, " pictures already");
+    if (play.pictures.size() == max_pictures) fault("there are ", max_pictures, " pictures already");
     if (!play.options->take_picture) {
         play.no_picture = true;
         fault(no_pictures);
@@ -358,12 +358,12 @@ int verb_check_seek(lua_State* lua, void* context) {
     need_replayable(play, "check_seek");
     const Options options(lua, 1, "check_seek", {"ticks", "count", "seed"});
     const auto now = static_cast<double>(now_of(play));
-    const Range most{0, static_cast<double>(most_sought)};
+    const Range most{0, static_cast<double>(max_sought)};
     std::vector<Tick> ticks;
     if (options.has("ticks")) {
         if (!lua_istable(lua, -1)) fault("ticks must be a list");
         const int list = lua_gettop(lua);
-        const auto count = std::min<lua_Unsigned>(lua_rawlen(lua, list), most_sought);
+        const auto count = std::min<lua_Unsigned>(lua_rawlen(lua, list), max_sought);
         for (lua_Unsigned i = 1; i <= count; ++i) {
             lua_rawgeti(lua, list, static_cast<lua_Integer>(i));
             ticks.push_back(static_cast<Tick>(arg::integer(lua, -1, "a tick", {0, now})));

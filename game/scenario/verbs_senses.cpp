@@ -18,7 +18,7 @@ namespace arg = arguments;
 using arg::fault;
 using arg::Options;
 
-constexpr std::size_t most_layouts = 4;
+constexpr std::size_t max_layouts = 4;
 
 PlaySenses& sensed(void* context) {
     auto& play = began(context);
@@ -31,7 +31,7 @@ std::vector<std::string> read_layouts(lua_State* lua) {
     const int list = lua_gettop(lua);
     std::vector<std::string> names;
     const auto count = lua_rawlen(lua, list);
-    if (count > most_layouts) fault("there can be ", most_layouts, " layouts");
+    if (count > max_layouts) fault("there can be ", max_layouts, " layouts");
     for (lua_Unsigned i = 1; i <= count; ++i) {
         lua_rawgeti(lua, list, static_cast<lua_Integer>(i));
         names.push_back(arg::plain_name(lua, -1, "a layout"));

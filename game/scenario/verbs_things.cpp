@@ -12,7 +12,7 @@ namespace arg = arguments;
 using arg::fault;
 using arg::Options;
 
-constexpr std::size_t most_things = 48;
+constexpr std::size_t max_things = 48;
 
 constexpr Range extent{0.02, 10};
 
@@ -67,7 +67,7 @@ int verb_spawn(lua_State* lua, void* context) {
     const Options options(
         lua, 1, "spawn",
         {"kind", "size", "radius", "height", "mass", "at", "velocity", "surface", "friction", "restitution"});
-    if (play.things.size() == most_things) fault("there are ", most_things, " things already");
+    if (play.things.size() == max_things) fault("there are ", max_things, " things already");
     const auto thing = read_thing(lua, options);
     const vec3 velocity = options.has("velocity") ? arg::place(lua, -1, "velocity", fastest) : vec3(0);
     scene_is_set(play);

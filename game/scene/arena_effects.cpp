@@ -14,7 +14,7 @@ namespace {
 
 constexpr int embers = 36, bubbles = 14;
 /// Number of steam wisps: over a pure brew, and over the lightest brew.
-constexpr double wisps_least = 9, wisps_most = 26;
+constexpr double min_wisps = 9, max_wisps = 26;
 constexpr float brew_glow = 1.7F;  // brightness of the brew, the brightest thing in the arena
 
 }  // namespace
@@ -52,7 +52,7 @@ void add_missile(const ArenaScene& arena_scene, const Picture& picture, const Mi
 /// view: the core is limited to a share of the view, and the shell is hidden once it has passed the eye.
 void add_burst(const ArenaScene& arena_scene, const Picture& picture, const BurstPicture& burst,
                std::uint32_t viewer, std::vector<Instance>& out) {
-    constexpr double most_of_view = 0.15;  // largest core radius as a share of the distance from the eye
+    constexpr double max_of_view = 0.15;   // largest core radius as a share of the distance from the eye
     constexpr double past_the_eye = 1.25;  // factor on the shell's radius that allows for its thick bars
     const auto& team = arena_scene.teams[burst.player % players];
     const auto age = static_cast<float>(std::clamp(burst.age_s / burst_seconds, 0.0, 1.0));
@@ -61,7 +61,7 @@ void add_burst(const ArenaScene& arena_scene, const Picture& picture, const Burs
     const float shell = radius * (0.15F + 0.85F * std::sqrt(age)), core = 0.2F * radius * (1 - age);
     const double distance =
         viewer < players ? glm::distance(burst.place, picture.wizards[viewer].vitals.eye) : 100;
-    const float shown = std::min(core, static_cast<float>(most_of_view * distance));
+    const float shown = std::min(core, static_cast<float>(max_of_view * distance));
     if (distance > past_the_eye * double{shell})
         out.push_back({.mesh = team.burst,
                        .model = glm::scale(at, fvec3(shell)),
@@ -185,7 +185,7 @@ void add_cauldron(const ArenaScene& arena_scene, const Picture& picture, std::ui
 void add_steam(const ArenaScene& arena_scene, const Picture& picture, std::vector<Instance>& out) {
     if (!arena_scene.bowl) return;
     const double heat = picture.cauldron.there ? picture.cauldron.heat : 0;
-    const double wanted = glm::mix(wisps_least, wisps_most, heat);
+    const double wanted = glm::mix(min_wisps, max_wisps, heat);
     for (int i = 0; i < wanted; ++i) {
         const double life = picture.played_s * (0.12 + 0.02 * (i % 5)) + i * 0.618;
         const double round = std::floor(life), age = life - round;

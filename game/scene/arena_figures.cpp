@@ -13,11 +13,11 @@ using render::Instance;
 
 namespace {
 
-constexpr double least_share = 0.02;    ///< smallest force that is drawn, as a share of the strongest force
+constexpr double min_share = 0.02;      ///< smallest force that is drawn, as a share of the strongest force
 constexpr double ribbon_length = 0.25;  ///< length of the ribbon at the strongest force (m)
 /// Greatest shown displacement of a wand by its hand (m); beyond it hand and wand would leave the picture.
-constexpr double most_reach = 0.22;
-constexpr double most_lower = 0.06;  ///< greatest shown displacement downwards (m)
+constexpr double max_reach = 0.22;
+constexpr double max_lower = 0.06;  ///< greatest shown displacement downwards (m)
 /// Growth of the glow at a wand's tip up to full charge: in the other player's view, and in the player's own
 /// view, where the glow is near and must not hide the target.
 constexpr double foe_growth = 3.5, own_growth = 1.2;
@@ -31,8 +31,8 @@ constexpr float carried_scale = 0.15F, foe_carried_scale = 0.45F;
 /// A hand that is drawn back comes nearer along the ray from the eye through the hand.
 vec3 drawn_reach(vec3 reach) {
     const double lower = std::max(0.0, -reach.y);
-    if (lower > 0) reach.y = -most_lower * lower / (most_lower + lower);
-    const vec3 shown = limited(reach, most_reach);
+    if (lower > 0) reach.y = -max_lower * lower / (max_lower + lower);
+    const vec3 shown = limited(reach, max_reach);
     const vec3 hand(own_hand);
     return shown - std::max(0.0, shown.z) * vec3(hand.x, hand.y, 0) / -hand.z;
 }
@@ -188,7 +188,7 @@ void add_forces(const ArenaScene& arena_scene, const PlayerPicture& p, bool own,
     const vec3 tip = p.vitals.eye + view * (own ? own_tip(p) : wand_tip);
     const fvec3 tint = tint_of(p.senses.force);
     if (p.wand.held) add_beam(arena_scene, tip, *p.wand.held, 0.012, tint, out);
-    if (!own || p.senses.force.share() < least_share) return;
+    if (!own || p.senses.force.share() < min_share) return;
     add_beam(arena_scene, tip, tip + view * p.senses.force.now / p.senses.force.cap * ribbon_length, 0.006,
              tint, out);
     out.push_back(bead_at(arena_scene, tip, 0.02F, tint, 0.7F));

@@ -147,9 +147,9 @@ bool is_target(const Target& target, const ThingPicture& thing) {
 /// distance.
 void add_anchor_mark(const ArenaScene& arena_scene, const ThingPicture& thing, std::uint32_t viewer, vec3 eye,
                      std::vector<Instance>& out) {
-    constexpr double round_anchor = 3.2, least_share = 0.04;
+    constexpr double round_anchor = 3.2, min_share = 0.04;
     const double radius =
-        std::max(round_anchor * thing.key.size.x, least_share * glm::distance(thing.position, eye));
+        std::max(round_anchor * thing.key.size.x, min_share * glm::distance(thing.position, eye));
     out.push_back(
         {.mesh = arena_scene.teams[viewer].burst,
          .model = glm::scale(render::translated(fvec3(thing.position)), fvec3(static_cast<float>(radius))),

@@ -21,7 +21,7 @@ namespace {
 /// Size of a stroke in the world relative to the hand's motion. A circle of 8 cm is 40 cm wide.
 constexpr double stroke_scale = 5;
 /// Maximum number of pieces of a stroke in the world.
-constexpr std::size_t most_pieces = 40;
+constexpr std::size_t max_pieces = 40;
 
 /// Light of a stroke (linear): the team's colour during the stroke, then green if it was recognised, else
 /// grey.
@@ -43,7 +43,7 @@ void add_pieces(const ArenaScene& arena_scene, const StrokePicture& stroke, std:
                 Place place, std::vector<Instance>& out) {
     const auto light = light_of(stroke, team);
     std::uint32_t piece = 0;
-    each_piece(stroke.count, most_pieces, place, [&](std::size_t from, std::size_t to) {
+    each_piece(stroke.count, max_pieces, place, [&](std::size_t from, std::size_t to) {
         if (is_gone(stroke, piece++)) return;
         const double wide = thick * (1 + 0.5 * std::min(2.0, static_cast<double>(stroke.points[to].force)));
         add_beam(arena_scene, place(from), place(to), wide, light, out);

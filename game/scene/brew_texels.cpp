@@ -101,7 +101,7 @@ struct Seen {
     Box box;
     std::span<float> all;
 
-    static constexpr std::size_t count = fluid::substances_most;
+    static constexpr std::size_t count = fluid::max_substances;
     float* density(std::size_t s) const { return &all[s * box.size()]; }
     float* sum() const { return &all[count * box.size()]; }
 };

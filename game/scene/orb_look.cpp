@@ -26,8 +26,8 @@ constexpr int lines = 16;
 constexpr double glass = 0.96, filled = 0.9;
 constexpr double seeds_within = 0.72, flow_length = 2.4, flow_step = 0.06, moved = 0.004;
 constexpr float flow_glow = 0.75F, glass_glow = 0.7F;
-constexpr double fast = 1.1;                ///< flow speed that is drawn in the brightest colour (m/s)
-constexpr double least_force_share = 0.02;  ///< share of the force limit below which no force is drawn
+constexpr double fast = 1.1;              ///< flow speed that is drawn in the brightest colour (m/s)
+constexpr double min_force_share = 0.02;  ///< share of the force limit below which no force is drawn
 constexpr float line_width = 0.036F, probe_line_width = 0.05F, core_thick = 0.018F;
 
 /// Colours by speed: deep violet, violet, light blue, white.
@@ -60,7 +60,7 @@ void add_line(OrbLook& look, vec3 from, double radius, const render::RibbonLook&
     const field::StreamlineSettings settings{.length = flow_length * radius,
                                              .tolerance = 1e-3 * radius,
                                              .longest_step = flow_step * radius,
-                                             .most_points = 96,
+                                             .max_points = 96,
                                              .low = -box,
                                              .high = box};
     field::trace(field::field_of<field::Vector>(look.vortices), from, settings, look.line);
@@ -208,7 +208,7 @@ void add_force(const OrbLook& look, const TipPicture& tip, std::vector<Instance>
     // Length of the arrow at full force, and radius of its base (m)
     constexpr double longest = 0.3, thick = 0.02;
     const double force = glm::length(tip.force), share = std::min(tip.force_share, 1.0);
-    if (!(force > 0) || share < least_force_share) return;
+    if (!(force > 0) || share < min_force_share) return;
     const fvec3 shown = ladle_colour(share);
     out.push_back({.mesh = look.arrow,
                    .model = stretched(tip.place, longest * share / force * tip.force, thick),

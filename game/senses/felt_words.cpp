@@ -11,7 +11,7 @@ namespace {
 constexpr double told_from_n = 0.15, told_to_n = 0.08;
 /// Minimum time for which a force is described with the same side, so that words do not flicker while the
 /// force turns (ticks).
-constexpr Tick least_time_of_side = 1000;
+constexpr Tick min_time_of_side = 1000;
 
 /// Name of the wand's steady force: the one in its look, or "wand" if the look has none.
 std::string_view steady_words(const Simulation& match, ecs::Entity wizard) {
@@ -47,7 +47,7 @@ void HandWords::take(const Simulation& match, std::uint32_t player, HeardLines& 
         const bool was_on = told.on;
         told.on = glm::length(forces.at(i)) > (was_on ? told_to_n : told_from_n);
         if (!told.on) continue;
-        if (!was_on || match.now() < told.side_since || match.now() - told.side_since >= least_time_of_side) {
+        if (!was_on || match.now() < told.side_since || match.now() - told.side_since >= min_time_of_side) {
             const auto side = side_of_force(forces.at(i));
             if (!was_on || side != told.side) told.side_since = match.now();
             told.side = side;

@@ -41,11 +41,11 @@ bool is(Slot slot, SessionKey key) {
 }
 
 /// Number of wand keys that choose something at orb and crystals, even if no wand has that key.
-constexpr std::size_t station_keys = game::most_orb_modes;
+constexpr std::size_t station_keys = game::max_orb_modes;
 
 /// Slot of the wand that the action selects; std::nullopt for other actions.
 std::optional<std::size_t> wand_slot_of(Slot slot) {
-    for (std::size_t wand = 0; wand < input::most_wands; ++wand) {
+    for (std::size_t wand = 0; wand < input::max_wands; ++wand) {
         if (is(slot, input::wand_action(wand + 1))) return wand;
     }
     return std::nullopt;

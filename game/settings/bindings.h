@@ -22,7 +22,7 @@ std::size_t size_of_sheet(std::size_t sheet);
 bool is_pad_sheet(std::size_t sheet);
 
 /// Display names of the wands by slot: "Bolt". Empty: no wand has the slot.
-using WandNames = std::array<std::string, input::most_wands>;
+using WandNames = std::array<std::string, input::max_wands>;
 
 /// Tests whether the page of controls lists the action. Other actions have no control by default and no
 /// effect.

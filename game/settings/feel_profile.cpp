@@ -9,8 +9,8 @@
 namespace thaum::app {
 namespace {
 
-constexpr std::size_t most_profiles = 100, most_faults = 10;
-constexpr std::size_t largest_file = 1U << 16U;
+constexpr std::size_t max_profiles = 100, max_faults = 10;
+constexpr std::size_t max_file = 1U << 16U;
 constexpr std::string_view ending = ".toml";
 
 template <class Do>
@@ -101,13 +101,13 @@ std::vector<FeelProfile> load_feel_profiles(const std::filesystem::path& folder,
     std::error_code error;
     for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end;
          it.increment(error)) {
-        if (it->path().extension() != ending || profiles.size() >= most_profiles) continue;
-        const auto source = read_own_text_file(it->path(), largest_file);
+        if (it->path().extension() != ending || profiles.size() >= max_profiles) continue;
+        const auto source = read_own_text_file(it->path(), max_file);
         auto profile =
             source ? parse_feel_profile(*source, it->path().string()) : Expected<FeelProfile>(source.error());
         if (profile)
             profiles.push_back(std::move(*profile));
-        else if (faults.size() < most_faults)
+        else if (faults.size() < max_faults)
             faults.push_back(profile.error().message);
     }
     std::sort(profiles.begin(), profiles.end(),

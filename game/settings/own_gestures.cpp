@@ -14,7 +14,7 @@
 namespace thaum::app {
 namespace {
 
-constexpr std::size_t largest_own_gesture = std::size_t{1} << 20U;  // maximum size of a gesture file (bytes)
+constexpr std::size_t max_own_gesture = std::size_t{1} << 20U;  // maximum size of a gesture file (bytes)
 
 std::filesystem::path file_of(const std::filesystem::path& folder, const std::string& name) {
     return folder / (file_name_of(name) + ".toml");
@@ -66,7 +66,7 @@ std::vector<input::ProfileData> load_own_gestures(const std::filesystem::path& f
         const auto file = file_of(folder, shipped.name);
         std::error_code error;
         if (!std::filesystem::exists(file, error)) continue;
-        const auto toml = read_own_text_file(file, largest_own_gesture);
+        const auto toml = read_own_text_file(file, max_own_gesture);
         if (!toml) {
             faults.push_back(toml.error().message);
             continue;

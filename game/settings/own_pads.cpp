@@ -12,8 +12,8 @@
 namespace thaum::app {
 namespace {
 
-constexpr std::size_t largest_mappings_file = std::size_t{1} << 20U;
-constexpr std::size_t most_faults_told = 5;
+constexpr std::size_t max_mappings_file = std::size_t{1} << 20U;
+constexpr std::size_t max_faults_told = 5;
 constexpr std::string_view head =
     "# Mappings of pads that were set up in Thaum, as in SDL's gamecontrollerdb.txt. Lines may be added by "
     "hand.\n";
@@ -38,7 +38,7 @@ bool has_content(std::string_view line) {
 Expected<std::string> content_of(const std::filesystem::path& file) {
     std::error_code error;
     if (file.empty() || !std::filesystem::exists(file, error)) return std::string();
-    return read_own_text_file(file, largest_mappings_file);
+    return read_own_text_file(file, max_mappings_file);
 }
 
 /// Rewrites the file without the mappings of one model, and with a new line at its end.
@@ -77,7 +77,7 @@ OwnPads load_own_pads(const std::filesystem::path& file) {
         if (!has_content(line)) return;
         auto mapping = input::read_pad_mapping(line);
         if (!mapping) {
-            if (++faulty <= most_faults_told)
+            if (++faulty <= max_faults_told)
                 own.faults.push_back(text(file.string(), ":", number, ": ", mapping.error().message));
             return;
         }
@@ -85,7 +85,7 @@ OwnPads load_own_pads(const std::filesystem::path& file) {
         std::erase_if(mappings, [&](const auto& older) { return older.model == mapping->model; });
         mappings.push_back(std::move(*mapping));
     });
-    const auto more = faulty - std::min(faulty, most_faults_told);
+    const auto more = faulty - std::min(faulty, max_faults_told);
     if (more > 0)
         own.faults.push_back(
             text(file.string(), ": ", more, more == 1 ? " more line is faulty" : " more lines are faulty"));

@@ -123,7 +123,7 @@ std::string_view words_of_miss(const MatchContext& context, ecs::Entity wizard, 
     const auto grasp = wand == nullptr ? std::nullopt : wand->rules->grasp();
     if (!grasp) return "it lies before you: only a wand that lifts can catch it";
     if (wand->rules->held_thing(context.world, wizard)) return "it lies before you: your hand was full";
-    if (mass > grasp->mass_max) return "it lies before you: it is too heavy to catch";
+    if (mass > grasp->max_mass) return "it lies before you: it is too heavy to catch";
     return "it lies before you: the wand has no energy to catch it";
 }
 

@@ -24,7 +24,7 @@ using input::Button;
 struct LiftData {
     double energy_per_use{},
         energy_per_impulse{};    ///< energy per gameplay tick of holding, energy per impulse (1/(N s))
-    double range{}, mass_max{};  ///< reach from the eye (m), largest mass (kg)
+    double range{}, max_mass{};  ///< reach from the eye (m), largest mass (kg)
     /// Stiffness (N/m), damping (N s/m), drag as a share of critical damping.
     double stiffness{}, damping{}, drag_ratio{};
     /// Distance between hand and thing beyond which the wand loses the thing (m).
@@ -43,7 +43,7 @@ struct LiftData {
     double felt_stiffness{};  ///< stiffness felt at the device (N/m)
     double weight{};          ///< force felt per mass, which is the felt share of the weight (N/kg)
     /// Kick of the hand per impulse of a blow (N/(N s)), and smallest impulse that is felt (N s).
-    double blow{}, blow_least{};
+    double blow{}, min_blow{};
     double throw_speed{}, recoil{};  ///< largest speed of a throw (m/s), peak of its recoil (N)
     Tick recoil_length{};
 };
@@ -83,7 +83,7 @@ LiftData read(const ConfigTable& root) {
     data.energy_per_impulse = energy.number("per_n_s", {0, 1e6});
     const auto hold = root.table("hold");
     data.range = hold.number("range_m", {0, 100});
-    data.mass_max = hold.number("mass_max_kg", {0, 1e5});
+    data.max_mass = hold.number("mass_max_kg", {0, 1e5});
     data.stiffness = hold.number("stiffness_n_per_m", {1, 1e6});
     data.damping = hold.number("damping_n_s_per_m", {0, 1e5});
     data.drag_ratio = hold.number("drag_ratio", {0, 10});
@@ -102,7 +102,7 @@ LiftData read(const ConfigTable& root) {
     data.felt_stiffness = hand.number("stiffness_n_per_m", {0, 1e4});
     data.weight = hand.number("weight_n_per_kg", {0, 10});
     data.blow = hand.number("blow_n_per_n_s", {0, 100});
-    data.blow_least = hand.number("blow_least_n_s", {0, 1e4});
+    data.min_blow = hand.number("blow_least_n_s", {0, 1e4});
     const auto thrown = root.table("throw");
     data.throw_speed = thrown.number("speed_m_s", {0, 100});
     data.recoil = thrown.number("recoil_n", {0, 100});
@@ -120,7 +120,7 @@ double extent(const physics::BodyDesc& body) {
 }
 
 /// Largest of a body's three moments of inertia (kg m^2).
-double greatest_inertia(const physics::BodyDesc& body) {
+double max_inertia(const physics::BodyDesc& body) {
     const vec3 s2 = body.size * body.size;
     switch (body.shape) {
         case physics::Shape::box: return body.mass / 3 * (s2.x + s2.y + s2.z - std::min({s2.x, s2.y, s2.z}));
@@ -169,7 +169,7 @@ Sighted loose_thing_ahead(const MatchContext& context, ecs::Entity wizard, doubl
 /// The loose thing under the crosshair, if it is near and light enough.
 ecs::Entity aimed_at(const MatchContext& context, const LiftData& data, ecs::Entity wizard) {
     const auto sighted = loose_thing_ahead(context, wizard, data.range);
-    return sighted.mass <= data.mass_max ? sighted.thing : ecs::Entity{};
+    return sighted.mass <= data.max_mass ? sighted.thing : ecs::Entity{};
 }
 
 /// For the picture: whether the loose thing under the crosshair can be taken up, or why not.
@@ -179,10 +179,10 @@ Target target_of(const MatchContext& context, const LiftData& data, ecs::Entity 
     if (std::as_const(context.world).get<LiftHand>(wizard).held) return {};
     const auto [thing, mass, distance] = loose_thing_ahead(context, wizard, shown_reach * data.range);
     if (!thing) return {};
-    const auto kind = mass > data.mass_max    ? TargetKind::too_heavy
+    const auto kind = mass > data.max_mass    ? TargetKind::too_heavy
                       : distance > data.range ? TargetKind::too_far
                                               : TargetKind::take;
-    return {.kind = kind, .thing = thing, .mass = mass, .mass_share = mass / std::max(data.mass_max, 1e-9)};
+    return {.kind = kind, .thing = thing, .mass = mass, .mass_share = mass / std::max(data.max_mass, 1e-9)};
 }
 
 void take(MatchContext& context, const LiftData& data, ecs::Entity wizard, ecs::Entity thing,
@@ -216,7 +216,7 @@ void let_thing_go(MatchContext& context, ecs::Entity wizard, LiftHand& hand) {
 
 GraspKind grasp_of(const LiftData& data) {
     return {.reach = data.range,
-            .mass_max = data.mass_max,
+            .max_mass = data.max_mass,
             .speed = data.throw_speed,
             .energy_per_impulse = data.energy_per_impulse,
             .crossing = throw_reach};
@@ -257,7 +257,7 @@ void begin(const WandUse& use, const LiftData& data, LiftHand& hand) {
 bool catch_loose(const WandUse& use, const LiftData& data, ecs::Entity thing) {
     auto& world = use.context.world;
     auto& hand = world.get<LiftHand>(use.wizard);
-    const bool light = use.context.physics.read().desc(thing.index).mass <= data.mass_max;
+    const bool light = use.context.physics.read().desc(thing.index).mass <= data.max_mass;
     if (hand.held || !light || !spend(world.get<WandBelt>(use.wizard), use.stats)) return false;
     take(use.context, data, use.wizard, thing, hand);
     hand.caught_until = use.tick + data.caught;
@@ -341,7 +341,7 @@ void hold_turned(physics::Physics& physics, const LiftData& data, const LiftHand
     const double frequency = std::sqrt(data.stiffness / body.mass);
     const vec3 reference(0, hand.yaw_rate, 0);
     const vec3 spin = reference + eased_rate(state.spin - reference, angle, frequency);
-    const double most = data.turn_torque / greatest_inertia(body) * physics_dt;
+    const double most = data.turn_torque / max_inertia(body) * physics_dt;
     physics.set_spin(key, state.spin + limited(spin - state.spin, most));
 }
 
@@ -355,7 +355,7 @@ bool touches_holder(const physics::Physics& physics, ecs::Entity wizard, ecs::En
 void feel_blow(MatchContext& context, const LiftData& data, const haptics::CouplingFrame& frame,
                ecs::Entity wizard, Tick tick, vec3 blow, LiftHand& hand) {
     const double size = glm::length(blow);
-    if (size < data.blow_least || tick < hand.next_blow) return;
+    if (size < data.min_blow || tick < hand.next_blow) return;
     hand.next_blow = tick + between_blows;
     const vec3 way = haptics::to_device(frame, blow / size);
     const double share =

@@ -24,7 +24,7 @@ namespace thaum::game {
 namespace {
 
 constexpr double clear_of = 1e-5;  ///< distance at which the stone is put from the surface after a bounce (m)
-constexpr double least_bounce = 0.3;  ///< speed of impact below which the stone does not bounce (m/s)
+constexpr double min_bounce = 0.3;  ///< speed of impact below which the stone does not bounce (m/s)
 
 struct LobData {
     vec3 axis{};  ///< direction of the draw (unit, device frame)
@@ -213,7 +213,7 @@ void go_off(MatchContext& context, const Lob& lob, const LobData& data, vec3 pla
 vec3 bounced(const LobData& data, vec3 velocity, vec3 normal) {
     const double into = glm::dot(velocity, normal);
     if (into >= 0) return velocity;
-    const double back = -into > least_bounce ? -into * data.bounce : 0;
+    const double back = -into > min_bounce ? -into * data.bounce : 0;
     return (velocity - into * normal) * (1 - data.drag) + back * normal;
 }
 

@@ -20,11 +20,11 @@ struct SwingData {
     /// Reach from the eye (m), final length as a share of the initial one, reeling speed (m per tick).
     double reach{}, rest_share{}, reel{};
     double stiffness{}, damping_ratio{};  ///< stiffness (N/m), damping as a share of critical damping
-    double tension_max{};                 ///< largest tension (N); beyond it the rope slips
+    double max_tension{};                 ///< largest tension (N); beyond it the rope slips
     /// Cosine of the largest angle between crosshair and anchor.
     double aim_cos{};
     double metres_per_metre{}, newtons_per_newton{};
-    double force_max{};  ///< largest force of the rope on the hand, at the device (N)
+    double max_force{};  ///< largest force of the rope on the hand, at the device (N)
 };
 
 /// State of the swing wand in a wizard's hand.
@@ -48,12 +48,12 @@ SwingData read(const ConfigTable& root) {
     data.reel = rope.number("reel_m_s", {0, 100}) * physics_dt;
     data.stiffness = rope.number("stiffness_n_per_m", {1, 1e6});
     data.damping_ratio = rope.number("damping_ratio", {0, 10});
-    data.tension_max = rope.number("tension_max_n", {1, 1e6});
+    data.max_tension = rope.number("tension_max_n", {1, 1e6});
     data.aim_cos = det::cos(rope.number("aim_deg", {0, 90}) * radians_per_degree);
     const auto hand = root.table("hand");
     data.metres_per_metre = hand.number("metres_per_metre", {0, 1000});
     data.newtons_per_newton = hand.number("newtons_per_newton", {0, 1});
-    data.force_max = hand.number("force_max_n", {0, 100});
+    data.max_force = hand.number("force_max_n", {0, 100});
     return data;
 }
 
@@ -130,10 +130,10 @@ void fire(const WandUse& use, const SwingData& data) {
 
 // ---- every tick -------------------------------------------------------------------------------------------
 
-/// Force of the rope on the hand (N, device frame), limited to force_max.
+/// Force of the rope on the hand (N, device frame), limited to max_force.
 vec3 felt(const MatchContext& context, const SwingData& data, ecs::Entity wizard, vec3 way, double tension) {
     const auto& gaze = std::as_const(context.world).get<Gaze>(wizard);
-    const double size = std::min(data.force_max, data.newtons_per_newton * tension);
+    const double size = std::min(data.max_force, data.newtons_per_newton * tension);
     return glm::conjugate(look_rotation(gaze.yaw, gaze.pitch)) * (way * size);
 }
 
@@ -141,7 +141,7 @@ vec3 felt(const MatchContext& context, const SwingData& data, ecs::Entity wizard
 /// tension exceeds the maximum.
 double slack_length(const SwingData& data, double distance, double pulled, SwingHand& hand) {
     hand.length -= std::min(data.reel, std::max(0.0, hand.length - hand.rest_length));
-    hand.length = std::max(hand.length, distance + pulled - data.tension_max / data.stiffness);
+    hand.length = std::max(hand.length, distance + pulled - data.max_tension / data.stiffness);
     return hand.length - pulled;
 }
 

@@ -142,7 +142,7 @@ TEST(Streamline, EndsWhereTheFieldDoes) {
     EXPECT_LE(cut.back().place.x, 0.3);
     EXPECT_GT(cut.back().place.x, 0.27);
     EXPECT_TRUE(traced(away, vec3(1), {.high = vec3(0.3)}, StreamEnd::outside).empty());
-    EXPECT_EQ(traced(away, vec3(0), {.most_points = 7}, StreamEnd::points).size(), 7U);
+    EXPECT_EQ(traced(away, vec3(0), {.max_points = 7}, StreamEnd::points).size(), 7U);
     EXPECT_TRUE(
         traced(away, vec3(std::numeric_limits<double>::infinity()), {.high = vec3(9)}, StreamEnd::outside)
             .empty());

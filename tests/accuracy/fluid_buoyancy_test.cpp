@@ -9,7 +9,7 @@ namespace thaum::fluid {
 namespace {
 
 /// Largest excess of kinetic plus potential energy over the start, as a share of the released energy.
-constexpr double excess_most = 0.01;
+constexpr double max_excess = 0.01;
 
 void fall(flows::Weighing weighing, bool in_bowl, double viscosity) {
     SCOPED_TRACE(
@@ -18,7 +18,7 @@ void fall(flows::Weighing weighing, bool in_bowl, double viscosity) {
     flows::EnergyBalance balance = flows::start_balance(fluid);
     for (int i = 0; i < 250; ++i) {
         enter(fluid, advance(fluid, flows::step), balance);
-        ASSERT_LE(balance.excess, excess_most * balance.released) << "step " << i;
+        ASSERT_LE(balance.excess, max_excess * balance.released) << "step " << i;
     }
     EXPECT_GT(balance.released, 1e-5);
 }

@@ -137,7 +137,7 @@ double error(const Lattice& l, const Samples& found, const Samples& exact) {
 
 /// Transports a density in `steps` steps that take `seconds` in total. Returns the last report.
 TransportReport carry(const Lattice& l, const Velocity& velocity, Samples& density, double seconds, int steps,
-                      const TransportSettings& settings = {.most_substeps = 64},
+                      const TransportSettings& settings = {.max_substeps = 64},
                       const FaceApertures* face_apertures = nullptr) {
     FaceFlow face_flow = make_face_flow(l);
     TransportScratch scratch = make_transport_scratch(l);
@@ -319,7 +319,7 @@ TEST(Transport, TheAmountIsConservedInAnyFlow) {
         fill_velocity_ghosts(l, velocity);
         Samples density = field(l, [&](vec3) { return random.uniform() < 0.3 ? random.uniform() : 0; });
         const double before = amount(l, density);
-        carry(l, velocity, density, 1, 40, {.diffusion = 1e-3, .most_substeps = 64});
+        carry(l, velocity, density, 1, 40, {.diffusion = 1e-3, .max_substeps = 64});
         EXPECT_NEAR(amount(l, density) / before, 1, 1e-6);
         EXPECT_GE(least(l, density), 0);
     }
@@ -339,7 +339,7 @@ TEST(Transport, NothingFallsBelowZeroInAHostileFlow) {
             fill_velocity_ghosts(l, velocity);
             const double diffusion = random.below(3) == 0 ? random.uniform(0, speed) : 0;
             const TransportReport report =
-                carry(l, velocity, density, 0.016, 1, {.diffusion = diffusion, .most_substeps = 8});
+                carry(l, velocity, density, 0.016, 1, {.diffusion = diffusion, .max_substeps = 8});
             ASSERT_GE(report.substeps, 1);
             ASSERT_LE(report.substeps, 8);
             ASSERT_GT(report.carried, 0);
@@ -354,11 +354,11 @@ TEST(Transport, WithTooFewSubStepsItAdvancesLess) {
     Samples density = field(l, [](vec3 at) { return 2 + std::sin(2 * pi * at.x); });
     Samples same = density;
     const Velocity velocity = uniform(l, {100, 0, 0});
-    const TransportReport report = carry(l, velocity, density, 0.1, 1, {.most_substeps = 3});
+    const TransportReport report = carry(l, velocity, density, 0.1, 1, {.max_substeps = 3});
     EXPECT_EQ(report.substeps, 3);
     EXPECT_EQ(report.cells, 3 * 16 * 8 * 8);
-    EXPECT_NEAR(report.carried, 3 * courant_most / 160, 1e-6);
-    const TransportReport whole = carry(l, velocity, same, 0.1 * report.carried, 1, {.most_substeps = 4});
+    EXPECT_NEAR(report.carried, 3 * max_courant / 160, 1e-6);
+    const TransportReport whole = carry(l, velocity, same, 0.1 * report.carried, 1, {.max_substeps = 4});
     EXPECT_EQ(whole.carried, 1);
     EXPECT_LE(error(l, density, same), 1e-3);
     EXPECT_NEAR(amount(l, density), amount(l, same), 1e-2);
@@ -435,9 +435,8 @@ double asymmetry(const View& view, const Edges& edges, double diffusion) {
     const Velocity velocity = solenoidal(l, 5, nothing_closed);
     Samples density = field(l, [&](vec3) { return random.uniform() < 0.4 ? random.uniform() : 0; });
     Samples there = seen(view, l, other, density);
-    carry(l, velocity, density, 0.5, 5, {.diffusion = diffusion, .most_substeps = 64});
-    carry(other, seen(view, l, other, velocity), there, 0.5, 5,
-          {.diffusion = diffusion, .most_substeps = 64});
+    carry(l, velocity, density, 0.5, 5, {.diffusion = diffusion, .max_substeps = 64});
+    carry(other, seen(view, l, other, velocity), there, 0.5, 5, {.diffusion = diffusion, .max_substeps = 64});
     const Samples expected = seen(view, l, other, density);
     double most = 0;
     each_cell(other, [&](int, int, int, std::size_t at) {
@@ -491,7 +490,7 @@ TEST(TransportSolids, AConstantDensityStaysConstantAroundAStoneAndNothingEntersI
         Samples density = make_samples(l);
         each_cell(l,
                   [&](int i, int j, int k, std::size_t at) { density[at] = stone(i, j, k) ? 0.0F : 0.7F; });
-        carry(l, velocity, density, 2, 20, {.diffusion = 1e-3, .most_substeps = 64}, &face_apertures);
+        carry(l, velocity, density, 2, 20, {.diffusion = 1e-3, .max_substeps = 64}, &face_apertures);
         each_cell(l, [&](int i, int j, int k, std::size_t at) {
             ASSERT_NEAR(density[at], stone(i, j, k) ? 0 : 0.7, stone(i, j, k) ? 0 : 2e-5);
         });
@@ -511,7 +510,7 @@ TEST(TransportSolids, AWallOfClosedFacesEqualsAnEdgeOfTheBox) {
     each_cell(wide, [&](int i, int j, int, std::size_t at) {
         if (!walls(i, j, 0)) duct[at] = static_cast<float>(wave((i + 0.5) / 16, (j + 0.5) / 16 - 0.25));
     });
-    const TransportSettings settings{.diffusion = 1e-3, .most_substeps = 64};
+    const TransportSettings settings{.diffusion = 1e-3, .max_substeps = 64};
     carry(box, uniform(box, {1, 0, 0}), plain, 0.5, 20, settings);
     carry(wide, uniform(wide, {1, 0, 0}), duct, 0.5, 20, settings, &face_apertures);
     each_cell(box, [&](int i, int j, int k, std::size_t at) {
@@ -526,9 +525,9 @@ TEST(TransportSolids, HalfOpenFacesLetHalfThrough) {
     const FaceApertures face_apertures = make_face_apertures(l, half);
     const auto wave = [](vec3 at) { return 2 + std::sin(2 * pi * at.x); };
     Samples through_half = field(l, wave), slower = field(l, wave);
-    carry(l, uniform(l, {1, 0, 0}), through_half, 0.25, 16, {.diffusion = 2e-3, .most_substeps = 9},
+    carry(l, uniform(l, {1, 0, 0}), through_half, 0.25, 16, {.diffusion = 2e-3, .max_substeps = 9},
           &face_apertures);
-    carry(l, uniform(l, {0.5, 0, 0}), slower, 0.25, 16, {.diffusion = 1e-3, .most_substeps = 9});
+    carry(l, uniform(l, {0.5, 0, 0}), slower, 0.25, 16, {.diffusion = 1e-3, .max_substeps = 9});
     EXPECT_LE(error(l, through_half, slower), 1e-6);
 }
 
@@ -545,7 +544,7 @@ double diffusion_error(int n) {
     };
     Samples density = wave(0);
     const double before = amount(l, density);
-    EXPECT_EQ(carry(l, uniform(l, {}), density, t, 125, {.diffusion = k, .most_substeps = 64}).spread, 1);
+    EXPECT_EQ(carry(l, uniform(l, {}), density, t, 125, {.diffusion = k, .max_substeps = 64}).spread, 1);
     EXPECT_NEAR(amount(l, density) / before, 1, 1e-6);
     return error(l, density, wave(t));
 }
@@ -561,7 +560,7 @@ TEST(TransportDiffusion, TooMuchDiffusionIsLimitedAndLeavesTheFlowItsHalf) {
     Samples density = field(l, [](vec3 at) { return at.x < 0.3 ? 1 : 0; });
     const double before = amount(l, density);
     const TransportReport report =
-        carry(l, uniform(l, {1, 0, 0}), density, 0.1, 1, {.diffusion = 1e6, .most_substeps = 8});
+        carry(l, uniform(l, {1, 0, 0}), density, 0.1, 1, {.diffusion = 1e6, .max_substeps = 8});
     EXPECT_EQ(report.substeps, 8);
     EXPECT_EQ(report.carried, 1);
     EXPECT_LT(report.spread, 1e-3);

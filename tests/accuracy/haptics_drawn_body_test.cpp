@@ -171,7 +171,7 @@ TEST(DrawnBody, MasksAndSlicesFarApartHaveSmoothDirections) {
 }
 
 /// Largest change of force per tick for a tip that slides on a ball of 32 samples with 1 N, at 50 mm/s (N).
-double largest_step(const Body& body, double stiff = stiffness) {
+double max_step(const Body& body, double stiff = stiffness) {
     constexpr double radius = 32 * fine, speed = 5e-5;
     const double deep = 1 / stiff;
     const SmoothGrid felt = body.felt();
@@ -196,28 +196,28 @@ TEST(DrawnBody, ATipThatSlidesFeelsNoStepsOfSamples) {
     constexpr double most = 0.02;
     constexpr std::array<int, 3> cube{72, 72, 72}, half{72, 72, 36}, slices{72, 72, 24};
     const vec3 apart(fine, fine, 3 * fine);
-    EXPECT_LE(largest_step({cube, vec3(fine), ball_at({}, 32 * fine, fine)}), 0.005);
-    EXPECT_LE(largest_step({cube, vec3(fine), ball_at({}, 32 * fine, 1e-9)}), most) << "mask";
-    EXPECT_LE(largest_step({slices, apart, ball_at({}, 32 * fine, 1.5 * fine)}), most) << "slices";
-    EXPECT_LE(largest_step({slices, apart, ball_at({}, 32 * fine, fine)}), most) << "hard slices";
-    EXPECT_LE(largest_step({slices, apart, ball_at({}, 32 * fine, 1e-9)}), most) << "mask of slices";
-    EXPECT_LE(largest_step({half, {fine, fine, 2 * fine}, ball_at({}, 32 * fine, 1e-9)}), most)
+    EXPECT_LE(max_step({cube, vec3(fine), ball_at({}, 32 * fine, fine)}), 0.005);
+    EXPECT_LE(max_step({cube, vec3(fine), ball_at({}, 32 * fine, 1e-9)}), most) << "mask";
+    EXPECT_LE(max_step({slices, apart, ball_at({}, 32 * fine, 1.5 * fine)}), most) << "slices";
+    EXPECT_LE(max_step({slices, apart, ball_at({}, 32 * fine, fine)}), most) << "hard slices";
+    EXPECT_LE(max_step({slices, apart, ball_at({}, 32 * fine, 1e-9)}), most) << "mask of slices";
+    EXPECT_LE(max_step({half, {fine, fine, 2 * fine}, ball_at({}, 32 * fine, 1e-9)}), most)
         << "mask of slices less far apart";
-    EXPECT_LE(largest_step({cube, vec3(fine), ball_at({}, 32 * fine, 1e-9)}, 3000), 0.07)
+    EXPECT_LE(max_step({cube, vec3(fine), ball_at({}, 32 * fine, 1e-9)}, 3000), 0.07)
         << "mask by a stiff device";
     const auto shell = [](double thick, double height) {
         return [=](vec3 p) {
             return std::max(0.0, height * (1 - std::abs(glm::length(p) - 32 * fine) / thick));
         };
     };
-    EXPECT_LE(largest_step({cube, vec3(fine), shell(fine, 1.3)}), most) << "shell of one sample";
-    EXPECT_LE(largest_step({cube, vec3(fine), shell(1.5 * fine, 1)}), most) << "thin shell";
+    EXPECT_LE(max_step({cube, vec3(fine), shell(fine, 1.3)}), most) << "shell of one sample";
+    EXPECT_LE(max_step({cube, vec3(fine), shell(1.5 * fine, 1)}), most) << "thin shell";
     Random random{5};
-    EXPECT_LE(largest_step({cube, vec3(fine),
-                            [&](vec3 p) {
-                                const double share = ball_at({}, 32 * fine, 1.5 * fine)(p);
-                                return share + random.uniform(-0.25, 0.25) > level ? 1.0 : 0.0;
-                            }}),
+    EXPECT_LE(max_step({cube, vec3(fine),
+                        [&](vec3 p) {
+                            const double share = ball_at({}, 32 * fine, 1.5 * fine)(p);
+                            return share + random.uniform(-0.25, 0.25) > level ? 1.0 : 0.0;
+                        }}),
               most)
         << "mask of noise";
 }

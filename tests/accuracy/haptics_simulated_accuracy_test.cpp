@@ -11,7 +11,7 @@ namespace {
 
 using oracle::Real;
 
-constexpr double most_error = 1e-9;  // relative
+constexpr double max_error = 1e-9;  // relative
 
 /// Hands that hold the reference device under-damped, critically damped and over-damped.
 struct Grip {
@@ -44,7 +44,7 @@ struct System {
 };
 
 void expect_close(double value, Real exact, Real scale, const char* what) {
-    EXPECT_LE(std::abs(Real(value) - exact), Real(most_error) * scale) << what;
+    EXPECT_LE(std::abs(Real(value) - exact), Real(max_error) * scale) << what;
 }
 
 TEST(HapticsSimulatedAccuracy, FreeDecay) {

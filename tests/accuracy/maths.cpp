@@ -19,7 +19,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double smallest = std::numeric_limits<double>::denorm_min();
-constexpr double smallest_normal = std::numeric_limits<double>::min();
+constexpr double min_normal = std::numeric_limits<double>::min();
 constexpr double largest = std::numeric_limits<double>::max();
 constexpr int samples = 200'000;
 
@@ -81,7 +81,7 @@ std::vector<double> arguments_near_quarter_turns() {
 
 /// Positive numbers around the powers of two, subnormal numbers, and the ends of the range.
 std::vector<double> special_positive() {
-    std::vector<double> result{smallest, 2 * smallest, 3 * smallest, smallest_normal, largest};
+    std::vector<double> result{smallest, 2 * smallest, 3 * smallest, min_normal, largest};
     for (int e = -1074; e < 1024; ++e) {
         const double x = std::ldexp(1.0, e);
         result.insert(result.end(), {std::nextafter(x, 0.0), x, std::nextafter(x, infinity)});
@@ -210,7 +210,7 @@ TEST(MathsAccuracy, Pow) {
         // Half of the exponents are so large that results are near the ends of the range.
         const double y = i % 2 == 0 ? random.uniform(-10, 10) : random.uniform(-1000, 1000) / std::log2(x);
         const auto exact = std::pow(static_cast<long double>(x), static_cast<long double>(y));
-        if (exact > largest || exact < smallest_normal) continue;
+        if (exact > largest || exact < min_normal) continue;
         worst.add(ulps(det::pow(x, y), exact), x);
     }
     EXPECT_LE(worst.error, 1.0L) << "at " << worst.at;
@@ -275,7 +275,7 @@ TEST(MathsSpecial, SignedZeros) {
 }
 
 TEST(MathsSpecial, SubnormalsPass) {
-    for (const double x : {smallest, 5 * smallest, smallest_normal / 3}) {
+    for (const double x : {smallest, 5 * smallest, min_normal / 3}) {
         expect_same_bits(det::sin(x), x);
         expect_same_bits(det::sin(-x), -x);
         expect_same_bits(det::tan(x), x);

@@ -189,7 +189,7 @@ TEST_F(ScanLight, ShowsAToolInsideThroughThePartInFrontOfIt) {
     // A wall in front of the scan hides it.
     stand({0, 0, 1.5F}, {2, 2, 0.1F}, {0.3F, 0.6F, 0.1F});
     const auto wall = drawn();
-    EXPECT_LE(greatest_difference(wall, drawn(scan)), 1);
+    EXPECT_LE(max_difference(wall, drawn(scan)), 1);
 }
 
 TEST_F(ScanLight, CoversAnotherScanBehindItInEitherOrder) {

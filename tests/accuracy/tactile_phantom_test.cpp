@@ -47,7 +47,7 @@ TEST(TactileBody, RaisedArmsMoveForwardsAndUp) {
 }
 
 /// Largest error of the felt position over a grid of intended positions inside the cells (m).
-double largest_error(const Layout& layout, bool front, double sigma) {
+double max_error(const Layout& layout, bool front, double sigma) {
     vec2 low(1e9), high(-1e9);
     for (std::size_t i = 0; i < layout.actuators.size(); ++i) {
         if ((layout.actuators[i].place.part == Part::front) != front) continue;
@@ -65,8 +65,8 @@ double largest_error(const Layout& layout, bool front, double sigma) {
             const auto found = phantom(layout, {Region::torso, wanted}, vec2(sigma));
             const double sum = std::accumulate(found.shares.begin(), found.shares.end(), 0.0);
             EXPECT_NEAR(sum, 1, 1e-5);
-            std::array<double, most_actuators> amplitudes{};
-            for (std::size_t a = 0; a < most_actuators; ++a) {
+            std::array<double, max_actuators> amplitudes{};
+            for (std::size_t a = 0; a < max_actuators; ++a) {
                 EXPECT_GE(found.shares[a], 0);
                 amplitudes[a] = std::sqrt(static_cast<double>(found.shares[a]));
             }
@@ -82,13 +82,13 @@ TEST(TactilePhantom, PlacesBetweenActuatorsSixtyMillimetresApartAreFeltWithinOne
     const auto layout = shipped_layout("abstract_4x5");
     EXPECT_NEAR(layout.pitch(Region::torso), 0.06, 0.001);
     for (const double sigma : {0.3, 0.7, 1.0}) {
-        EXPECT_LT(largest_error(layout, true, sigma), 0.001) << sigma;
-        EXPECT_LT(largest_error(layout, false, sigma), 0.001) << sigma;
+        EXPECT_LT(max_error(layout, true, sigma), 0.001) << sigma;
+        EXPECT_LT(max_error(layout, false, sigma), 0.001) << sigma;
     }
 }
 
 TEST(TactilePhantom, PlacesOnAJacketAreFeltWithinTenMillimetres) {
-    EXPECT_LT(largest_error(shipped_layout("x40"), true, 0.7), 0.010);
+    EXPECT_LT(max_error(shipped_layout("x40"), true, 0.7), 0.010);
 }
 
 TEST(TactilePhantom, TwoActuatorsShareTheEnergyByDistance) {

@@ -63,7 +63,7 @@ std::vector<guint8> answer(const Pad& pad, unsigned number, std::size_t size) {
     } else if (number == 0x20 + EV_FF && model.motors) {
         set_bit(out, FF_RUMBLE);
     } else if (number == _IOC_NR(EVIOCGEFFECTS) && model.motors) {
-        copy(&most_effects, sizeof most_effects);
+        copy(&max_effects, sizeof max_effects);
     } else if (number == 0x20 + EV_KEY) {
         for (const auto code : model.buttons) set_bit(out, code);
     } else if (number == 0x20 + EV_ABS) {
@@ -86,12 +86,12 @@ void tell(const Pad& pad, const std::string& line) {
 /// Stores an effect, and numbers it if it is new. Returns an error number.
 int upload(Pad& pad, ff_effect& effect) {
     if (!pad.model.motors || effect.type != FF_RUMBLE) return EINVAL;
-    for (int id = 0; effect.id < 0 && id < most_effects; ++id) {
+    for (int id = 0; effect.id < 0 && id < max_effects; ++id) {
         if (!pad.effects.at(static_cast<std::size_t>(id)).exchange(true))
             effect.id = static_cast<std::int16_t>(id);
     }
     if (effect.id < 0) return ENOSPC;
-    if (effect.id >= most_effects || !pad.effects.at(static_cast<std::size_t>(effect.id))) return EINVAL;
+    if (effect.id >= max_effects || !pad.effects.at(static_cast<std::size_t>(effect.id))) return EINVAL;
     tell(pad, "upload " + std::to_string(effect.id) + " " + std::to_string(effect.u.rumble.strong_magnitude) +
                   " " + std::to_string(effect.u.rumble.weak_magnitude) + " " +
                   std::to_string(effect.replay.length));

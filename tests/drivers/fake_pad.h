@@ -37,7 +37,7 @@ Model stick(std::size_t buttons, std::size_t axes, std::size_t hats);
 std::uint16_t button_code(std::size_t number);
 std::uint16_t axis_code(std::size_t number);
 
-constexpr int most_effects = 16;
+constexpr int max_effects = 16;
 
 struct Pad {
     _UMockdevTestbed* testbed{};
@@ -49,7 +49,7 @@ struct Pad {
     int felt = -1;         ///< file descriptor for these lines; below 0: none
     std::atomic<bool> plugged{true};
     /// for each effect number, whether the program has uploaded an effect
-    std::array<std::atomic<bool>, most_effects> effects{};
+    std::array<std::atomic<bool>, max_effects> effects{};
     /// Present values of the axes, which programs read again after each report.
     std::array<std::atomic<int>, ABS_CNT> axis_values{};
 };

@@ -74,7 +74,7 @@ std::string fault_of(const Runner& runner, Tick killed_at, Tick& kept) {
 }
 
 /// Kills the process when its time has come and checks its log. Returns true if the log has no fault.
-bool end(Runner& runner, int run, Tick& most_lost) {
+bool end(Runner& runner, int run, Tick& max_lost) {
     sleep_until_ns(runner.kill_at_ns);
     ::kill(runner.process, SIGKILL);
     int status = 0;
@@ -86,7 +86,7 @@ bool end(Runner& runner, int run, Tick& most_lost) {
     const auto fault = fault_of(runner, killed_at, kept);
     std::filesystem::remove(runner.log);
     if (!fault.empty()) return std::printf("run %d: %s\n", run, fault.c_str()), false;
-    if (killed_at > kept) most_lost = std::max(most_lost, killed_at - kept);
+    if (killed_at > kept) max_lost = std::max(max_lost, killed_at - kept);
     return true;
 }
 
@@ -104,7 +104,7 @@ int main(int argc, char** argv) {
     if (shared == MAP_FAILED) return std::perror("kill_recording"), 1;
     std::array<Runner, at_once> runners;
     int failed = 0;
-    Tick most_lost = 0;
+    Tick max_lost = 0;
     for (int run = 0; run < runs; run += static_cast<int>(at_once)) {
         for (std::size_t i = 0; i < at_once; ++i) {
             runners[i].log = folder.path() / text("log", i);
@@ -112,9 +112,9 @@ int main(int argc, char** argv) {
             start(runners[i], random.next(), static_cast<std::int64_t>(random.below(4'000'000'000)));
         }
         for (std::size_t i = 0; i < at_once; ++i)
-            failed += end(runners[i], run + static_cast<int>(i), most_lost) ? 0 : 1;
+            failed += end(runners[i], run + static_cast<int>(i), max_lost) ? 0 : 1;
     }
     std::printf("killed %d times: %d wrong, at most %llu ms lost\n", runs, failed,
-                static_cast<unsigned long long>(most_lost));
+                static_cast<unsigned long long>(max_lost));
     return failed == 0 ? 0 : 1;
 }

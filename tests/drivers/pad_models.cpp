@@ -97,10 +97,10 @@ std::uint16_t number_of(const std::string& guid, std::size_t byte) {
 /// mappings are identified by name.
 bool is_of_device(const Mapping& mapping) {
     // Some mappings have higher numbers, for which Linux has no codes.
-    constexpr std::size_t most_buttons = 64;
+    constexpr std::size_t max_buttons = 64;
     return mapping.guid.size() == 32 &&
            mapping.guid.find_first_not_of("0123456789abcdef") == std::string::npos &&
-           byte_of(mapping.guid, 14) == 0 && mapping.buttons <= most_buttons &&
+           byte_of(mapping.guid, 14) == 0 && mapping.buttons <= max_buttons &&
            number_of(mapping.guid, 4) != 0 && number_of(mapping.guid, 6) == 0 && mapping.of("a") != nullptr;
 }
 

@@ -11,14 +11,14 @@ int main(int count, char** arguments) {
     namespace fs = std::filesystem;
     if (count != 3) return 2;
     const double most = std::atof(arguments[2]);
-    constexpr std::size_t most_bytes = 128U << 20U;
+    constexpr std::size_t max_bytes = 128U << 20U;
     bool good = true;
     int tables = 0, tethered = 0;
     double moved = 0;
     for (const auto& entry : fs::directory_iterator(arguments[1])) {
         const auto name = entry.path().filename().string();
         if (!name.ends_with(".forces.csv")) continue;
-        const auto csv = thaum::read_text_file(entry.path(), most_bytes);
+        const auto csv = thaum::read_text_file(entry.path(), max_bytes);
         const auto energy = csv ? thaum::bench::passive_energy(*csv)
                                 : thaum::Expected<thaum::bench::PassiveEnergy>(csv.error());
         if (!energy) {
@@ -28,8 +28,8 @@ int main(int count, char** arguments) {
         }
         const bool holds = energy->created <= most;
         std::printf("%s %-55s created %.6f J (booked %.6f), moved %.3f J, held %.4f J\n",
-                    holds ? "ok  " : "FAIL", name.c_str(), energy->created, energy->most_booked,
-                    energy->moved, energy->held);
+                    holds ? "ok  " : "FAIL", name.c_str(), energy->created, energy->max_booked, energy->moved,
+                    energy->held);
         good = good && holds;
         ++tables;
         tethered += energy->held > 1e-4 ? 1 : 0;

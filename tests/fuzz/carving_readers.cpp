@@ -78,7 +78,7 @@ std::vector<std::string> tool_seeds(const Places& places) {
     std::vector<std::string> seeds;
     for (const char* name : {"squirt", "stamp", "annotate", "cut", "paint"}) {
         auto file =
-            read_text_file(places.assets / "carving" / (std::string(name) + ".toml"), field::most_tool_bytes);
+            read_text_file(places.assets / "carving" / (std::string(name) + ".toml"), field::max_tool_bytes);
         seeds.push_back(file.value_or(""));
     }
     return seeds;

@@ -16,7 +16,7 @@ namespace {
 namespace detail = input::detail;
 namespace samples = input::samples;
 
-constexpr Tick recorded = 1100, most_played = 20;
+constexpr Tick recorded = 1100, max_played = 20;
 
 Bytes bytes_of(const std::string& s) {
     const auto bytes = std::as_bytes(std::span(s));
@@ -159,7 +159,7 @@ Outcome read(const std::string& input, const Places& places) {
         if (!reader) return {.refusal = reader.error().message};
         auto playback = game::Playback::open(file.path, places.assets);
         if (playback) {
-            while (playback->match().now() < most_played && playback->step()) {}
+            while (playback->match().now() < max_played && playback->step()) {}
         } else if (playback.error().message.find('\n') != std::string::npos) {
             return {.fault = playback.error().message};
         }

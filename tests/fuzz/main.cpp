@@ -37,9 +37,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 /// Maximum processor time for one input, with sanitizers, and maximum real time, after which the child counts
 /// as hanging. Real time is longer because a busy machine may make the child wait.
-constexpr auto most_work = std::chrono::seconds(10), most_time = std::chrono::seconds(600);
+constexpr auto max_work = std::chrono::seconds(10), max_time = std::chrono::seconds(600);
 /// Limit of address space in builds without sanitizers (bytes)
-constexpr rlim_t most_memory = rlim_t{1} << 30U;
+constexpr rlim_t max_memory = rlim_t{1} << 30U;
 /// Number of runs above which both accepted and refused inputs must have occurred.
 constexpr std::uint64_t proof = 100;
 
@@ -74,7 +74,7 @@ void limit_memory() {
     // The address sanitizer needs terabytes of address space for its shadow memory; see
     // __asan_default_options.
     if (THAUM_ADDRESS_SANITIZER) return;
-    const rlimit limit{most_memory, most_memory};
+    const rlimit limit{max_memory, max_memory};
     ::setrlimit(RLIMIT_AS, &limit);
 }
 
@@ -126,8 +126,8 @@ std::string watch(pid_t child, const Progress& progress, long& peak_mib) {
             since = Clock::now();
             work_before = work_of(child);
         }
-        const bool hangs = Clock::now() - since > most_time;
-        if (hangs || work_of(child) - work_before > most_work) {
+        const bool hangs = Clock::now() - since > max_time;
+        if (hangs || work_of(child) - work_before > max_work) {
             ::kill(child, SIGKILL);
             ::waitpid(child, &status, 0);
             return hangs ? "hung" : "computed longer than 10 s";

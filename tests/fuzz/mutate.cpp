@@ -5,7 +5,7 @@
 namespace thaum::fuzz {
 namespace {
 
-constexpr std::size_t most_bytes = 400'000;
+constexpr std::size_t max_bytes = 400'000;
 
 std::size_t below(Random& random, std::size_t n) {
     return n == 0 ? 0 : static_cast<std::size_t>(random.below(n));
@@ -44,7 +44,7 @@ void repeat(std::string& s, Random& random) {
     const auto what = piece(s, random);
     const auto at = below(random, s.size());
     std::string many;
-    for (auto n = 1 + below(random, 3000); n > 0 && s.size() + many.size() < most_bytes; --n) many += what;
+    for (auto n = 1 + below(random, 3000); n > 0 && s.size() + many.size() < max_bytes; --n) many += what;
     s.insert(at, many);
 }
 

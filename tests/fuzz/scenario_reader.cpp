@@ -55,7 +55,7 @@ game::ScenarioOptions options_of(const Places& places) {
     game::ScenarioOptions options;
     options.assets = places.assets;
     options.scripts = std::filesystem::path(THAUM_SOURCE_DIR) / "tests/scenarios";
-    options.most_ticks = 40;
+    options.max_ticks = 40;
     options.limits = {.memory = 16U << 20U, .steps = 300'000, .output = 1000};
     return options;
 }
@@ -74,7 +74,7 @@ Outcome read_script(const std::string& input, const Places& places) {
     const auto options = options_of(places);
     const auto result = game::run_scenario_source(input, "mutant", options);
     Outcome outcome{.accepted = result.ticks > 0, .refusal = result.message};
-    if (result.ticks > options.most_ticks) outcome.fault = "played beyond the limit";
+    if (result.ticks > options.max_ticks) outcome.fault = "played beyond the limit";
     if (result.message.find("different states") != std::string::npos) outcome.fault = result.message;
     if (!result.passed && result.message.empty()) outcome.fault = "failed without a message";
     return outcome;

@@ -16,7 +16,7 @@ namespace thaum::fuzz {
 namespace {
 
 /// Maximum number of samples that is read, so that a run stays short.
-constexpr std::size_t most_read = std::size_t{1} << 20U;
+constexpr std::size_t max_read = std::size_t{1} << 20U;
 constexpr std::size_t stored_count = 60;
 
 /// Whether all bits are equal, so that NaN equals itself.
@@ -31,7 +31,7 @@ Outcome use_volume(const Expected<field::Volume>& volume, const Places& places) 
     if (!volume) return {.refusal = volume.error().message};
     std::size_t size = static_cast<std::size_t>(volume->components);
     for (const int n : volume->count) size *= static_cast<std::size_t>(n);
-    if (size != volume->samples.size() || size == 0 || size > most_read)
+    if (size != volume->samples.size() || size == 0 || size > max_read)
         return {.fault = "a volume with a wrong number of samples"};
     if (!(glm::length(volume->spacing) < 1e4) || !is_finite(volume->placement.origin))
         return {.fault = "a volume without an extent"};
@@ -53,7 +53,7 @@ template <const char* const& name>
 Outcome read_volume_file(const std::string& input, const Places& places) {
     const auto path = places.scratch / name;
     if (!write_text_file(path, input)) return {.fault = "the scratch folder cannot be written"};
-    return use_volume(field::read_volume(path, {.limit = most_read}), places);
+    return use_volume(field::read_volume(path, {.limit = max_read}), places);
 }
 
 constexpr const char *nrrd = "volume.nrrd", *nhdr = "volume.nhdr", *toml = "volume.toml";

@@ -12,8 +12,8 @@
 
 namespace thaum::bench {
 
-enum class WorldChange : std::uint8_t { largest_force, off_and_on, stale_model, spring };
-inline constexpr std::array world_changes{WorldChange::largest_force, WorldChange::off_and_on,
+enum class WorldChange : std::uint8_t { max_force, off_and_on, stale_model, spring };
+inline constexpr std::array world_changes{WorldChange::max_force, WorldChange::off_and_on,
                                           WorldChange::stale_model, WorldChange::spring};
 
 /// Loose, typical and firm hands.
@@ -37,14 +37,14 @@ public:
             target_.y = -depth * std::min(1.0, i / 300.0);
             tick();
         }
-        created_ = most_created_ = largest_jump_ = 0;
+        created_ = max_created_ = max_jump_ = 0;
     }
 
     /// Makes a change and undoes it, with 150 ticks after each.
     void change(WorldChange change) {
         for (const bool back : {false, true}) {
             switch (change) {
-                case WorldChange::largest_force: model_.force_percent = back ? 100 : 5; break;
+                case WorldChange::max_force: model_.force_percent = back ? 100 : 5; break;
                 case WorldChange::off_and_on: model_.on = back; break;
                 case WorldChange::stale_model: age_ = back ? 0 : 1; break;
                 case WorldChange::spring: set_spring(back); break;
@@ -55,9 +55,9 @@ public:
 
     /// Largest energy that the changes have created (J). Energy that the hand has put into the spring and the
     /// spring still holds does not count.
-    double most_created() const { return most_created_; }
+    double most_created() const { return max_created_; }
     /// Largest change of force in a tick (N), beyond that by a spring and a damper with the device's limits.
-    double largest_jump() const { return largest_jump_; }
+    double max_jump() const { return max_jump_; }
 
 private:
     void set_spring(bool there) {
@@ -83,9 +83,8 @@ private:
         const vec3 step = measured - measured_, turn = (step - step_) / tick_seconds;
         const vec3 force = haptics::servo_step(servo_, state_, model_, {measured, age_});
         if (age_ != 0) ++age_;
-        largest_jump_ =
-            worse(largest_jump_, glm::length(force - force_) - spec_.max_stiffness * glm::length(step) -
-                                     spec_.max_damping * glm::length(turn));
+        max_jump_ = worse(max_jump_, glm::length(force - force_) - spec_.max_stiffness * glm::length(step) -
+                                         spec_.max_damping * glm::length(turn));
         force_ = force;
         measured_ = measured;
         step_ = step;
@@ -95,7 +94,7 @@ private:
         const double bent = std::min(depth, felt / spec_.max_stiffness);
         created_ = std::max(created_ + glm::dot(tip_.force, tip_.position - from),
                             -(spec_.max_stiffness * bent * bent / 2 + felt * (depth - bent)));
-        most_created_ = worse(most_created_, created_);
+        max_created_ = worse(max_created_, created_);
     }
 
     haptics::DeviceSpec spec_;
@@ -107,7 +106,7 @@ private:
     haptics::HapticModel model_{};
     vec3 target_{}, measured_{}, step_{}, force_{};
     std::uint32_t age_{};
-    double created_{}, most_created_{}, largest_jump_{};
+    double created_{}, max_created_{}, max_jump_{};
 };
 
 }  // namespace thaum::bench

@@ -34,8 +34,8 @@ struct Attack {
     Fluid fluid;
     AttackPlan plan{};
     Random random{};
-    double energy{};                                ///< upper bound on the energy after the strike (m^5/s^2)
-    std::array<double, substances_most> amounts{};  ///< amounts after the strike (m^3)
+    double energy{};                               ///< upper bound on the energy after the strike (m^5/s^2)
+    std::array<double, max_substances> amounts{};  ///< amounts after the strike (m^3)
     int refused{};
     std::string fault{};  ///< first violation of a bound; empty: none
     double worst_divergence{}, worst_growth{}, worst_drift{};
@@ -123,7 +123,7 @@ inline void strike(Attack& attack) {
     if (attack.once_in(5)) push_absurdly(attack);
     if (attack.once_in(20)) pour_something(attack);
     if (attack.plan.jumps && attack.once_in(50))
-        settings.viscosity = attack.once_in(3) ? 0 : viscosity_most * attack.magnitude(-12, 0);
+        settings.viscosity = attack.once_in(3) ? 0 : max_viscosity * attack.magnitude(-12, 0);
     attack.energy = flows::energy_given(attack.fluid);
     for (std::size_t s = 0; s < settings.substances.size(); ++s) attack.amounts[s] = amount(attack.fluid, s);
 }
@@ -135,7 +135,7 @@ inline bool all_finite(const Fluid& fluid) {
     return result;
 }
 
-inline double least_density(const Fluid& fluid, std::size_t substance) {
+inline double min_density(const Fluid& fluid, std::size_t substance) {
     return flows::densities_of(fluid, substance, [](vec3) { return 1.0; }).least;
 }
 
@@ -148,14 +148,14 @@ inline void judge(Attack& attack, const StepReport& report, const AttackBounds& 
     if (!all_finite(fluid)) note(attack, "not finite");
     if (!(report.divergence <= bounds.divergence)) note(attack, text("divergence ", report.divergence));
     if (!(growth <= bounds.energy_growth)) note(attack, text("energy grew by ", growth));
-    if (report.substeps + (report.fell_back ? 1 : 0) > substeps_most)
+    if (report.substeps + (report.fell_back ? 1 : 0) > max_substeps)
         note(attack, text("sub-steps ", report.substeps));
-    if (report.cells > std::int64_t{nx} * ny * nz * substeps_most) note(attack, text("cells ", report.cells));
+    if (report.cells > std::int64_t{nx} * ny * nz * max_substeps) note(attack, text("cells ", report.cells));
     for (std::size_t s = 0; s < fluid.settings.substances.size(); ++s) {
         const double drift = attack.amounts[s] > 0 ? std::abs(amount(fluid, s) / attack.amounts[s] - 1) : 0;
         attack.worst_drift = std::max(attack.worst_drift, drift);
         if (!(drift <= bounds.amount_drift)) note(attack, text("amount changed by ", drift));
-        if (!(least_density(fluid, s) >= 0)) note(attack, "a density below zero");
+        if (!(min_density(fluid, s) >= 0)) note(attack, "a density below zero");
     }
 }
 

@@ -129,7 +129,7 @@ inline WalledFlow taylor_couette() {
     };
     return {
         .name = "taylor_couette",
-        .divided = {1, cells_most, 1},
+        .divided = {1, max_cells, 1},
         .viscosity = couette_viscosity,
         .end = 4,
         .inside =

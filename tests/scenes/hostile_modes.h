@@ -93,7 +93,7 @@ struct HostileResult {
     /// Largest energy that the forces gave to the hand since spring and primitives last stored none (J).
     /// Meaningless for the forces of a volume, because a field that pushes can store more energy.
     double most_created{};
-    double most_given{};       ///< largest energy that the forces gave to the hand since the start (J)
+    double max_given{};        ///< largest energy that the forces gave to the hand since the start (J)
     double felt{};             ///< share of the ticks in which a force acted
     double observed{};         ///< largest energy created, according to the servo's observer (J)
     std::uint64_t left_out{};  ///< number of modes that were left out for lack of room, summed over all ticks
@@ -186,7 +186,7 @@ private:
         result.not_finite += is_finite(force) ? 0 : 1;
         result.largest = std::max(result.largest, glm::length(force));
         result.most_created = std::max(result.most_created, created_);
-        result.most_given = std::max(result.most_given, given_);
+        result.max_given = std::max(result.max_given, given_);
         result.felt += force != vec3(0) ? 1 : 0;
     }
 

@@ -19,8 +19,8 @@ struct PassiveEnergy {
     /// Energy that passed between sources and hand in both directions (J). If it is zero, the test proves
     /// nothing.
     double moved{};
-    double held{};         ///< most energy that tether and touched surface stored (J)
-    double most_booked{};  ///< largest value of the simulation's own observer (J), only for comparison
+    double held{};        ///< most energy that tether and touched surface stored (J)
+    double max_booked{};  ///< largest value of the simulation's own observer (J), only for comparison
     std::size_t rows{};
 };
 
@@ -75,7 +75,7 @@ private:
 class HandSum {
 public:
     void add(const HandRow& now, PassiveEnergy& out) {
-        out.most_booked = std::max(out.most_booked, now.booked);
+        out.max_booked = std::max(out.max_booked, now.booked);
         if (rows_ >= 2) {
             // The force of the previous tick, for which the position at its end and the next surface are now
             // known.

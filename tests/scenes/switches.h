@@ -62,7 +62,7 @@ struct SwitchRun {
     double most_created{};  ///< energy created by the worst switch (J)
     double mean_created{};  ///< mean energy created by a switch (J)
     double fastest{};       ///< largest speed of the tip (m/s)
-    double largest_jump{};  ///< largest change of force in the tick of a switch (N)
+    double max_jump{};      ///< largest change of force in the tick of a switch (N)
     int switches{};
 };
 
@@ -103,7 +103,7 @@ public:
             model_.primitives.add({is_plane ? haptics::PrimitiveKind::plane : haptics::PrimitiveKind::point,
                                    source.place, is_plane ? source.normal : vec3(1, 0, 0), source.most});
         created_ = -source.stored(tip_.position);
-        most_here_ = 0;
+        max_here_ = 0;
         ++run_.switches;
         just_switched_ = true;
     }
@@ -111,7 +111,7 @@ public:
     void run_for(int ticks) {
         for (int i = 0; i < ticks; ++i) tick();
     }
-    void end_of_switch() { run_.mean_created += most_here_; }
+    void end_of_switch() { run_.mean_created += max_here_; }
 
     SwitchedSource random_source() {
         using Kind = SwitchedSource::Kind;
@@ -145,7 +145,7 @@ private:
         const vec3 target = hand_.swing * vec3(det::sin(phase), det::sin(1.3 * phase), det::sin(0.7 * phase));
         const vec3 measured = haptics::measured_position(device_, tip_);
         const vec3 force = haptics::servo_step(servo_, state_, model_, {measured, 0});
-        if (just_switched_) run_.largest_jump = worse(run_.largest_jump, glm::length(force - before_));
+        if (just_switched_) run_.max_jump = worse(run_.max_jump, glm::length(force - before_));
         just_switched_ = false;
         before_ = force;
         const vec3 from = tip_.position;
@@ -153,7 +153,7 @@ private:
         created_ += glm::dot(tip_.force, tip_.position - from);
         // Only stored energy can come back; damping has dissipated the rest.
         created_ = worse(created_, -source_.stored(tip_.position));
-        most_here_ = worse(most_here_, created_);
+        max_here_ = worse(max_here_, created_);
         run_.most_created = worse(run_.most_created, created_);
         run_.fastest = worse(run_.fastest, glm::length(tip_.velocity));
     }
@@ -168,7 +168,7 @@ private:
     haptics::HapticModel model_{};
     SwitchedSource source_{};
     vec3 before_{};
-    double rate_{}, created_{}, most_here_{};
+    double rate_{}, created_{}, max_here_{};
     int ticks_{};
     bool just_switched_{};
     SwitchRun run_{};
@@ -193,7 +193,7 @@ inline SwitchRun random_switches(const haptics::DeviceSpec& spec, const SwitchHa
         all.most_created = worse(all.most_created, run.most_created);
         all.mean_created += run.mean_created / switch_seeds.size();
         all.fastest = worse(all.fastest, run.fastest);
-        all.largest_jump = worse(all.largest_jump, run.largest_jump);
+        all.max_jump = worse(all.max_jump, run.max_jump);
         all.switches += run.switches;
     }
     return all;

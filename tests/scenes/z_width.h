@@ -69,7 +69,7 @@ inline std::vector<double> wall_polynomial(const haptics::DeviceSpec& spec, doub
 /// Largest stiffness for which `stable` is true (N/m), by bisection. It must be true below that value and
 /// false above.
 template <class Stable>
-double largest_stable(Stable stable) {
+double max_stable(Stable stable) {
     double low = 1, high = 1e6;
     for (int i = 0; i < 50; ++i) {
         const double middle = std::sqrt(low * high);
@@ -80,7 +80,7 @@ double largest_stable(Stable stable) {
 
 /// Exact stability limit of the linear sampled loop (N/m).
 inline double exact_limit(const haptics::DeviceSpec& spec) {
-    return largest_stable([&spec](double k) { return is_stable(wall_polynomial(spec, k)); });
+    return max_stable([&spec](double k) { return is_stable(wall_polynomial(spec, k)); });
 }
 
 /// Presses a device into a wall with 0.5 N and kicks it. Returns whether the oscillation dies away. The
@@ -106,7 +106,7 @@ inline bool wall_calms_down(const haptics::DeviceSpec& spec, double stiffness, d
 
 /// Stability limit of the simulated device (N/m).
 inline double simulated_limit(const haptics::DeviceSpec& spec, double kick = 1e-4) {
-    return largest_stable([&spec, kick](double k) { return wall_calms_down(spec, k, kick); });
+    return max_stable([&spec, kick](double k) { return wall_calms_down(spec, k, kick); });
 }
 
 // ---- with damping and the passivity controller ------------------------------------------------------------
@@ -136,7 +136,7 @@ inline Pressed pressed(const haptics::DeviceSpec& spec, const Wall& wall, double
     constexpr int ticks = 10'000, last_second = 9'000;
     const auto device = haptics::simulated_device(spec, haptics::no_hand);
     auto servo = haptics::servo_of(spec, 1);
-    servo.most_damping = wall.controller;
+    servo.max_damping = wall.controller;
     haptics::ServoState state;
     haptics::HapticModel model;
     model.patch.surfaces[0] = {.kind = haptics::SurfaceKind::plane, .b = {1, 0, 0}};

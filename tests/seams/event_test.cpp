@@ -42,7 +42,7 @@ TEST(NewEvent, HasANumberByItsNameAndChangesNoOther) {
     ASSERT_EQ(without.kinds.size(), last + 1);
     for (std::size_t i = 0; i < without.kinds.size(); ++i)
         EXPECT_EQ(without.kinds[i].name, all.kinds[i].name) << i;
-    EXPECT_EQ(cause_of(cough.kind()), most_causes);
+    EXPECT_EQ(cause_of(cough.kind()), max_causes);
     EXPECT_EQ(cause_of(sneeze.kind()), without.causes.size());
     EXPECT_EQ(causes()[cause_of(sneeze.kind())], "pepper");
 }

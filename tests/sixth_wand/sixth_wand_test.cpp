@@ -59,7 +59,7 @@ TEST(EventKinds, KindsOfTheGameKeepTheirNumbersAndNewOnesFollowByName) {
                                                "brew", "venom", "frost", "hail"};
     EXPECT_EQ(std::vector(causes().begin(), causes().end()), wanted);
     EXPECT_EQ(cause_of(hit_kind("hail_hit")), 8U);
-    EXPECT_EQ(cause_of(EventKind::death), most_causes);
+    EXPECT_EQ(cause_of(EventKind::death), max_causes);
     EXPECT_EQ(name_of(static_cast<EventKind>(1000)), "");
 }
 
@@ -201,7 +201,7 @@ TEST(SixthWand, ItsKeyIsListedInTheMenu) {
 }
 
 TEST(SixthWand, ItsKeyComesThroughARecordedLog) {
-    for (std::uint8_t wand = 0; wand <= input::most_wands; ++wand) {
+    for (std::uint8_t wand = 0; wand <= input::max_wands; ++wand) {
         input::InputFrame frame;
         frame.devices[0].wand = wand;
         Simulation match(data_of(), {1, {{.player = 0, .kind = input::DeviceKind::script, .name = "one"}}});

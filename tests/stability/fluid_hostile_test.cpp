@@ -115,7 +115,7 @@ TEST(FluidHostile, AnyStepUpToASecond) {
             push(attack.fluid, flows::random_push(attack.fluid.settings, 1e4, attack.random));
             const StepReport report = advance(attack.fluid, dt);
             EXPECT_TRUE(all_finite(attack.fluid)) << dt;
-            EXPECT_LE(report.substeps + (report.fell_back ? 1 : 0), substeps_most);
+            EXPECT_LE(report.substeps + (report.fell_back ? 1 : 0), max_substeps);
         }
     }
 }
@@ -132,7 +132,7 @@ Settings bowl_of(const Substance& substance, int n) {
 /// A lump falls so fast in a bowl that each step needs many transport sub-steps. The fluid must come to rest
 /// without gaining energy.
 TEST(FluidHostile, AHeavyThickLumpComesToRest) {
-    for (const double viscosity : {1.0, viscosity_most}) {
+    for (const double viscosity : {1.0, max_viscosity}) {
         Settings settings = bowl_of({.viscosity = viscosity, .weight = 10}, 16);
         settings.gravity = {0, -100, 0};
         auto fluid = make_fluid(settings).value();
@@ -170,7 +170,7 @@ TEST(FluidHostile, ABowlLeftAloneGainsNoEnergy) {
 
 /// A lump with the largest viscosity, many times denser than intended, stirred by a ladle.
 TEST(FluidHostile, ABrewThickerThanAnythingStaysFinite) {
-    auto fluid = make_fluid(bowl_of({.viscosity = viscosity_most}, 20)).value();
+    auto fluid = make_fluid(bowl_of({.viscosity = max_viscosity}, 20)).value();
     ASSERT_TRUE(pour(fluid, 0, vec3(0.6, 0.5, 0.5), 0.1, 10));
     double fastest = 0;
     for (int i = 0; i < 80; ++i) {

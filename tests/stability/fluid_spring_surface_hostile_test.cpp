@@ -54,7 +54,7 @@ TEST(SpringSurfaceStability, EnergyNeverGrowsAtAnyStiffnessDampingAndStep) {
                         const double now = energy(surface);
                         ASSERT_LE(now, before * (1 + 1e-13))
                             << stiffness << ' ' << damping << ' ' << dt << ' ' << i;
-                        ASSERT_LE(step.steps, s.most_steps);
+                        ASSERT_LE(step.steps, s.max_steps);
                         ASSERT_GT(step.seconds, 0);
                         ASSERT_LE(step.seconds, dt * (1 + 1e-12));
                         before = now;
@@ -99,7 +99,7 @@ TEST(SpringSurfaceStability, JumpingProbesAddNoMoreEnergyThanTheirSpringsHold) {
                 const double dt = random.uniform(0, 0.02);
                 const SpringSurfaceStep step = advance(surface, scratch, probes, dt);
                 ASSERT_TRUE(all_finite(surface));
-                ASSERT_LE(step.steps, s.most_steps);
+                ASSERT_LE(step.steps, s.max_steps);
                 for (const ProbeReaction& probe : step.probes) {
                     ASSERT_LE(probe.force, s.pop_through * (1 + 1e-12));
                     ASSERT_GE(probe.force, -s.cling * (1 + 1e-12));
@@ -308,7 +308,7 @@ TEST(SpringSurface, SettingsOutOfRangeAreNamed) {
     EXPECT_EQ(message({.shear = 1.5}), "surface: shear is 1.5; it must be 0 to 1");
     EXPECT_NE(message({.tension = none}).find("tension"), std::string::npos);
     EXPECT_NE(message({.damping = -1}).find("damping"), std::string::npos);
-    EXPECT_NE(message({.most_steps = 0}).find("most_steps"), std::string::npos);
+    EXPECT_NE(message({.max_steps = 0}).find("most_steps"), std::string::npos);
     EXPECT_NE(message({.areal_mass = 0}).find("areal_mass"), std::string::npos);
 }
 

@@ -39,7 +39,7 @@ struct DelayedFluid {
 /// fluid mass given in the model (kg).
 double flow_after(int steps, double told, double mass, double hand_mass) {
     StirringRig rig;
-    rig.servo.most_damping = hand_mass > 0 ? 4 : 1e9;
+    rig.servo.max_damping = hand_mass > 0 ? 4 : 1e9;
     if (hand_mass > 0) {
         rig.spec.mass = hand_mass;
         rig.device = simulated_device(rig.spec, no_hand);

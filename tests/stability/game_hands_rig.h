@@ -21,7 +21,7 @@ inline constexpr double wall = 20;            // distance from the middle of the
 inline constexpr double fastest_wizard = 30;  // largest allowed speed (m/s); a fall of 12 m ends with 15 m/s
 inline constexpr double most_created = 0.02;  // largest energy that passive sources may create (J)
 // Largest energy that active sources may give in about a second (J)
-inline constexpr double most_given = 1.0;
+inline constexpr double max_given = 1.0;
 // Speed of a jump of 10 cm within a tick, averaged over the time in which the force follows (m/s).
 inline constexpr double jump_speed = 0.1 / 0.03;
 // Index of the arm of player 0 among the devices; the arm of player 1 is 3.
@@ -68,7 +68,7 @@ struct Watch {
         }
         EXPECT_LT(fastest, fastest_wizard) << "the player was launched";
         EXPECT_LE(created, most_created + strongest * speed * 0.03);
-        EXPECT_LE(given, most_given);
+        EXPECT_LE(given, max_given);
     }
 };
 

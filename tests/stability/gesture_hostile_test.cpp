@@ -108,7 +108,7 @@ TEST(GestureHostile, ATemplateWithoutAShapeIsRefusedByName) {
     gestures[1].strokes.clear();
     EXPECT_FALSE(Recogniser::make(gestures));
     EXPECT_FALSE(Recogniser::make({}));
-    EXPECT_FALSE(Recogniser::make(std::vector<Gesture>(most_gestures + 1, gestures[0])));
+    EXPECT_FALSE(Recogniser::make(std::vector<Gesture>(max_gestures + 1, gestures[0])));
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ TEST(HapticModesHostile, AllModesTogetherStayWithinTheCaps) {
         EXPECT_GT(result.felt, 0.2 * static_cast<double>(result.ticks));
         // Modes that push are active sources, which may give half a joule a second. Each choice of modes is a
         // switch, which may give energy once.
-        EXPECT_LE(result.most_given, active_budget + 2 * switch_energy);
+        EXPECT_LE(result.max_given, active_budget + 2 * switch_energy);
     }
 }
 

@@ -20,7 +20,7 @@ using field::field_of;
 using field::Scalar;
 using field::Vector;
 
-constexpr double most_change = 1e-3;  // N a tick
+constexpr double max_change = 1e-3;  // N a tick
 
 /// Speed of a flow, with its gradient, which has a ridge around each vortex.
 struct Speed {
@@ -108,7 +108,7 @@ TEST(StillHand, FeelsAStillForceInEveryMode) {
             FeltModes hand({random_use(random, mode, speed)}, 50 * std::pow(60, random.uniform()),
                            random.below(2) == 0 ? 0 : 1.5);
             const vec3 place = random_place(random, 0.07);
-            EXPECT_LE(hand.rest_at(place, place + random_place(random, 0.01)), most_change) << mode.name;
+            EXPECT_LE(hand.rest_at(place, place + random_place(random, 0.01)), max_change) << mode.name;
         }
     }
 }
@@ -124,7 +124,7 @@ TEST(StillHand, FeelsAStillForceInModesTogether) {
         }
         FeltModes hand(std::move(uses), 50 * std::pow(60, random.uniform()));
         const vec3 place = random_place(random, 0.07);
-        EXPECT_LE(hand.rest_at(place, place + random_place(random, 0.01)), most_change) << i;
+        EXPECT_LE(hand.rest_at(place, place + random_place(random, 0.01)), max_change) << i;
     }
 }
 
@@ -135,7 +135,7 @@ TEST(StillHand, IsHeldOnARidgeWithTheForceThatTheSpringHasThere) {
     const auto slope = &ridge;
     FeltModes hand({{find_mode("gradient"), any_field(field_of<Scalar>(slope)), {}}}, 300);
     hand.uses[0].settings.strength = field::constant(1.4);
-    EXPECT_LE(hand.rest_at({0, 0.002, 0}, {0, 0.02, 0}), most_change);
+    EXPECT_LE(hand.rest_at({0, 0.002, 0}, {0, 0.02, 0}), max_change);
     EXPECT_NEAR(hand.force.y, -300 * 0.002, 0.002) << "it rests on the ridge";
     // A hand that moves on the ridge at 20 mm/s must feel no more than the spring at twice its displacement.
     double largest = 0;
@@ -251,7 +251,7 @@ TEST(StillHand, AFieldThatMovesByNextToNothingFreesNoChatter) {
     FeltModes hand({{find_mode("force"), any_field(field_of<Vector>(vortex)), {}}}, 300);
     hand.uses[0].settings.strength = field::constant(2);
     hand.model.field_motion = 1e-9;
-    EXPECT_LE(hand.rest_at({0.002, 0, 0.001}, {0.01, 0, 0}), most_change);
+    EXPECT_LE(hand.rest_at({0.002, 0, 0.001}, {0.01, 0, 0}), max_change);
 }
 
 TEST(StillHand, AHandAtUsualSpeedFeelsTheForceThatAModeHasThere) {
@@ -357,7 +357,7 @@ TEST(Settling, TakesTheWholeWayUnlessItTurnsBackAndCalmsDownAtRest) {
     for (int tick = 0; tick < 600; ++tick) {
         const vec3 before = proxy;
         proxy = go(before, random_place(random, 1e3));
-        if (tick > 300) EXPECT_LE(300 * glm::distance(proxy, before), least_pace * (1 + 1e-9));
+        if (tick > 300) EXPECT_LE(300 * glm::distance(proxy, before), min_pace * (1 + 1e-9));
     }
     // Positions that are huge or tiny, and impossible motions, must do no harm.
     for (const double far : {1e6, 1e-300, 0.0}) EXPECT_TRUE(is_finite(go({}, vec3(far))));

@@ -13,7 +13,7 @@
 namespace thaum::haptics {
 namespace {
 
-constexpr double most_per_switch = 0.02;  // largest energy that a switch may create (J); see HAPTICS.md
+constexpr double max_per_switch = 0.02;  // largest energy that a switch may create (J); see HAPTICS.md
 
 TEST(HapticsSwitches, AStretchedSpringThatComesIsNotChased) {
     for (const auto& spec : shipped_devices()) {
@@ -21,7 +21,7 @@ TEST(HapticsSwitches, AStretchedSpringThatComesIsNotChased) {
         for (const auto& hand : bench::switch_hands) {
             for (const double stretch : {0.2 * full, full, 3 * full}) {
                 const auto run = bench::one_spring(spec, hand, stretch);
-                EXPECT_LE(run.most_created, most_per_switch)
+                EXPECT_LE(run.most_created, max_per_switch)
                     << spec.name << ", " << hand.name << ", " << stretch;
             }
         }
@@ -34,7 +34,7 @@ TEST(HapticsSwitches, TenThousandRandomSwitchesOfEachDeviceCreateNextToNothing) 
     for (const auto& spec : shipped_devices()) {
         for (const auto& hand : bench::switch_hands) {
             const auto run = bench::random_switches(spec, hand, switches);
-            EXPECT_LE(run.most_created, most_per_switch) << spec.name << ", " << hand.name;
+            EXPECT_LE(run.most_created, max_per_switch) << spec.name << ", " << hand.name;
             EXPECT_EQ(run.switches, switches * static_cast<int>(bench::switch_seeds.size()));
             EXPECT_GT(run.fastest, 0.01) << "nothing moved: " << spec.name << ", " << hand.name;
         }
@@ -49,12 +49,12 @@ TEST(HapticsSwitches, AWorldThatChangesAgainAndAgainPushesNoHandAway) {
                     bench::ChangedWorld world(spec, hand, surface);
                     for (int i = 0; i < 5; ++i) world.change(change);
                     const auto which = static_cast<int>(change);
-                    EXPECT_LE(world.most_created(), most_per_switch)
+                    EXPECT_LE(world.most_created(), max_per_switch)
                         << spec.name << ", " << hand.stiffness << ", " << which << ", " << surface;
                     // Skipped, because a hand that falls onto a surface that has come back meets an ordinary
                     // wall.
                     if (surface && change == bench::WorldChange::spring) continue;
-                    EXPECT_LE(world.largest_jump(), 0.75)
+                    EXPECT_LE(world.max_jump(), 0.75)
                         << spec.name << ", " << hand.stiffness << ", " << which << ", " << surface;
                 }
             }
@@ -218,7 +218,7 @@ double created_by_edits(const DeviceSpec& spec, int period) {
 TEST(HapticsSwitches, ManyEditsTogetherCreateHardlyMoreThanOne) {
     for (const auto& spec : shipped_devices())
         for (const int period : {1, 2, 8, 16, 40})
-            EXPECT_LE(created_by_edits(spec, period), 1.25 * most_per_switch) << spec.name << ", " << period;
+            EXPECT_LE(created_by_edits(spec, period), 1.25 * max_per_switch) << spec.name << ", " << period;
 }
 
 TEST(HapticsSwitches, AThingThatAppearsOrHardensUnderTheTipFadesIn) {

@@ -9,11 +9,11 @@ namespace thaum::game::test {
 namespace {
 
 /// A curve with jumps at four places.
-field::TransferFunction hostile_curve(Random& random, double most_property) {
+field::TransferFunction hostile_curve(Random& random, double max_property) {
     constexpr std::array<double, 6> strengths{1e6, -1e6, 0, 1, 5, 0.3};
     std::array<vec2, 8> points{};
     for (std::size_t i = 0; i < points.size(); ++i)
-        points[i] = {most_property * std::floor(static_cast<double>(i) / 2) / 3,
+        points[i] = {max_property * std::floor(static_cast<double>(i) / 2) / 3,
                      strengths[random.below(strengths.size())]};
     return field::transfer_function(points).value_or(field::constant(1e6));
 }
@@ -25,9 +25,9 @@ public:
         created_ += glm::dot(now.device.force, now.device.position - before.device.position);
         // Energy that was dissipated earlier must not count in favour of the forces later.
         if (stored(now, model, cap) < 1e-3) created_ = std::max(created_, 0.0);
-        most_ = std::max(most_, created_);
+        max_ = std::max(max_, created_);
     }
-    double most() const { return most_; }
+    double most() const { return max_; }
 
 private:
     /// Energy stored in the spring between tip and proxy and in the primitives, as far as the force limit
@@ -49,7 +49,7 @@ private:
         return energy;
     }
 
-    double created_{}, most_{};
+    double created_{}, max_{};
 };
 
 struct Outcome {
@@ -69,7 +69,7 @@ struct Darting {
         if (t % 500 == 0) {
             modes.worn = worn;
             for (std::size_t i = 0; i < seance.rules().modes.size(); ++i)
-                modes.strength[i] = hostile_curve(random, seance.rules().modes[i].most_property);
+                modes.strength[i] = hostile_curve(random, seance.rules().modes[i].max_property);
             ++modes.version;
         }
         if (t % 300 == 0)

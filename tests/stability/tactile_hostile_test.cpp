@@ -86,7 +86,7 @@ TEST(TactileHostile, RandomCallsKeepAllLimits) {
             ASSERT_NO_FATAL_FAILURE(expect_sound(rig, rig.frame())) << name;
             const auto& counts = rig.mixer->counts();
             ASSERT_EQ(counts.offered, counts.started + counts.merged);
-            ASSERT_LE(rig.mixer->playing(), most_playing);
+            ASSERT_LE(rig.mixer->playing(), max_playing);
         }
         EXPECT_GT(rig.mixer->counts().clipped, 1000U);
     }

@@ -282,7 +282,7 @@ void check_opens(const std::string& name, const std::string& text, Faults& fault
 
 // ---- lengths ----------------------------------------------------------------------------------------------
 
-constexpr std::size_t most_file_lines = 600;
+constexpr std::size_t max_file_lines = 600;
 
 std::vector<fs::path> own_sources(const fs::path& root) {
     std::vector<fs::path> result;
@@ -403,9 +403,9 @@ Faults long_files(const fs::path& root) {
     for (const auto& file : own_sources(root)) {
         const auto text = read(file);
         const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-        if (lines > most_file_lines)
+        if (lines > max_file_lines)
             faults.push_back(
-                at_line(relative_to(root, file), 1, too_long("the file", lines, most_file_lines)));
+                at_line(relative_to(root, file), 1, too_long("the file", lines, max_file_lines)));
     }
     return faults;
 }

@@ -76,13 +76,13 @@ TEST_F(AimAssist, TurnsAShotToTheFoeByTwoDegreesAtMost) {
         const auto aim = helped(beside(off * radians_per_degree));
         EXPECT_LT(angle(aim, beside(0)), 1e-9) << off;
     }
-    const double far = most_pull + 0.9 * half_width();
-    EXPECT_NEAR(angle(helped(beside(far)), beside(far)), most_pull, 1e-9);
+    const double far = max_pull + 0.9 * half_width();
+    EXPECT_NEAR(angle(helped(beside(far)), beside(far)), max_pull, 1e-9);
     EXPECT_NEAR(angle(helped(beside(-far)), beside(0)), 0.9 * half_width(), 1e-9);
 }
 
 TEST_F(AimAssist, LeavesAShotThatWouldMissByMoreAsItIs) {
-    for (const double off : {most_pull + 1.01 * half_width(), 0.3, 1.5, 3.1}) {
+    for (const double off : {max_pull + 1.01 * half_width(), 0.3, 1.5, 3.1}) {
         EXPECT_EQ(helped(beside(off)), beside(off)) << off;
         EXPECT_EQ(helped(beside(-off)), beside(-off)) << off;
     }
@@ -117,9 +117,9 @@ TEST_F(AimAssist, SlowsTheViewOnTheFoeAndBesideIt) {
 
 TEST_F(AimAssist, DrawsTheViewToTheFoeFromTwoDegreesBesideItOn) {
     for (const double side : {1.0, -1.0}) {
-        look(side * (half_width() + 0.9 * most_pull), 0);
+        look(side * (half_width() + 0.9 * max_pull), 0);
         EXPECT_LT(side * view_help(match_->context(), wizard(0)).left, 0) << "towards the foe";
-        look(side * (half_width() + 1.1 * most_pull), 0);
+        look(side * (half_width() + 1.1 * max_pull), 0);
         EXPECT_EQ(view_help(match_->context(), wizard(0)).left, 0) << "too far beside";
     }
     look(0, 0);

@@ -226,17 +226,17 @@ TEST_F(ApprenticeCourse, AScriptedPlayerDoesItAll) {
 
 TEST_F(ApprenticeCourse, AStepThatIsNotDoneIsNeverAtAHundredPerCent) {
     int most = 0;
-    double most_share = 0;
+    double max_share = 0;
     for (Tick t = 0; t < ticks(20.0) && !course().is_done(); ++t) {
         Player player{practice_, t};
         walk_and_look(player);
         tick(player.sample);
         if (course().is_done()) break;
         most = std::max(most, course().percent());
-        most_share = std::max(most_share, course().share());
+        max_share = std::max(max_share, course().share());
         EXPECT_LE(course().percent(), 100 * course().share());
     }
-    EXPECT_GT(most_share, 0.995) << "rounded, this would be 100 %";
+    EXPECT_GT(max_share, 0.995) << "rounded, this would be 100 %";
     EXPECT_EQ(most, 99);
     ASSERT_TRUE(course().is_done());
     EXPECT_EQ(course().percent(), 100);
@@ -399,8 +399,8 @@ TEST_F(ApprenticeCourse, TheAnchorIsInTheFirstPictureOfTheSwing) {
     }
     const auto me = Player{practice_, 0}.self();
     const auto to_anchor = game::aim_at(me.eye, {-4, 7, 9});
-    const double least_half_view = 20 * radians_per_degree;  // half of the least vertical field of view
-    EXPECT_LT(std::abs(to_anchor.pitch - me.pitch), least_half_view);
+    const double min_half_view = 20 * radians_per_degree;  // half of the least vertical field of view
+    EXPECT_LT(std::abs(to_anchor.pitch - me.pitch), min_half_view);
     EXPECT_LT(std::abs(game::angle_between(to_anchor.yaw, me.yaw)), 0.05);
     auto picture = game::make_picture();
     game::take_picture(practice_.match(), picture);

@@ -32,7 +32,7 @@ std::filesystem::path assets_with_yard() {
 
 // Files -----------------------------------------------------------------------------------------------------
 
-constexpr std::string_view least_arena = R"(version = 1
+constexpr std::string_view min_arena = R"(version = 1
 name = "Least"
 [[solid]]
 shape = "box"
@@ -57,10 +57,10 @@ std::string fault_of(std::string_view source) {
 }
 
 /// The first fault in the smallest valid arena after more entries were added at its end.
-std::string fault_with(std::string_view more) { return fault_of(text(least_arena, more)); }
+std::string fault_with(std::string_view more) { return fault_of(text(min_arena, more)); }
 
 Arena arena_with(std::string_view more) {
-    const auto file = Config::parse(text(least_arena, more), "least.toml", 1).value();
+    const auto file = Config::parse(text(min_arena, more), "least.toml", 1).value();
     auto arena = read_arena(file);
     EXPECT_TRUE(file.check()) << file.check().error().message;
     return arena;
@@ -124,7 +124,7 @@ TEST(ArenaFile, FaultsNameTheLineAndTheRemedy) {
 
 TEST(ArenaFile, ANameIsOneShortLineThatATerminalCanShow) {
     const auto fault = [](std::string_view name) {
-        std::string source(least_arena);
+        std::string source(min_arena);
         const auto at = source.find('"', source.find("name = "));
         source.replace(at, source.find('"', at + 1) + 1 - at, text('"', name, '"'));
         return fault_of(source);

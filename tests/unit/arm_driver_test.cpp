@@ -84,7 +84,7 @@ std::atomic<bool> open_hangs{false}, close_hangs{false}, start_fails{false}, rea
 std::atomic<double> told_peak{1};
 std::atomic<int> opened{0}, closed{0}, given_up{0};
 std::atomic<double> last_force{0};
-std::atomic<double> greatest_change{0};  ///< largest increase of the force from one tick to the next (N)
+std::atomic<double> max_change{0};  ///< largest increase of the force from one tick to the next (N)
 
 void wait_while(const std::atomic<bool>& hangs) {
     while (hangs) std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -114,7 +114,7 @@ public:
     }
     ArmFault read(ArmReading&) noexcept override { return wait_while(read_hangs), 0; }
     ArmFault write(vec3 force) noexcept override {
-        greatest_change = std::max(greatest_change.load(), force.z - last_force);
+        max_change = std::max(max_change.load(), force.z - last_force);
         last_force = force.z;
         if (force.z != 0) wait_while(write_hangs);
         return 0;
@@ -182,7 +182,7 @@ TEST(ArmDrivers, TheEngineTicksAnArmWithoutAThread) {
     arm.reset();
     const auto ticks = pusher.ticks.load();
     EXPECT_EQ(live.now().left[2], 0) << "closed with a force";
-    EXPECT_EQ(live.now().greatest_force, 1);
+    EXPECT_EQ(live.now().max_force, 1);
     EXPECT_EQ(live.now().initiated, 0U);
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     EXPECT_EQ(pusher.ticks, ticks);
@@ -243,14 +243,14 @@ TEST(ArmDrivers, AnArmIsOpenOnce) {
 
 TEST(ArmDrivers, MoreArmsThanThereIsRoomForAreRefused) {
     std::string scripts = "name=Fake";
-    for (std::size_t i = 0; i < most_open_arms; ++i) scripts += ";name=Fake";
+    for (std::size_t i = 0; i < max_open_arms; ++i) scripts += ";name=Fake";
     plug_in(scripts);
     Pusher pusher;
     std::vector<std::unique_ptr<OpenArm>> arms;
-    for (std::size_t i = 0; i <= most_open_arms; ++i) {
+    for (std::size_t i = 0; i <= max_open_arms; ++i) {
         auto arm = open_of("fake", i).value();
         const auto started = arm->start(pusher.tick());
-        EXPECT_EQ(started.has_value(), i < most_open_arms) << i;
+        EXPECT_EQ(started.has_value(), i < max_open_arms) << i;
         arms.push_back(std::move(arm));
     }
 }
@@ -375,10 +375,10 @@ TEST(ArmDrivers, ACallThatHangsLeavesNoForce) {
         const Pushed pushed("aa");
         *hangs = true;
         EXPECT_TRUE(eventually([] { return last_force == 0; }));
-        greatest_change = 0;
+        max_change = 0;
         *hangs = false;
         EXPECT_TRUE(eventually([] { return last_force == 1; }));
-        EXPECT_LT(greatest_change, 0.05) << "of 1 N";
+        EXPECT_LT(max_change, 0.05) << "of 1 N";
         EXPECT_EQ(pushed.arm->status().state, ArmPresence::present);
     }
 }
@@ -451,8 +451,8 @@ void expect_end(const std::function<void(const Live&, const Live&)>& program, in
     const Live one, two;
     plug_in(one.word() + ";" + two.word());
     EXPECT_EXIT(program(one, two), ::testing::KilledBySignal(signal), "");
-    EXPECT_EQ(one.now().greatest_force, 1);
-    EXPECT_EQ(two.now().greatest_force, 1);
+    EXPECT_EQ(one.now().max_force, 1);
+    EXPECT_EQ(two.now().max_force, 1);
     EXPECT_EQ(one.push(), 0);
     EXPECT_EQ(two.push(), 0);
 }

@@ -139,7 +139,7 @@ TEST(ArmModes, NoForceBeforeTheLibraryHasTakenTheTicksUp) {
     run_all(probes);
     EXPECT_TRUE(probes[0].line.starts_with("refused: ")) << probes[0].line;
     EXPECT_GT(probes[0].arm.ticks, 0U);
-    EXPECT_EQ(probes[0].arm.greatest_force, 0);
+    EXPECT_EQ(probes[0].arm.max_force, 0);
     expect_no_force(probes[0]);
 }
 
@@ -170,7 +170,7 @@ void expect_ends(const std::vector<WayToEnd>& ways) {
         ASSERT_TRUE(p.status) << "the process hangs";
         EXPECT_TRUE(ways[i].signal == 0 ? WIFEXITED(*p.status) : p.died_by(ways[i].signal)) << *p.status;
         EXPECT_GE(p.arm.ticks, 99U);
-        EXPECT_EQ(p.arm.greatest_force, 1);
+        EXPECT_EQ(p.arm.max_force, 1);
         expect_no_force(p);
     }
 }
@@ -257,7 +257,7 @@ struct Waiting {
 /// The program has installed no signal handlers of its own.
 TEST(ArmEnds, ASignalThatEndsItLeavesNoForce) {
     Waiting program("wait");
-    program.wait_until([&] { return program.arm().greatest_force == 1; });
+    program.wait_until([&] { return program.arm().max_force == 1; });
     program.expect_ends_without_force();
 }
 
@@ -267,10 +267,10 @@ TEST(ArmHangs, TheWatchdogEndsTheForce) {
                               "hdEndFrame=blocks,from=400", "hdGetError=blocks,from=800", "felt,stop=200"}) {
         SCOPED_TRACE(words);
         Waiting program("wait", words);
-        program.wait_until([&] { return program.arm().greatest_force == 1; });
+        program.wait_until([&] { return program.arm().max_force == 1; });
         program.wait_until([&] { return program.arm().force[2] == 0; });
         EXPECT_FALSE(program.p.has_ended());
-        EXPECT_EQ(program.arm().greatest_force, 1);
+        EXPECT_EQ(program.arm().max_force, 1);
         EXPECT_EQ(program.arm().force[2], 0);
         ::kill(program.p.pid, SIGKILL);
         wait_for_end(program.p, program.file(), program.until);

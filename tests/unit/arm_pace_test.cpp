@@ -19,8 +19,8 @@ struct Rig {
     std::int64_t stall_at = -1, stall_ns = 0;
     double jitter = 0;  ///< largest delay of a sample, as a share of a tick
 
-    std::size_t most_waiting = 0;  ///< largest number of waiting samples in the last second
-    int without_sample = 0;        ///< ticks of the last second without a sample
+    std::size_t max_waiting = 0;  ///< largest number of waiting samples in the last second
+    int without_sample = 0;       ///< ticks of the last second without a sample
 
     void run(double seconds) {
         const auto arm_period = ns_per_second / arm_ticks_per_s;
@@ -40,7 +40,7 @@ struct Rig {
             const auto behind = static_cast<Tick>((now - start) / ns_per_tick - done);
             if (follows) start += arm_pace_correction(waiting, behind);
             const bool last_second = now > end - static_cast<std::int64_t>(ns_per_second);
-            if (last_second) most_waiting = std::max(most_waiting, static_cast<std::size_t>(waiting));
+            if (last_second) max_waiting = std::max(max_waiting, static_cast<std::size_t>(waiting));
             if (last_second && waiting == 0) ++without_sample;
             if (waiting > 0) --waiting;
             ++done;
@@ -62,12 +62,12 @@ TEST(ArmPace, AFasterArmsSamplesDoNotPileUp) {
         Rig rig{.arm_ticks_per_s = rate};
         rig.run(20);
         // The bound of 12 keeps models fresh: they count as fresh up to an age of 20 ticks.
-        EXPECT_LE(rig.most_waiting, 12U) << rate;
+        EXPECT_LE(rig.max_waiting, 12U) << rate;
         EXPECT_EQ(rig.without_sample, 0) << rate;
     }
     Rig alone{.arm_ticks_per_s = 1008, .follows = false};
     alone.run(20);
-    EXPECT_GT(alone.most_waiting, 150U) << "the rig cannot fail";
+    EXPECT_GT(alone.max_waiting, 150U) << "the rig cannot fail";
 }
 
 TEST(ArmPace, ASlowerArmIsWaitedFor) {
@@ -84,7 +84,7 @@ TEST(ArmPace, ASlowerArmIsWaitedFor) {
 TEST(ArmPace, AStalledMatchCatchesUp) {
     Rig rig{.arm_ticks_per_s = 1008, .stall_at = 5'000'000'000, .stall_ns = 40'000'000, .jitter = 0.5};
     rig.run(20);
-    EXPECT_LE(rig.most_waiting, 12U);
+    EXPECT_LE(rig.max_waiting, 12U);
 }
 
 TEST(ArmPace, AnArmThatStoppedChangesNothing) { EXPECT_EQ(arm_pace_correction(0, 5), 0); }

@@ -62,11 +62,11 @@ TEST(ArmPlayback, EachForceActsForATick) {
 }
 
 TEST(ArmPlayback, BeginsAndEndsSlowly) {
-    constexpr double most_step = 0.04 * (1 + 1e-9);  // largest change of force in a tick (N), from 40 N/s
+    constexpr double max_step = 0.04 * (1 + 1e-9);  // largest change of force in a tick (N), from 40 N/s
     Hand hand;
     vec3 before(0);
     const auto expect_slow = [&](vec3 told) {
-        ASSERT_LE(glm::length(told - before), most_step);
+        ASSERT_LE(glm::length(told - before), max_step);
         before = told;
     };
     for (int t = 0; t < 100; ++t) expect_slow(hand.play({1.5, 0, 0}));

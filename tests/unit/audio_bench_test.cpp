@@ -16,13 +16,13 @@ TEST(BenchAudio, MixingAllocatesNothingAndLevelsAreExact) {
     ASSERT_EQ(report.rows.size(), 6U);
     check_invariants(report);
     for (const auto& fault : report.faults) ADD_FAILURE() << fault;
-    const auto most_voices = [](const Row& row) {
+    const auto max_voices = [](const Row& row) {
         const auto found = std::find_if(row.metrics.begin(), row.metrics.end(),
                                         [](const auto& metric) { return metric.first == "voices"; });
         return found == row.metrics.end() ? 0.0 : found->second;
     };
     double most = 0;
-    for (const auto& row : report.rows) most = std::max(most, most_voices(row));
+    for (const auto& row : report.rows) most = std::max(most, max_voices(row));
     EXPECT_EQ(most, 128) << "64 voices for each of two listeners";
 }
 

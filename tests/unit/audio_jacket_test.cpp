@@ -248,8 +248,8 @@ TEST(AudioJacket, ADeviceThatWantsEverMoreGetsFourBlocksAtOnce) {
 TEST(AudioJacket, TheLayoutOfEightNamesTheChannelsInTheirOrder) {
     const auto file = std::filesystem::path(THAUM_SOURCE_DIR) / "assets/tactile/layouts/shakers8.toml";
     const auto layout = tactile::load_layout(file).value();
-    ASSERT_EQ(layout.actuators.size(), audio::most_channels);
-    for (std::size_t i = 0; i < audio::most_channels; ++i)
+    ASSERT_EQ(layout.actuators.size(), audio::max_channels);
+    for (std::size_t i = 0; i < audio::max_channels; ++i)
         EXPECT_EQ(layout.actuators[i].name, audio::surround_channels[i]);
 }
 

@@ -116,7 +116,7 @@ TEST_F(MixerTest, HrtfTurnsOnAndOffWithoutAClickAndOnlyForOneListener) {
     frame.listener_count = 1;
     recorder.play(frame, 20);
     EXPECT_TRUE(mixing.report().hrtf);
-    EXPECT_LT(recorder.largest_step(), smooth_step(0.75));
+    EXPECT_LT(recorder.max_step(), smooth_step(0.75));
 }
 
 // ---- beginning, lasting and ending voices ----------------------------------------------------------------
@@ -158,7 +158,7 @@ TEST(Mixer, ABlockWithoutAFrameGoesOn) {
 
 TEST_F(MixerTest, ALoopedSoundGoesOnWithoutAStep) {
     recorder.play(frame_with({voice(hum, {1, 0, 0})}), 3 * second);
-    EXPECT_LT(recorder.largest_step(), smooth_step(0.5));
+    EXPECT_LT(recorder.max_step(), smooth_step(0.5));
     EXPECT_NEAR(recorder.levels(20).right, 0.5, 2e-3);
 }
 
@@ -170,7 +170,7 @@ TEST_F(MixerTest, StartsStopsAndChangesDoNotClick) {
         recorder.play(frame_with({humming}), 5 + static_cast<std::size_t>(round));
         if (round % 4 == 3) recorder.play({}, 2);
     }
-    EXPECT_LT(recorder.largest_step(), smooth_step(0.75));
+    EXPECT_LT(recorder.max_step(), smooth_step(0.75));
 }
 
 TEST_F(MixerTest, LayersOfMusicThatComeAndGoStayInStep) {
@@ -234,7 +234,7 @@ TEST_F(MixerTest, ALouderVoiceTakesASourceAndTheOtherFades) {
     frame.lasts.count = 20;
     recorder.play(frame, 5);
     EXPECT_EQ(mixing.report().stolen, 10U);
-    EXPECT_LT(recorder.largest_step(), smooth_step(0.5));
+    EXPECT_LT(recorder.max_step(), smooth_step(0.5));
 }
 
 // ---- two listeners
@@ -298,7 +298,7 @@ TEST_F(MixerTest, PlayersComeAndSpeakersChangeWithoutAClick) {
         mixing.set({.ears = Ears::shared});
         recorder.play(frame, 7);
     }
-    EXPECT_LT(recorder.largest_step(), smooth_step(0.75));
+    EXPECT_LT(recorder.max_step(), smooth_step(0.75));
 }
 
 // ---- faders and limits
@@ -328,7 +328,7 @@ TEST_F(MixerTest, AFaderMovesWithoutAClick) {
         mixing.set({.master = master});
         recorder.play(frame, 9);
     }
-    EXPECT_LT(recorder.largest_step(), smooth_step(0.5));
+    EXPECT_LT(recorder.max_step(), smooth_step(0.5));
 }
 
 TEST_F(MixerTest, OneQuietVoiceIsNotTouchedByTheLimiter) {

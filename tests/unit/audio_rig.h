@@ -111,7 +111,7 @@ public:
         return most;
     }
     /// Largest difference between neighbouring samples of one channel. A click shows as a large difference.
-    double largest_step() const {
+    double max_step() const {
         float most = 0;
         for (std::size_t i = 2; i < samples.size(); ++i)
             most = std::max(most, std::abs(samples[i] - samples[i - 2]));

@@ -26,7 +26,7 @@ const SoundBank& bank() {
 double sample_of(const Sound& sound, std::size_t i) { return static_cast<double>(sound.samples[i]); }
 
 /// Largest step between neighbouring samples within [from, to).
-double largest_step(const Sound& sound, std::size_t from, std::size_t to) {
+double max_step(const Sound& sound, std::size_t from, std::size_t to) {
     double largest = 0;
     for (std::size_t i = std::max<std::size_t>(from, 1); i < to; ++i)
         largest = std::max(largest, std::abs(sample_of(sound, i) - sample_of(sound, i - 1)));
@@ -80,7 +80,7 @@ TEST(GameSounds, NoneClips) {
 TEST(GameSounds, BeginAndEndWithoutAClick) {
     for (const auto& sound : bank().sounds) {
         const std::size_t n = sound.samples.size(), edge = sample_rate / 1000;
-        const double inside = largest_step(sound, 0, n);
+        const double inside = max_step(sound, 0, n);
         if (sound.loops) {
             EXPECT_LE(std::abs(sample_of(sound, 0) - sample_of(sound, n - 1)), inside) << sound.name;
             continue;
@@ -88,8 +88,8 @@ TEST(GameSounds, BeginAndEndWithoutAClick) {
         EXPECT_EQ(sample_of(sound, 0), 0) << sound.name;
         EXPECT_EQ(sample_of(sound, n - 1), 0) << sound.name;
         // The end is silent. The start may be as sharp as other parts of the sound, but no sharper.
-        EXPECT_LE(largest_step(sound, n - edge, n), 0.002) << sound.name;
-        EXPECT_LE(largest_step(sound, 0, 8), largest_step(sound, 8, n)) << sound.name;
+        EXPECT_LE(max_step(sound, n - edge, n), 0.002) << sound.name;
+        EXPECT_LE(max_step(sound, 0, 8), max_step(sound, 8, n)) << sound.name;
     }
 }
 

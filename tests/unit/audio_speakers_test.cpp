@@ -154,7 +154,7 @@ TEST(Speakers, AtItsEndTheDeviceIsClosed) {
     EXPECT_TRUE(watched->get(&Watched::destroyed));
 }
 
-TEST(Speakers, WaitLessThanTwoSecondsForADevice) { EXPECT_LT(Speakers::most_wait_s, 2); }
+TEST(Speakers, WaitLessThanTwoSecondsForADevice) { EXPECT_LT(Speakers::max_wait_s, 2); }
 
 }  // namespace
 }  // namespace thaum::audio

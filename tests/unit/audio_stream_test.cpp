@@ -93,7 +93,7 @@ TEST(BlockStream, TheQueueIsLongEnoughForTheDevicesPeriod) {
     EXPECT_EQ(detail::blocks_to_queue(10), 2U);
     for (const double odd : {0.0, -1.0, std::nan("")}) EXPECT_EQ(detail::blocks_to_queue(odd), 2U);
     EXPECT_EQ(detail::blocks_to_queue(std::numeric_limits<double>::infinity()),
-              detail::BlockStream::most_queued);
+              detail::BlockStream::max_queued);
     // A device that takes periods of other lengths finds enough samples in the queue each time.
     for (const std::size_t period : {100U, 441U, 1024U, 1500U, 2048U}) {
         Card card(48'000);

@@ -85,8 +85,8 @@ TEST(BhapticsMessages, RepliesAreReadWithinBounds) {
     EXPECT_TRUE(read_bhaptics_reply(R"({"ConnectedDeviceCount":1})")->may_have_vest());
     for (const auto* words : {"", "[]", "7", "{", "null", "{\"a\":1}x", "\xFF"})
         EXPECT_FALSE(read_bhaptics_reply(words)) << words;
-    EXPECT_FALSE(read_bhaptics_reply(std::string(most_reply_bytes, '[')));
-    EXPECT_FALSE(read_bhaptics_reply("{}" + std::string(most_reply_bytes, ' ')));
+    EXPECT_FALSE(read_bhaptics_reply(std::string(max_reply_bytes, '[')));
+    EXPECT_FALSE(read_bhaptics_reply("{}" + std::string(max_reply_bytes, ' ')));
 }
 
 // The connection --------------------------------------------------------------------------------------------

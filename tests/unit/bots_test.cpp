@@ -139,7 +139,7 @@ TEST(Bot, LeadingTheFoeHitsMore) {
 }
 
 /// Number of shots of a bot in 45 s by kind, 9 m from a foe who stands still.
-std::array<std::uint32_t, most_causes> shots_of(int level) {
+std::array<std::uint32_t, max_causes> shots_of(int level) {
     auto skill = skill_of(level);
     skill.variety = 0.9;
     skill.throws = 0.3;
@@ -151,7 +151,7 @@ std::array<std::uint32_t, most_causes> shots_of(int level) {
     scene.put(0, {-14, 0, 8}, 0);
     scene.put(1, {-14, 0, -1}, 180);
     scene.run(45, stands_still);
-    std::array<std::uint32_t, most_causes> shots{};
+    std::array<std::uint32_t, max_causes> shots{};
     for (std::size_t cause = 0; cause < causes().size(); ++cause)
         shots[cause] = scene.match.world().single<EventLog>().match_stats[0][cause].shots;
     return shots;

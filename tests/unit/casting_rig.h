@@ -19,7 +19,7 @@ inline void draw_points(StrokePicture& stroke, gesture::Points points) {
     stroke.count = 0;
     stroke.apart_s = gameplay_dt;
     const double lasts = points.back().t - points[0].t;
-    while (lasts >= stroke.apart_s * (StrokePicture::most_points - 1)) stroke.apart_s *= 2;
+    while (lasts >= stroke.apart_s * (StrokePicture::max_points - 1)) stroke.apart_s *= 2;
     std::size_t i = 0;
     for (double t = points[0].t; t <= points.back().t; t += stroke.apart_s) {
         while (i + 1 < points.size() && points[i].t < t) ++i;

@@ -31,7 +31,7 @@ const GestureSet& shipped() { return *data()->gestures; }
 DrawnStroke drawn(std::span<const StrokePoint> points) {
     DrawnStroke stroke;
     const double step = gameplay_dt;
-    for (double t = 0; t <= points.back().t && stroke.count < most_drawn_points; t += step) {
+    for (double t = 0; t <= points.back().t && stroke.count < max_drawn_points; t += step) {
         std::size_t i = 1;
         while (i + 1 < points.size() && points[i].t < t) ++i;
         const auto &a = points[i - 1], &b = points[i];
@@ -156,7 +156,7 @@ TEST(Casting, BadStrokesMeanNothing) {
     EXPECT_TRUE(is_slip(rules, one));
     EXPECT_EQ(read_drawn(shipped(), one, space).stroke.gesture, no_gesture);
     DrawnStroke still;
-    still.count = most_drawn_points;
+    still.count = max_drawn_points;
     EXPECT_TRUE(is_slip(rules, still));
     EXPECT_EQ(read_drawn(shipped(), still, space).stroke.gesture, no_gesture);
     auto broken = circles(1);
@@ -197,7 +197,7 @@ TEST(Casting, AStrokeOfAnyLengthHasRoom) {
     drawer.hand().press(input::Button::trace);
     drawer.circle(20'000, 800, 3);
     const auto& stroke = drawer.match.world().get<DrawnStroke>(drawer.wizard());
-    EXPECT_LE(stroke.count, most_drawn_points);
+    EXPECT_LE(stroke.count, max_drawn_points);
     EXPECT_GT(stroke.every, 1U);
     EXPECT_NEAR(stroke.count * stroke.every * 8.0, 20'000, 200);
 }

@@ -61,8 +61,8 @@ TEST(ControlNames, FollowANewBindingAndAreEmptyWithoutOne) {
 
 TEST(ShortLabels, OfAllKeysAreShortAndNoTwoAreTheSame) {
     std::map<std::string, std::string> label_of_short;
-    constexpr int most_code = 400;
-    for (int code = 0; code < most_code; ++code) {
+    constexpr int max_code = 400;
+    for (int code = 0; code < max_code; ++code) {
         if (key_name_of(code).empty()) continue;
         const auto label = label_of(input::Control{input::Control::Source::key, code, 0});
         const auto brief = game::brief_label(label);

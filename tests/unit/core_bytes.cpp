@@ -9,7 +9,7 @@
 namespace thaum {
 namespace {
 
-constexpr auto most_64 = std::numeric_limits<std::uint64_t>::max();
+constexpr auto max_64 = std::numeric_limits<std::uint64_t>::max();
 
 Bytes bytes_of(std::initializer_list<unsigned> values) {
     Bytes result;
@@ -56,7 +56,7 @@ TEST(CoreBytes, EveryKindReadsBack) {
 
 TEST(CoreBytes, VarintsAtTheirEdges) {
     for (unsigned bits = 0; bits <= 64; ++bits) {
-        const std::uint64_t edge = bits == 64 ? most_64 : (1ULL << bits);
+        const std::uint64_t edge = bits == 64 ? max_64 : (1ULL << bits);
         for (const auto value : {edge - 1, edge, edge + 1}) {
             Bytes out;
             ByteWriter(out).put_varint(value);
@@ -74,7 +74,7 @@ TEST(CoreBytes, WrongVarintsAreRefused) {
     too_large.push_back(std::byte{0x02});  // sets bit 65
     EXPECT_FALSE(varint_of(too_large).second);
     too_large.back() = std::byte{0x01};
-    EXPECT_EQ(varint_of(too_large), std::pair(most_64, true));
+    EXPECT_EQ(varint_of(too_large), std::pair(max_64, true));
 }
 
 TEST(CoreBytes, ABoolIsNoughtOrOne) {
@@ -89,8 +89,8 @@ TEST(CoreBytes, ABoolIsNoughtOrOne) {
 TEST(CoreBytes, EveryCutIsNoticedAndGivesZeros) {
     Bytes whole;
     ByteWriter writer(whole);
-    writer.put(std::uint64_t{most_64});
-    writer.put_varint(most_64);
+    writer.put(std::uint64_t{max_64});
+    writer.put_varint(max_64);
     writer.put_string("a longer text");
     for (std::size_t cut = 0; cut < whole.size(); ++cut) {
         const std::span<const std::byte> all(whole);
@@ -99,7 +99,7 @@ TEST(CoreBytes, EveryCutIsNoticedAndGivesZeros) {
         reader.get_varint();
         EXPECT_EQ(reader.get_string(), "") << cut;
         EXPECT_FALSE(reader.ok()) << cut;
-        EXPECT_EQ(number, cut >= 8 ? most_64 : 0) << cut;
+        EXPECT_EQ(number, cut >= 8 ? max_64 : 0) << cut;
     }
 }
 

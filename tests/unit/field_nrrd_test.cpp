@@ -464,7 +464,7 @@ TEST_F(VolumeFiles, WrongSpacesAreRefused) {
 
 TEST_F(VolumeFiles, LyingHeadersAreRefusedBeforeMemoryIsTaken) {
     const auto with = [&](std::string_view sizes, std::string_view encoding, std::string_view data,
-                          std::size_t limit = most_samples) {
+                          std::size_t limit = max_samples) {
         return read(
             text("type: short\ndimension: 3\nendian: little\nsizes: ", sizes, "\nencoding: ", encoding), data,
             limit);

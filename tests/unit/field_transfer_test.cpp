@@ -21,7 +21,7 @@ TransferFunction through(const std::vector<vec2>& points) { return transfer_func
 
 /// Sorted points with random jumps and distances from 1e-9 to 1e9.
 TransferFunction random_function(Random& random) {
-    std::vector<vec2> points(1 + random.below(most_transfer_points));
+    std::vector<vec2> points(1 + random.below(max_transfer_points));
     double x = random.uniform(-1e3, 1e3);
     for (vec2& p : points) {
         p = {x, random.uniform(-1, 1) * det::pow(10, random.uniform(-6, 6))};
@@ -158,7 +158,7 @@ TEST(TransferFunction, AStrokeKeepsWhatTheMouseDrew) {
         TransferFunction f = through({{0, 9}, {0.31, -9}, {0.31, 9}, {1, -9}});
         for (double x = 1; x > 0; x -= step)
             draw_stroke(f, {x, curve(x)}, {std::max(0.0, x - step), curve(std::max(0.0, x - step))}, 0.05);
-        EXPECT_LE(f.count, most_transfer_points);
+        EXPECT_LE(f.count, max_transfer_points);
         for (double x = 0; x <= 1; x += 0.01) EXPECT_NEAR(f(x), curve(x), 0.13) << step;
         EXPECT_EQ(f(-1), 9) << "left of the stroke nothing changes";
     }
@@ -170,7 +170,7 @@ TEST(TransferFunction, AFullFunctionKeepsItsShape) {
     TransferFunction f = constant(0);
     for (int i = 0; i <= 200; ++i) {
         draw(f, i / 200.0, saw(i / 200.0), 1 / 200.0);
-        ASSERT_LE(f.count, most_transfer_points);
+        ASSERT_LE(f.count, max_transfer_points);
         ASSERT_TRUE(transfer_function(points_of(f)));
     }
     double worst = 0;

@@ -234,11 +234,11 @@ TEST(GameCauldron, StrokesOfOneThingAreMergedAndAFullQueueKeepsMomentum) {
     EXPECT_TRUE(add_stroke(cauldron, {.impulse = {0, 2, 0}, .ingredient = no_ingredient, .by = 7}));
     EXPECT_EQ(cauldron.next.count, players + 1);
     EXPECT_EQ(cauldron.next.list[players].impulse, vec3(1, 2, 0));
-    while (cauldron.next.count < most_strokes)
+    while (cauldron.next.count < max_strokes)
         ASSERT_TRUE(add_stroke(cauldron, {.amount = 1, .ingredient = 0}));
     EXPECT_FALSE(add_stroke(cauldron, {.amount = 1, .ingredient = 0}));
     EXPECT_TRUE(add_stroke(cauldron, {.impulse = {0, 0, 3}, .ingredient = no_ingredient}));
-    EXPECT_EQ(cauldron.next.count, most_strokes);
+    EXPECT_EQ(cauldron.next.count, max_strokes);
 }
 
 }  // namespace

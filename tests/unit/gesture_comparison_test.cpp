@@ -46,7 +46,7 @@ TEST(GestureComparison, TellsSizeAndForce) {
 }
 
 TEST(GestureComparison, TellsASizeOutsideTheRangeOfTheGesture) {
-    const auto gesture = gesture_of("ess", {ess()}, {.smallest_scale = 0.5, .largest_scale = 2});
+    const auto gesture = gesture_of("ess", {ess()}, {.min_scale = 0.5, .max_scale = 2});
     EXPECT_NEAR(compare(moved(ess(), {}, 0.4), gesture).scale, 0.4, 1e-9);
     EXPECT_EQ(said(moved(ess(), {}, 0.4), gesture).find("draw it larger: "), 0U);
     EXPECT_EQ(said(moved(ess(), {}, 3), gesture).find("draw it smaller: "), 0U);

@@ -92,7 +92,7 @@ TEST(Gesture, IsTurnedWithinItsTolerance) {
 }
 
 TEST(Gesture, ScaleOutsideOfItsRangeIsNothing) {
-    const GestureOptions range{.smallest_scale = 0.5, .largest_scale = 2};
+    const GestureOptions range{.min_scale = 0.5, .max_scale = 2};
     const auto recogniser =
         recogniser_of({gesture_of("ess", {ess()}, range), gesture_of("vee", {vee()}, range)});
     EXPECT_TRUE(read(recogniser, moved(ess(), {}, 1.5)).accepted);

@@ -36,7 +36,7 @@ Outcome meet_spring(double stiffness, bool controlled, int latency) {
     Servo servo = servo_of(spec, 1);
     servo.limits.slew = 1e9;
     servo.limits.max_speed = 1e9;
-    if (!controlled) servo.most_damping = 0;
+    if (!controlled) servo.max_damping = 0;
     ServoState state{};
     HapticModel model{};
     model.tether = {.anchor = {}, .stiffness = stiffness};

@@ -203,7 +203,7 @@ TEST(HapticsServo, PrimitivesAndPulsesAdd) {
 
 TEST(HapticsServo, ASetThatComesGoesOrJumpsIsASwitchAndOneThatGlidesIsNot) {
     Rig rig = rig_at({0, -0.005, 0}, {});
-    const auto largest_change = [&rig] {
+    const auto max_change = [&rig] {
         double most = 0;
         for (int tick = 0; tick < 100; ++tick) {
             const vec3 before = rig.state.safety.output;
@@ -213,7 +213,7 @@ TEST(HapticsServo, ASetThatComesGoesOrJumpsIsASwitchAndOneThatGlidesIsNot) {
     };
     const double slew = rig.servo.limits.slew * tick_seconds;
     const auto expect_walk_to = [&](double force) {
-        EXPECT_NEAR(largest_change(), slew, 1e-12);
+        EXPECT_NEAR(max_change(), slew, 1e-12);
         EXPECT_NEAR(rig.state.safety.output.y, force, 1e-12);
     };
     rig.model.primitives = primitives_of({floor_plane(100)});

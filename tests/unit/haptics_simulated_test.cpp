@@ -28,7 +28,7 @@ TEST(HapticsSimulated, MeasuresWholeQuanta) {
 }
 
 TEST(HapticsSimulated, ForcesActAfterTheLatency) {
-    for (int latency = 0; latency <= most_latency; ++latency) {
+    for (int latency = 0; latency <= max_latency; ++latency) {
         auto spec = reference_spec();
         spec.latency = latency;
         const auto device = simulated_device(spec, no_hand);

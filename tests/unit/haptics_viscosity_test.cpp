@@ -16,7 +16,7 @@ constexpr double viscosity = 3.5;  // N s/m
 TEST(Viscosity, AnEvenMotionIsResistedInProportionToItsSpeed) {
     for (const auto& spec : shipped_devices()) {
         const Servo servo = servo_of(spec, 1);
-        const double felt = std::min(viscosity, servo.most_damping);
+        const double felt = std::min(viscosity, servo.max_damping);
         for (const double speed : {0.05, 0.2}) {
             ServoState state;
             const HapticModel model{.viscosity = viscosity};
@@ -40,7 +40,7 @@ TEST(Viscosity, AThrownDeviceSlowsDownExponentially) {
     spec.latency = 0;
     const auto device = simulated_device(spec, no_hand);
     const Servo servo = servo_of(spec, 1);
-    const double b = std::min(viscosity, servo.most_damping);
+    const double b = std::min(viscosity, servo.max_damping);
     auto hand = resting_at({-0.05, 0, 0});
     ServoState state;
     const HapticModel model{.viscosity = viscosity};

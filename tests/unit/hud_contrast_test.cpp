@@ -20,7 +20,7 @@ namespace {
 using hud_tests::match_data;
 
 constexpr render::Size window{1280, 720};
-constexpr double least_contrast = 3;
+constexpr double min_contrast = 3;
 
 /// How a kind of eye sees a colour, in linear light: Machado, Oliveira and Fernandes, A Physiologically-based
 /// Model for Simulation of Color Vision Deficiency (2009), severity 1. Rows give red, green and blue.
@@ -132,7 +132,7 @@ protected:
     static void expect_seen(const Drawn& drawn, const std::vector<Across>& mark, const char* where) {
         for (const auto& eyes : kinds_of_eyes)
             for (std::size_t i = 0; i < mark.size(); ++i)
-                EXPECT_GE(best_contrast(drawn, mark[i], eyes), least_contrast)
+                EXPECT_GE(best_contrast(drawn, mark[i], eyes), min_contrast)
                     << where << ", " << eyes.name << ", place " << i << " of " << mark.size();
     }
 
@@ -176,8 +176,8 @@ TEST_F(Contrast, OfLowHealth) {
 /// Test of the measure itself: without an edge, a mark is invisible to some eyes on some backgrounds.
 TEST(ContrastMeasure, RedOnBrickIsLostToSomeEyes) {
     const auto red = fvec3(render::colour(0xFF4A3A, 1.0F)), brick = fvec3(render::colour(0xA4686C, 1.0F));
-    EXPECT_LT(contrast(luminance(red, kinds_of_eyes[0]), luminance(brick, kinds_of_eyes[0])), least_contrast);
-    EXPECT_LT(contrast(luminance(red, kinds_of_eyes[1]), luminance(brick, kinds_of_eyes[1])), least_contrast);
+    EXPECT_LT(contrast(luminance(red, kinds_of_eyes[0]), luminance(brick, kinds_of_eyes[0])), min_contrast);
+    EXPECT_LT(contrast(luminance(red, kinds_of_eyes[1]), luminance(brick, kinds_of_eyes[1])), min_contrast);
     for (const auto& eyes : kinds_of_eyes) {
         EXPECT_NEAR(luminance({1, 1, 1}, eyes), 1, 1e-5) << eyes.name << " sees white as white";
         EXPECT_NEAR(contrast(luminance({1, 1, 1}, eyes), luminance({0, 0, 0}, eyes)), 21, 1e-3);

@@ -29,7 +29,7 @@ const std::filesystem::path source = THAUM_SOURCE_DIR;
 constexpr render::Size window{1278, 720};
 constexpr int reduced_by = 3;
 // On other processors rounding moves some edges by a pixel. A missing object changes the picture far more.
-constexpr double most_mean = 1, most_worst = 7;
+constexpr double max_mean = 1, max_worst = 7;
 
 /// Picture reduced to a third of the size. Each pixel is the mean of 3 x 3 pixels.
 Image reduced(const Image& in) {
@@ -101,9 +101,9 @@ protected:
         ASSERT_EQ(known->width, image.width);
         ASSERT_EQ(known->height, image.height);
         const auto d = render::distance(*known, image);
-        EXPECT_LT(d.mean, most_mean) << name;
-        EXPECT_LT(d.worst, most_worst) << name;
-        if (d.mean < most_mean && d.worst < most_worst) return;
+        EXPECT_LT(d.mean, max_mean) << name;
+        EXPECT_LT(d.worst, max_worst) << name;
+        if (d.mean < max_mean && d.worst < max_worst) return;
         const auto seen = std::filesystem::path(testing::TempDir()) / (name + "_drawn.png");
         EXPECT_TRUE(render::write_png(seen, image));
         ADD_FAILURE() << "look at " << seen;
@@ -200,7 +200,7 @@ TEST_F(StoredPictures, ABoltLightsTheDark) {
     dark.settings.quality = Quality::medium;
     const auto with = drawn(dark);
     dark.picture.missiles.clear();
-    EXPECT_GT(render::distance(with, drawn(dark)).mean, most_mean);
+    EXPECT_GT(render::distance(with, drawn(dark)).mean, max_mean);
 }
 
 TEST_F(StoredPictures, AllFiveWandsAsShadowsAndInTheLight) {
@@ -409,7 +409,7 @@ protected:
             const auto d = render::distance(seen, part_of(whole(alone(frame, i)), frame.views[i].viewport));
             EXPECT_LT(d.mean, same_mean) << "view " << i;
             EXPECT_LT(d.worst, same_worst) << "view " << i;
-            EXPECT_GT(without_brew(frame, i, seen), most_worst) << "view " << i << " shows no brew";
+            EXPECT_GT(without_brew(frame, i, seen), max_worst) << "view " << i << " shows no brew";
         }
     }
 
@@ -438,7 +438,7 @@ TEST_F(SplitPictures, EachViewIsThatViewDrawnAlone) {
 TEST_F(StoredPictures, AChangedSceneIsRefused) {
     const auto differs = [&](const Scene& a, const Scene& b) {
         const auto d = render::distance(drawn(a), drawn(b));
-        return d.mean >= most_mean || d.worst >= most_worst;
+        return d.mean >= max_mean || d.worst >= max_worst;
     };
     for (const auto quality : {Quality::low, Quality::medium, Quality::high}) {
         auto whole = duel();

@@ -22,9 +22,9 @@ namespace thaum::game::hud_tests {
 namespace {
 
 void put_circle(RecipePicture& recipe) {
-    recipe.ghost_points = most_ghost_points;
+    recipe.ghost_points = max_ghost_points;
     for (std::uint32_t i = 0; i < recipe.ghost_points; ++i) {
-        const double angle = 2 * pi * i / (most_ghost_points - 1);
+        const double angle = 2 * pi * i / (max_ghost_points - 1);
         recipe.ghost.at(i) = 0.3 * vec2(std::sin(angle), std::cos(angle));
     }
 }
@@ -44,8 +44,8 @@ RecipePicture recipe_at(RecipeStep step) {
     recipe.times = 3;
     recipe.done = 1;
     recipe.begun = true;
-    recipe.least_force = 0.3;
-    recipe.most_force = 1;
+    recipe.min_force = 0.3;
+    recipe.max_force = 1;
     if (step == RecipeStep::stroke) put_circle(recipe);
     constexpr std::array<std::string_view, 5> names{"azoth", "feather", "haste", "ironhide", "venom"};
     if (step == RecipeStep::choose) {

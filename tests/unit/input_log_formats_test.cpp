@@ -87,7 +87,7 @@ TEST(InputLogFormat1, SettingsBeyondTheirLimitsAreRefused) {
     EXPECT_TRUE(contains(with_flags(flags | 127U << 15U), "reduction of weight is above 100 %"));
     EXPECT_TRUE(contains(with_flags(flags | 127U << 22U), "reduction of blows is above 100 %"));
     auto other = body;
-    samples::put_at(other, flags_at + 4 + 8, DeviceSpec::most_box_um + 1);
+    samples::put_at(other, flags_at + 4 + 8, DeviceSpec::max_box_um + 1);
     EXPECT_TRUE(contains(refusal(log, other), "box is larger than 10 m"));
     other = body;
     other[flags_at + 4 + 12 + 6] = std::byte{101};

@@ -63,7 +63,7 @@ inline LogHeader header(std::size_t devices = 2) {
         device.name = text("device ", i);
         device.invert_y = i == 1;
         if (i == 1) device.set_carried_percent(75, 0);
-        if (i == 1) device.box_um = {160'000, 1, DeviceSpec::most_box_um};
+        if (i == 1) device.box_um = {160'000, 1, DeviceSpec::max_box_um};
         for (std::size_t source = 0; source < fluid_faders && i > 0; ++source)
             device.set_fluid_percent(source, static_cast<std::uint32_t>(16 * source));
         h.devices.push_back(device);
@@ -101,7 +101,7 @@ inline InputFrame random_frame(Tick tick, std::size_t devices, std::uint64_t see
             if (r % 4 == 2) count = static_cast<std::int32_t>(r / 4 % 21) - 10;
         }
         s.buttons = static_cast<std::uint32_t>(random());
-        s.wand = static_cast<std::uint8_t>(random() % (most_wands + 1));
+        s.wand = static_cast<std::uint8_t>(random() % (max_wands + 1));
         s.model_age = static_cast<std::uint16_t>(random());
         s.skips = static_cast<std::uint16_t>(random());
         s.away = s.skips % 2 != 0;

@@ -162,7 +162,7 @@ TEST(InputLog, HeaderBeyondTheLimitsIsRefused) {
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].aim_assist = 101; }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].recoil_reduction = 101; }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].roughness_reduction = 255; }));
-    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].box_um[2] = DeviceSpec::most_box_um + 1; }));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].box_um[2] = DeviceSpec::max_box_um + 1; }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.kinds.resize(17); }));
     EXPECT_TRUE(refused([](LogHeader& h) { std::swap(h.kinds[0], h.kinds[1]); }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.kinds[1].group = h.kinds[0].group; }));

@@ -231,7 +231,7 @@ TEST(OpenHaptics, LeavesTheArmWithoutForce) {
     arm.reset();
     // The last frame's force acts from the tick after it.
     const auto left = report();
-    EXPECT_EQ(left.greatest_force, 2);
+    EXPECT_EQ(left.max_force, 2);
     EXPECT_EQ(left.left[2], 0);
     EXPECT_TRUE(soon([&] {
         const auto again = open_fake();
@@ -432,7 +432,7 @@ TEST(ArmEnds, AFaultInTheLibrarysThreadLeavesNoArmWithAForce) {
     for (const auto* way : {&one, &two}) {
         FakeHdLive arm{};
         std::ifstream(way->file, std::ios::binary).read(reinterpret_cast<char*>(&arm), sizeof arm);
-        EXPECT_EQ(arm.greatest_force, 1);
+        EXPECT_EQ(arm.max_force, 1);
         EXPECT_EQ(arm.force[2], 0);
     }
 }

@@ -199,7 +199,7 @@ TEST(OwnGestures, AreRefusedOnlyIfStrokesWouldBeMistaken) {
 TEST(OwnGestures, ThatDoNotFitTogetherAreLeftOutInOneLine) {
     // Each of the two has more than half of the strokes that all gestures together may have.
     auto many = triangle();
-    while (many.strokes.size() <= gesture::most_templates / 2) {
+    while (many.strokes.size() <= gesture::max_templates / 2) {
         many.strokes.push_back(triangle().strokes.front());
         while (many.strokes.back().size() > 4) many.strokes.back().pop_back();
     }

@@ -245,8 +245,8 @@ TEST(PlotPage, AHundredThousandRowsAreAPage) {
     }
     const auto page = make_page(report);
     EXPECT_EQ(count(page.html, "<tr>"), 100'000U + 501);
-    EXPECT_EQ(page.figures.size(), most_figures);
-    EXPECT_EQ(page.not_drawn, 501 - most_figures);
+    EXPECT_EQ(page.figures.size(), max_figures);
+    EXPECT_EQ(page.not_drawn, 501 - max_figures);
 }
 
 TEST(PlotPage, AnEmptyReportIsAPage) {

@@ -94,20 +94,20 @@ TEST_F(RibbonPicture, TracesOnlySeedsThatMoved) {
     EXPECT_EQ(update(1), 3U);
     EXPECT_EQ(update(1), 0U);
     const auto three = picture();
-    EXPECT_GT(greatest_difference(
-                  three, Image{picture_side, picture_side, std::vector<std::uint8_t>(three.rgb.size())}),
-              100);
+    EXPECT_GT(
+        max_difference(three, Image{picture_side, picture_side, std::vector<std::uint8_t>(three.rgb.size())}),
+        100);
     seeds[1] = {0.7, 0, 0};
     EXPECT_EQ(update(1), 1U);
     const auto moved = picture();
-    EXPECT_GT(greatest_difference(three, moved), 100);
+    EXPECT_GT(max_difference(three, moved), 100);
     seeds.pop_back();
     EXPECT_EQ(update(1), 0U);
     const auto two = picture();
-    EXPECT_GT(greatest_difference(moved, two), 100);
+    EXPECT_GT(max_difference(moved, two), 100);
     seeds.push_back({0, 0.3, 0});
     EXPECT_EQ(update(1), 1U);
-    EXPECT_EQ(greatest_difference(moved, picture()), 0);
+    EXPECT_EQ(max_difference(moved, picture()), 0);
     EXPECT_EQ(update(2), 3U);
 }
 

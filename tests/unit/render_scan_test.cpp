@@ -57,8 +57,8 @@ TEST_F(ScanPicture, IsTheSameWithAndWithoutLeaps) {
             scan.model = rotated(glm::normalize(fvec3(1, 1, 0)), 0.4F);
             const auto with = drawn(scan);
             scan.leaps = false;
-            EXPECT_LE(greatest_difference(with, drawn(scan)), 1);
-            EXPECT_GT(greatest_difference(with, drawn()), 100) << "something is drawn";
+            EXPECT_LE(max_difference(with, drawn(scan)), 1);
+            EXPECT_GT(max_difference(with, drawn()), 100) << "something is drawn";
         }
     }
 }
@@ -105,14 +105,14 @@ TEST_F(ScanPicture, AnEditSendsItsBrickAndChangesItsPixels) {
         const auto kept = samples;
         make_hole(samples, versions);
         const auto unsent = drawn(scan);
-        EXPECT_EQ(greatest_difference(before, unsent), 0) << "the version is the same";
+        EXPECT_EQ(max_difference(before, unsent), 0) << "the version is the same";
         ++scan.version;
         const auto after = drawn(scan);
         EXPECT_EQ(renderer->statistics().scan_bricks_sent, 1U);
         // The picture must equal that of the whole scan sent again.
         auto anew = scan;
         anew.id = renderer->make_scan();
-        EXPECT_EQ(greatest_difference(after, drawn(anew)), 0);
+        EXPECT_EQ(max_difference(after, drawn(anew)), 0);
         const auto part = changed_part(before, after);
         EXPECT_GT(part.width, 10);
         EXPECT_GT(part.height, 10);
@@ -129,15 +129,15 @@ TEST_F(ScanPicture, FillingAnEmptyBrickShowsIt) {
     auto scan = translucent();
     scan.brick_versions = versions;
     const auto nothing = drawn();
-    EXPECT_EQ(greatest_difference(nothing, drawn(scan)), 0);
+    EXPECT_EQ(max_difference(nothing, drawn(scan)), 0);
     EXPECT_EQ(renderer->statistics().scans_drawn, 0U) << "no brick shows anything";
     for (int x = 16; x < 24; ++x) samples[sample_at(scan_side, scan_side, x, 18, 18)] = 65535;
     ++scan.version;
     ++versions[(2 * 5 + 2) * 5 + 2];
-    EXPECT_GT(greatest_difference(nothing, drawn(scan)), 20);
+    EXPECT_GT(max_difference(nothing, drawn(scan)), 20);
     // After a change of the table the hole is hidden again, although no sample is sent.
     table.fill({});
-    EXPECT_EQ(greatest_difference(nothing, drawn(scan)), 0);
+    EXPECT_EQ(max_difference(nothing, drawn(scan)), 0);
     EXPECT_EQ(renderer->statistics().scan_bricks_sent, 0U);
 }
 
@@ -155,18 +155,18 @@ TEST_F(ScanPicture, OfOtherSampleTypesIsTheSame) {
     const auto sixteen = drawn(scan);
     ++scan.version;
     scan.samples = std::span<const std::uint8_t>(bytes);
-    EXPECT_LE(greatest_difference(sixteen, drawn(scan)), 3);
+    EXPECT_LE(max_difference(sixteen, drawn(scan)), 3);
     ++scan.version;
     scan.samples = std::span<const float>(floats);
     scan.low = -3, scan.high = 2;
-    EXPECT_LE(greatest_difference(sixteen, drawn(scan)), 1);
+    EXPECT_LE(max_difference(sixteen, drawn(scan)), 1);
     // NaN counts as the lowest value.
     ++scan.version;
     const auto mixed = floats;
     for (auto& f : floats) {
         if (f == -3) f = std::numeric_limits<float>::quiet_NaN();
     }
-    EXPECT_LE(greatest_difference(sixteen, drawn(scan)), 1);
+    EXPECT_LE(max_difference(sixteen, drawn(scan)), 1);
 }
 
 TEST_F(ScanPicture, MaterialsColourAndHideSurfaces) {
@@ -210,7 +210,7 @@ TEST_F(ScanPicture, SurfacesCrossEachOtherAndMeshes) {
         detail = how;
         const std::array one_way{near, far}, other_way{far, near};
         const auto image = drawn(one_way);
-        EXPECT_LE(greatest_difference(image, drawn(other_way)), 0);
+        EXPECT_LE(max_difference(image, drawn(other_way)), 0);
         EXPECT_GT(pixel_of(image, picture_side / 2 - 8, picture_side / 2 + 4).r, 0.5F);
         EXPECT_GT(pixel_of(image, picture_side / 2 + 8, picture_side / 2 + 4).g, 0.5F);
         EXPECT_GT(pixel_of(image, picture_side / 2, picture_side / 2 - 15).b, 0.5F);
@@ -227,11 +227,11 @@ TEST_F(ScanPicture, BecomesSharpWhenStillAndIsKept) {
     scan.model = fmat4(1);
     const auto first = drawn(scan);
     EXPECT_EQ(renderer->statistics().scans_marched, 1U);
-    EXPECT_GT(greatest_difference(sharp, first), 0) << "a quick picture while it moves";
-    EXPECT_LT(greatest_difference(sharp, first), 60);
-    EXPECT_EQ(greatest_difference(sharp, drawn(scan)), 0);
+    EXPECT_GT(max_difference(sharp, first), 0) << "a quick picture while it moves";
+    EXPECT_LT(max_difference(sharp, first), 60);
+    EXPECT_EQ(max_difference(sharp, drawn(scan)), 0);
     EXPECT_EQ(renderer->statistics().scans_marched, 1U);
-    EXPECT_EQ(greatest_difference(sharp, drawn(scan)), 0);
+    EXPECT_EQ(max_difference(sharp, drawn(scan)), 0);
     EXPECT_EQ(renderer->statistics().scans_marched, 0U) << "the sharp picture is kept";
     // An object far from the scan does not make it less sharp, but may hide parts of it, so the rays are
     // computed again.
@@ -243,7 +243,7 @@ TEST_F(ScanPicture, BecomesSharpWhenStillAndIsKept) {
     detail = ScanDetail::sharp;
     auto same = scan;
     same.id = renderer->make_scan();
-    EXPECT_EQ(greatest_difference(with_thing, drawn(same)), 0);
+    EXPECT_EQ(max_difference(with_thing, drawn(same)), 0);
 }
 
 TEST_F(ScanPicture, StandsInBothViewsAndEverySize) {
@@ -259,7 +259,7 @@ TEST_F(ScanPicture, StandsInBothViewsAndEverySize) {
             renderer->draw(frame);
             EXPECT_EQ(renderer->statistics().scans_drawn, 2U);
             const auto image = renderer->read_pixels();
-            EXPECT_EQ(greatest_difference(part_of(image, views[0]), part_of(image, views[1])), 0);
+            EXPECT_EQ(max_difference(part_of(image, views[0]), part_of(image, views[1])), 0);
             EXPECT_GT(pixel_of(image, picture_side / 2, picture_side / 4).r, 0.5F);
             EXPECT_EQ(pixel_of(image, 2, picture_side / 4).r, 0);
         }
@@ -275,7 +275,7 @@ TEST_F(ScanPicture, CostsNothingUnseen) {
     camera.orientation = glm::angleAxis(3.0F, fvec3(0, 1, 0));
     const auto without = drawn();
     const auto draws = renderer->statistics().draws;
-    EXPECT_EQ(greatest_difference(without, drawn(scan)), 0);
+    EXPECT_EQ(max_difference(without, drawn(scan)), 0);
     EXPECT_TRUE(nothing()) << "behind the eye";
     EXPECT_EQ(renderer->statistics().draws, draws);
     camera.orientation = {1, 0, 0, 0};
@@ -293,7 +293,7 @@ TEST_F(ScanPicture, AnInvalidScanIsNotDrawn) {
     const auto refused = [&](auto spoil) {
         auto spoilt = translucent();
         spoil(spoilt);
-        const bool same = greatest_difference(without, drawn(spoilt)) == 0;
+        const bool same = max_difference(without, drawn(spoilt)) == 0;
         return same && renderer->statistics().scans_drawn == 0;
     };
     EXPECT_FALSE(refused([](Scan&) {}));

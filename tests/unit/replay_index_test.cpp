@@ -18,8 +18,8 @@ const RecordedDuel& shared_duel() {
 
 /// A replay whose index is complete.
 struct Indexed {
-    explicit Indexed(const RecordedDuel& duel, std::size_t most_bytes = ReplayIndex::usual_bytes)
-        : playback(duel.opened()), index(playback, most_bytes) {
+    explicit Indexed(const RecordedDuel& duel, std::size_t max_bytes = ReplayIndex::usual_bytes)
+        : playback(duel.opened()), index(playback, max_bytes) {
         index.fill(duel.opened(), never);
     }
     Playback playback;

@@ -45,7 +45,7 @@ inline fvec3 pixel_of(const Image& image, int x, int y) {
 }
 
 /// Greatest difference of a channel (0 to 255).
-inline int greatest_difference(const Image& a, const Image& b) {
+inline int max_difference(const Image& a, const Image& b) {
     int most = a.rgb.size() == b.rgb.size() ? 0 : 256;
     for (std::size_t i = 0; i < a.rgb.size() && i < b.rgb.size(); ++i)
         most = std::max(most, std::abs(int{a.rgb[i]} - int{b.rgb[i]}));

@@ -255,7 +255,7 @@ TEST_F(ScenarioRunner, ThingsCanBeSetAndRead) {
 }
 
 TEST_F(ScenarioRunner, TooLongAScenarioIsStopped) {
-    options.most_ticks = 100;
+    options.max_ticks = 100;
     const auto result = run_scenario_source("match {} while true do tick() end", "test", options);
     EXPECT_TRUE(has(result.message, "it takes more than 0.1 s")) << result.message;
     options.limits.steps = 100'000;

@@ -130,8 +130,8 @@ TEST(TactileMixerTest, BeginningsAtACellAreAtLeastFortyMillisecondsApart) {
     for (const auto* name : {"abstract_4x5", "x16", "pad"}) {
         TactileRig rig(name);
         Random random = random_stream(5, 1);
-        std::array<Tick, most_actuators> last{};
-        std::array<float, most_actuators> before{};
+        std::array<Tick, max_actuators> last{};
+        std::array<float, max_actuators> before{};
         int beginnings = 0;
         for (int f = 0; f < 5000; ++f) {
             for (auto n = random.below(20) == 0 ? 1 + random.below(3) : 0; n > 0; --n) {

@@ -115,7 +115,7 @@ TEST(TactileSpread, TheWaveFadesWithDistance) {
 
 /// Centroid of the energies of a frame (m, chart of the torso).
 vec2 felt(const TactileRig& rig, const TactileFrame& frame) {
-    std::array<double, most_actuators> amplitudes{};
+    std::array<double, max_actuators> amplitudes{};
     std::copy(frame.amplitude.begin(), frame.amplitude.end(), amplitudes.begin());
     return felt_offset(rig.layout, Region::torso, vec2(0), amplitudes);
 }

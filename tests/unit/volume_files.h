@@ -40,7 +40,7 @@ protected:
 
     /// Reads an NRRD file with these lines between its first line and the data.
     Expected<Volume> read(std::string_view lines, std::string_view data,
-                          std::size_t limit = most_samples) const {
+                          std::size_t limit = max_samples) const {
         return read_nrrd(put("v.nrrd", text("NRRD0004\n", lines, "\n\n", data)), {.limit = limit});
     }
 

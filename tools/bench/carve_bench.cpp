@@ -105,7 +105,7 @@ public:
         });
     }
 
-    double largest_error(const Voxels& body) const {
+    double max_error(const Voxels& body) const {
         double worst = 0;
         std::size_t voxel = 0;
         for_each([&](int i, int j, int k) {
@@ -145,7 +145,7 @@ double error_of_melting(int n, double radius) {
         edit(body.view(), tool, dab);
         plain.melt(dab, body.spacing.x);
     }
-    return plain.largest_error(body);
+    return plain.max_error(body);
 }
 
 /// Repeated edits with one tool. Before each edit, the place of the last one is filled again.

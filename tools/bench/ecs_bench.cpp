@@ -68,9 +68,9 @@ Row row_of(const Contest& contest, std::string_view store, const std::vector<dou
 
 struct Target {
     std::string_view name;
-    double ratio;           ///< largest ratio to raw; 0: no such target
-    double ns;              ///< largest time in the unit of the case; 0: no such target
-    std::uint32_t n_least;  ///< smallest number of entities to which the target applies
+    double ratio;         ///< largest ratio to raw; 0: no such target
+    double ns;            ///< largest time in the unit of the case; 0: no such target
+    std::uint32_t min_n;  ///< smallest number of entities to which the target applies
 };
 
 constexpr std::array targets{
@@ -83,7 +83,7 @@ constexpr std::array targets{
 void judge(const Contest& contest, double ns, double ratio_to_raw, Row& row) {
     const auto* target =
         std::find_if(targets.begin(), targets.end(), [&](const Target& t) { return t.name == contest.name; });
-    if (target == targets.end() || contest.n < target->n_least) return;
+    if (target == targets.end() || contest.n < target->min_n) return;
     if (target->ratio > 0) row.metrics.emplace_back("target_ratio", target->ratio);
     if (target->ns > 0) row.metrics.emplace_back("target_ns", target->ns);
     row.metrics.emplace_back("target_met", ratio_to_raw <= target->ratio || ns <= target->ns ? 1 : 0);

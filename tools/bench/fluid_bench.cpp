@@ -132,12 +132,12 @@ double change_since(const Fluid& fluid, fluid::Samples& before) {
     return most;
 }
 
-/// Runs until no velocity changes by more than `still` (m/s) in a second, or `most_s` (s) have passed.
+/// Runs until no velocity changes by more than `still` (m/s) in a second, or `max_s` (s) have passed.
 /// Returns the time (s).
-double run_until_steady(FluidRun& run, double still, double most_s) {
+double run_until_steady(FluidRun& run, double still, double max_s) {
     fluid::Samples before;
     double time = 0;
-    while (time < most_s && change_since(run.fluid, before) > still) {
+    while (time < max_s && change_since(run.fluid, before) > still) {
         for (const double dt : flows::steps_until(1)) advance_timed(run, dt);
         time += 1;
     }
@@ -252,7 +252,7 @@ void deformations(const Options& options, Report& report) {
 
 /// Largest allowed excess of kinetic plus potential energy over that at the start, as a share of the released
 /// energy.
-constexpr double excess_most = 0.01;
+constexpr double max_excess = 0.01;
 
 void add_weighing(flows::Weighing weighing, bool in_bowl, int n, double viscosity, Report& report) {
     auto fluid = flows::weighing_fluid(weighing, in_bowl, n, viscosity);
@@ -271,7 +271,7 @@ void add_weighing(flows::Weighing weighing, bool in_bowl, int n, double viscosit
     row.metrics = {{"released_m5_s2", balance.released},
                    {"kinetic_per_released", flows::kinetic_energy(run.fluid) / balance.released},
                    {"rescaled_per_released", balance.rescaled / balance.released}};
-    if (!(balance.excess <= excess_most * balance.released))
+    if (!(balance.excess <= max_excess * balance.released))
         report.faults.push_back(text("fluid plume_energy: ", name_of(weighing), in_bowl ? " in the bowl" : "",
                                      ", n = ", n, ", viscosity ", viscosity, ": energy above the start by ",
                                      balance.excess / balance.released, " of what was released"));

@@ -19,7 +19,7 @@
 namespace thaum::bench {
 namespace {
 
-constexpr std::size_t most_gestures = 100;
+constexpr std::size_t max_gestures = 100;
 constexpr std::size_t stroke_points = 200;
 constexpr std::size_t recognitions_in_a_call = 64;
 /// Number of strokes that are timed. They fit into the cache, as does a stroke that has just been drawn.
@@ -114,7 +114,7 @@ Row row_of(IsolatedRun& run, std::vector<double> us) {
 
 void isolated_gestures(const Options& options, Report& report) {
     std::vector<IsolatedRun> runs;
-    for (const std::size_t templates : {std::size_t{4}, std::size_t{16}, std::size_t{48}, most_gestures}) {
+    for (const std::size_t templates : {std::size_t{4}, std::size_t{16}, std::size_t{48}, max_gestures}) {
         const auto gestures = generated_gestures(templates);
         for (const std::string name : {"dot", "tdnn", "directions", "elastic", "default"}) {
             auto classifier =

@@ -173,7 +173,7 @@ FlowPatch some_flow(Random& random) {
 
 /// The hand rests, so the force changes only with the fluid. Returns the largest change within one tick,
 /// divided by the change over the whole fluid step.
-double largest_step_share(const StirLoad& load) {
+double max_step_share(const StirLoad& load) {
     auto spec = reference_device(0.5, 0);
     const haptics::Servo servo = servo_of(spec, 1);
     haptics::ServoState state;
@@ -230,7 +230,7 @@ void hand_steps(const Options& options, Report& report) {
                 .hash = hex(hash_value(ends[i]))};
         if (stir_loads[i].modes.flow > 0 && stir_loads[i].fluid)
             row.error =
-                ErrorMeasure{"largest_share_of_a_fluid_step_in_a_tick", largest_step_share(stir_loads[i])};
+                ErrorMeasure{"largest_share_of_a_fluid_step_in_a_tick", max_step_share(stir_loads[i])};
         report.rows.push_back(std::move(row));
     }
 }

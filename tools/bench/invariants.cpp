@@ -21,7 +21,7 @@ struct Invariant {
 };
 
 /// Largest energy that passive sources may create in a hand (J), as the haptic design demands.
-constexpr double created_most = 0.02;
+constexpr double max_created = 0.02;
 /// Largest relative change of an amount that transport must conserve; float rounding errors stay below it.
 constexpr double amount_drift = 1e-5;
 
@@ -35,9 +35,9 @@ constexpr std::array invariants{
     Invariant{"tick", "duel", "shots", 1, any},
     Invariant{"tick", "duel_haptic", "allocations", 0, 0},
     Invariant{"tick", "duel_haptic", "things_held", 2, 2},
-    Invariant{"tick", "duel_haptic", "created_j", 0, created_most},
+    Invariant{"tick", "duel_haptic", "created_j", 0, max_created},
     Invariant{"tick", "duel_cauldron", "ingredients", 3, 3},
-    Invariant{"tick", "duel_cauldron", "created_j", 0, created_most},
+    Invariant{"tick", "duel_cauldron", "created_j", 0, max_created},
     Invariant{"tick", "duel_felt", "allocations", 0, 0},
     Invariant{"tick", "duel_felt", "voices", 1, any},
     Invariant{"tick", "duel_felt", "felt_frames", 1, any},
@@ -47,19 +47,19 @@ constexpr std::array invariants{
     Invariant{"haptics", "arm_exchange", "differing", 0, 0},
     Invariant{"haptics", "arm_exchange", "lost", 0, 0},
     Invariant{"haptics", "safety_hostile", "violations", 0, 0},
-    Invariant{"haptics", "passivity", "energy_j", 0, created_most},
+    Invariant{"haptics", "passivity", "energy_j", 0, max_created},
     Invariant{"haptics", "passivity", "scenarios", 1, any},
     Invariant{"haptics", "modes", "allocations", 0, 0},
     Invariant{"haptics", "modes_hostile", "not_finite", 0, 0},
     Invariant{"haptics", "modes_hostile", "left_out", 0, 0},
     Invariant{"haptics", "modes_hostile", "largest_of_cap", 0, 1 + 1e-12},
-    Invariant{"haptics", "modes_hostile", "observed_j", 0, created_most},
+    Invariant{"haptics", "modes_hostile", "observed_j", 0, max_created},
     Invariant{"haptics", "modes_passive", "not_finite", 0, 0},
     Invariant{"haptics", "modes_passive", "largest_of_cap", 0, 1 + 1e-12},
-    Invariant{"haptics", "modes_passive", "created_j", 0, created_most},
+    Invariant{"haptics", "modes_passive", "created_j", 0, max_created},
     Invariant{"haptics", "volume_hostile", "not_finite", 0, 0},
     Invariant{"haptics", "volume_hostile", "largest_of_cap", 0, 1 + 1e-12},
-    Invariant{"haptics", "volume_hostile", "observed_j", 0, created_most},
+    Invariant{"haptics", "volume_hostile", "observed_j", 0, max_created},
     Invariant{"audio", "mix", "allocations", 0, 0},
     Invariant{"audio", "level", "worst_db", 0, 0.1},
     Invariant{"tactile", "mix", "allocations", 0, 0},

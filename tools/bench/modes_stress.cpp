@@ -35,7 +35,7 @@ Row attack(HostileFeel feel, std::uint64_t ticks, std::uint32_t faults_every, st
                         {"felt_share", result.felt / static_cast<double>(result.ticks)},
                         {"created_j", result.most_created},
                         {"observed_j", result.observed},
-                        {"given_j", result.most_given},
+                        {"given_j", result.max_given},
                         {"left_out", static_cast<double>(result.left_out)}}};
 }
 

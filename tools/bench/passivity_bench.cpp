@@ -13,10 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_script = 1U << 20U, most_table = 128U << 20U;
+constexpr std::size_t max_script = 1U << 20U, max_table = 128U << 20U;
 
 bool is_haptic(const fs::path& script) {
-    const auto source = read_text_file(script, most_script);
+    const auto source = read_text_file(script, max_script);
     return source && source->find(".force_") != std::string::npos;
 }
 
@@ -51,7 +51,7 @@ void passivity(Report& report) {
     for (const auto& script : *scripts) {
         if (!is_haptic(script)) continue;
         const auto result = game::run_scenario(script, options);
-        const auto csv = read_text_file(options.out / (result.name + ".forces.csv"), most_table);
+        const auto csv = read_text_file(options.out / (result.name + ".forces.csv"), max_table);
         const auto energy = csv ? passive_energy(*csv) : Expected<PassiveEnergy>(csv.error());
         if (!result.passed || !energy) {
             report.faults.push_back(text("haptics passivity: scenario ", result.name, ": ",

@@ -129,7 +129,7 @@ struct Tally {
     double force_error{};  ///< worst error of the force at the hand, compared with the method "exact" (N)
     double above{};        ///< share of sets with a residual above 1e-9 N
     double steps{};        ///< mean number of steps
-    double most_steps{};
+    double max_steps{};
     double allocations{};
     std::uint64_t hash{};
 };
@@ -151,7 +151,7 @@ Tally tally_of(const Method& method, std::size_t count, std::size_t sets) {
             result.force_error = std::max(result.force_error, one.spring.stiffness * glm::length(off));
         }
         result.steps += found.steps / static_cast<double>(sets);
-        result.most_steps = std::max(result.most_steps, static_cast<double>(found.steps));
+        result.max_steps = std::max(result.max_steps, static_cast<double>(found.steps));
         result.hash = hash_combine(result.hash, hash_value(found.proxy));
     }
     return result;
@@ -194,7 +194,7 @@ Row primitives_row(const Method& method, std::size_t count, const Tally& tally,
                         {"force_error_n", tally.force_error},
                         {"share_above_1e-9_n", tally.above},
                         {"steps", tally.steps},
-                        {"most_steps", tally.most_steps},
+                        {"most_steps", tally.max_steps},
                         {"allocations", tally.allocations}},
             .hash = hex(tally.hash)};
 }

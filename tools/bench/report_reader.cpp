@@ -11,8 +11,8 @@
 namespace thaum::bench {
 namespace {
 
-constexpr std::size_t most_rows = 200'000;
-constexpr std::size_t most_names = 128;  ///< largest number of different settings and metrics in a report
+constexpr std::size_t max_rows = 200'000;
+constexpr std::size_t max_names = 128;  ///< largest number of different settings and metrics in a report
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 const Json& member(const Json& object, std::string_view key) {
@@ -167,15 +167,15 @@ Expected<Report> from_json(std::string_view json) {
     if (!parsed->is_object() || !member(*parsed, "rows").is_array())
         return fail("is no report: it has no list 'rows'; `thaum bench --json FILE` writes one");
     const auto rows = member(*parsed, "rows").elements();
-    if (rows.size() > most_rows) return fail(text("has more than ", most_rows, " rows"));
+    if (rows.size() > max_rows) return fail(text("has more than ", max_rows, " rows"));
     Report report{word(*parsed, "thaum").value_or("unknown"), read_machine(*parsed), {}};
     std::set<std::string> names;
     for (const Json& from : rows) {
         auto row = read_row(from);
         if (!row) return fail(text("row ", report.rows.size(), ": ", row.error().message));
         note_names(*row, names);
-        if (names.size() > most_names)
-            return fail(text("has more than ", most_names, " different settings and metrics"));
+        if (names.size() > max_names)
+            return fail(text("has more than ", max_names, " different settings and metrics"));
         report.rows.push_back(std::move(*row));
     }
     return report;

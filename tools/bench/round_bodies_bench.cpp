@@ -104,7 +104,7 @@ std::vector<Slide> all_slides() {
 }
 
 void add_slide_row(const Slide& run, const std::vector<double>& samples_us, Report& report) {
-    constexpr double most_chatter = 1e-6;  // largest accepted error and change of the force (N)
+    constexpr double max_chatter = 1e-6;  // largest accepted error and change of the force (N)
     report.rows.push_back(
         {.area = "haptics",
          .name = "round_bodies",
@@ -113,7 +113,7 @@ void add_slide_row(const Slide& run, const std::vector<double>& samples_us, Repo
          .error = ErrorMeasure{"force_error_n", run.worst},
          .metrics = {{"force_chatter_n", run.chatter}, {"ticks_lost", static_cast<double>(run.lost)}},
          .hash = hex(hash_value(run.state))});
-    if (run.lost > 0 || !(run.chatter <= most_chatter) || !(run.worst <= most_chatter))
+    if (run.lost > 0 || !(run.chatter <= max_chatter) || !(run.worst <= max_chatter))
         report.faults.push_back(text("haptics: round_bodies ", run.name, " friction ", shown(run.friction),
                                      " loses ", run.lost, " ticks, errs by ", shown(run.worst),
                                      " N and chatters by ", shown(run.chatter), " N"));

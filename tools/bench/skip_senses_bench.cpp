@@ -14,7 +14,7 @@ namespace thaum::bench {
 namespace {
 
 constexpr std::array<std::uint32_t, game::players> both{0, 1};
-constexpr double most_share = 0.01;  ///< largest cost while nothing is heard or felt, as a share of a tick
+constexpr double max_share = 0.01;  ///< largest cost while nothing is heard or felt, as a share of a tick
 
 /// Mean without the longest hundredth of the samples, during which other programs ran (us).
 double usual_mean(std::vector<double> samples) {
@@ -107,7 +107,7 @@ void add_row(const char* name, const char* state, double us_per_frame, double ti
                            .setting = {{"state", std::string(state)}},
                            .metrics = {{"ns_per_tick", ns}, {"share_of_tick", ns / (1000 * tick_us)}}});
     const double share = ns / (1000 * tick_us);
-    if (std::string_view(state) != "active" && share > most_share)
+    if (std::string_view(state) != "active" && share > max_share)
         report.faults.push_back(
             text("skip ", name, ": ", state, ", it takes ", fixed(100 * share, 2), " % of a tick"));
 }

@@ -101,7 +101,7 @@ struct Soaked {
     /// Number of voices that began, and largest number of captions at a time.
     std::uint64_t voices = 0, lines = 0;
     /// Memory in use after a tenth of the ticks, and largest memory in use after that (MiB).
-    double first_mib = 0, most_mib = 0;
+    double first_mib = 0, max_mib = 0;
     std::string fault{};
 };
 
@@ -113,7 +113,7 @@ void count_kills(const game::Simulation& match, Soaked& soaked) {
 void look_at_memory(const Course& course, Tick tick, Soaked& soaked) {
     const double now = rss_mib();
     if (tick <= course.ticks / 10) soaked.first_mib = now;
-    soaked.most_mib = std::max(soaked.most_mib, now);
+    soaked.max_mib = std::max(soaked.max_mib, now);
     if (course.name != nullptr) {
         std::fprintf(stderr, "soak %s: %llu of %llu ticks, %llu matches, %.1f MiB\n", course.name,
                      static_cast<unsigned long long>(tick), static_cast<unsigned long long>(course.ticks),
@@ -181,7 +181,7 @@ void add_row(const Course& course, std::int64_t threads, const Soaked& soaked, d
                                        {"most_lines", static_cast<double>(soaked.lines)},
                                        {"us_per_tick", took_s * 1e6 / static_cast<double>(course.ticks)},
                                        {"memory_after_a_tenth_mib", soaked.first_mib},
-                                       {"memory_growth_mib", soaked.most_mib - soaked.first_mib}},
+                                       {"memory_growth_mib", soaked.max_mib - soaked.first_mib}},
                            .hash = hex(soaked.hash)});
     if (!soaked.fault.empty()) report.faults.push_back(text("soak: ", soaked.fault));
 }
@@ -202,9 +202,9 @@ void soak(const Options& options, Report& report) {
     Soaked alone;
     const double alone_s = 1e-6 * us_of([&] { alone = soak_once(course); });
     add_row(course, 1, alone, alone_s, report);
-    if (alone.most_mib - alone.first_mib > may_grow_mib)
+    if (alone.max_mib - alone.first_mib > may_grow_mib)
         report.faults.push_back(
-            text("soak: memory grew by ", fixed(alone.most_mib - alone.first_mib, 1), " MiB"));
+            text("soak: memory grew by ", fixed(alone.max_mib - alone.first_mib, 1), " MiB"));
 
     std::array<Soaked, 2> beside;
     const double beside_s = 1e-6 * us_of([&] {

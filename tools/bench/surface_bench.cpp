@@ -89,7 +89,7 @@ physics::TriangleMesh ball_mesh() {
 struct MeshRun {
     double friction{};
     SurfaceState state{};
-    double most_surfaces{};
+    double max_surfaces{};
     double worst{};  // largest distance of the proxy from the sphere, beyond that of the flat triangles (m)
 };
 
@@ -111,7 +111,7 @@ void slide(const physics::Physics& world, MeshRun& run) {
     for (int tick = 0; tick < mesh_ticks; ++tick) {
         game::fill_patch(patch, world, {.point = run.state.proxy, .radius = 0.002}, {}, {}, feel);
         do_not_optimise(haptics::touch(patch, run.state, {mesh_tip(tick, depth)}, tick_seconds));
-        run.most_surfaces = std::max(run.most_surfaces, static_cast<double>(patch.count));
+        run.max_surfaces = std::max(run.max_surfaces, static_cast<double>(patch.count));
         run.worst = std::max(run.worst, std::abs(glm::length(run.state.proxy) - radius));
     }
 }
@@ -134,7 +134,7 @@ void proxy_mesh(const Options& options, Report& report) {
              .setting = {{"triangles", static_cast<std::int64_t>(mesh.triangles.size())},
                          {"friction", runs[i].friction}},
              .time_us = times(samples[i]),
-             .metrics = {{"surfaces", runs[i].most_surfaces}, {"off_sphere_m", runs[i].worst}},
+             .metrics = {{"surfaces", runs[i].max_surfaces}, {"off_sphere_m", runs[i].worst}},
              .hash = hex(hash_value(runs[i].state.proxy))});
     }
 }

@@ -10,13 +10,13 @@
 namespace thaum::bench {
 namespace {
 
-constexpr double most_per_switch = 0.02;  // largest energy per switch (J); HAPTICS.md, "Energy and switches"
-constexpr std::size_t most_file = 1U << 16U;
+constexpr double max_per_switch = 0.02;  // largest energy per switch (J); HAPTICS.md, "Energy and switches"
+constexpr std::size_t max_file = 1U << 16U;
 constexpr std::array device_files{"touch.toml", "omni.toml", "premium.toml", "falcon.toml", "omega3.toml"};
 
 Expected<haptics::DeviceSpec> device_of(const char* file) {
     const auto path = game::find_assets() / "devices" / file;
-    const auto source = read_text_file(path, most_file);
+    const auto source = read_text_file(path, max_file);
     if (!source) return source.error();
     const auto config = Config::parse(*source, path.string(), 1);
     if (!config) return config.error();
@@ -36,12 +36,12 @@ void add_row(const haptics::DeviceSpec& spec, const SwitchHand& hand, int switch
                                        {"worst_j", run.most_created},
                                        {"mean_j", run.mean_created},
                                        {"one_spring_j", one},
-                                       {"jump_n", run.largest_jump}}});
+                                       {"jump_n", run.max_jump}}});
     const double worst = worse(run.most_created, one);
-    if (!(worst <= most_per_switch))
+    if (!(worst <= max_per_switch))
         report.faults.push_back(text("haptics switches, ", spec.name, ", hand ", hand.name,
                                      ": a switch created ", shown(worst), " J, more than ",
-                                     shown(most_per_switch)));
+                                     shown(max_per_switch)));
 }
 
 }  // namespace

@@ -79,8 +79,8 @@ MixRun mix_run(const Layout& layout, const EffectBank& bank, std::string name, s
                std::uint32_t kinds) {
     MixRun run{std::move(name),
                std::make_unique<TactileMixer>(layout, bank, tactile::MixerSettings{.gap = 0})};
-    for (std::size_t i = 0; i < tactile::most_playing && kinds > 0; ++i) {
-        const double angle = 2 * pi * static_cast<double>(i) / tactile::most_playing;
+    for (std::size_t i = 0; i < tactile::max_playing && kinds > 0; ++i) {
+        const double angle = 2 * pi * static_cast<double>(i) / tactile::max_playing;
         const auto effect = first + static_cast<std::uint32_t>(i) % kinds;
         run.mixer->start(effect, Where::from({det::sin(angle), 0, det::cos(angle)}), 1, 0);
     }
@@ -132,7 +132,7 @@ std::vector<vec2> wanted_places(const Layout& layout) {
     return places;
 }
 
-using Amplitudes = std::array<double, tactile::most_actuators>;
+using Amplitudes = std::array<double, tactile::max_actuators>;
 
 /// Baseline: only the nearest actuator, as the firmware of jackets does.
 Amplitudes nearest_actuator(const Layout& layout, vec2 place) {

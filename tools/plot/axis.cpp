@@ -13,7 +13,7 @@ namespace thaum::plot {
 namespace {
 
 constexpr std::array mantissas{1, 2, 5};
-constexpr int most_ticks = 9;
+constexpr int max_ticks = 9;
 constexpr double zero_margin_px = 26;
 constexpr double hair = 1e-9;  ///< tolerance (decades): a value this near to a step counts as equal to it
 
@@ -40,9 +40,9 @@ std::string label_of(int step) {
 }
 
 int stride_of(int first, int last) {
-    if (last - first < most_ticks) return 1;
+    if (last - first < max_ticks) return 1;
     int stride = 3;
-    while ((last - first) / stride >= most_ticks) stride += 3;
+    while ((last - first) / stride >= max_ticks) stride += 3;
     return stride;
 }
 

@@ -57,7 +57,7 @@ std::string tooltip_of(const Row& row) {
 std::vector<std::string> series_of(const Rows& rows, const std::set<std::string>& names) {
     std::set<std::string> series;
     for (const Row* row : rows) series.insert(part_of(*row, names, true));
-    if (series.size() > most_series) return {""};
+    if (series.size() > max_series) return {""};
     return {series.begin(), series.end()};
 }
 
@@ -114,7 +114,7 @@ std::vector<RatioFigure> ratio_figures(std::span<const Row* const> rows) {
             if (!name.starts_with("ratio_to_") || !std::isfinite(value) || value <= 0) continue;
             auto& figure = by_metric[name];
             figure.title = text(row->area, ": ", name);
-            if (figure.bars.size() == most_bars) {
+            if (figure.bars.size() == max_bars) {
                 ++figure.left_out;
             } else {
                 figure.bars.push_back({bar_label(*row), value});

@@ -40,8 +40,8 @@ struct RatioFigure {
     std::size_t left_out{};  ///< number of bars that did not fit
 };
 
-inline constexpr std::size_t most_series = 6;
-inline constexpr std::size_t most_bars = 60;
+inline constexpr std::size_t max_series = 6;
+inline constexpr std::size_t max_bars = 60;
 
 /// Text of a setting: "solver thaum, n 32".
 std::string setting_text(const bench::Row&);

@@ -174,7 +174,7 @@ public:
 
     template <class Figure>
     std::string add(std::string_view name, const Figure& figure) {
-        if (page_.figures.size() == most_figures) {
+        if (page_.figures.size() == max_figures) {
             ++page_.not_drawn;
             return {};
         }

@@ -17,12 +17,12 @@ struct SvgFile {
 struct Page {
     std::string html;
     std::vector<SvgFile> figures;
-    /// Number of cases and areas that got no figure because the page already has most_figures. They are still
+    /// Number of cases and areas that got no figure because the page already has max_figures. They are still
     /// in the tables.
     std::size_t not_drawn{};
 };
 
-inline constexpr std::size_t most_figures = 200;
+inline constexpr std::size_t max_figures = 200;
 
 /// Makes a page with all areas, cases and rows; rows are sorted by time. Every row is in a table.
 Page make_page(const bench::Report&);

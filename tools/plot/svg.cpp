@@ -23,12 +23,12 @@ constexpr std::string_view ink = "#1b1b1f", faint = "#d8d8de", paper = "#ffffff"
 struct SeriesColour {
     std::string_view light, dark;
 };
-constexpr std::array<SeriesColour, most_series> series_colours{{{"#0072b2", "#56b4e9"},
-                                                                {"#b34a00", "#ff9a4d"},
-                                                                {"#00795a", "#2ed0a2"},
-                                                                {"#a8467f", "#f09fce"},
-                                                                {"#7a5d00", "#e6c229"},
-                                                                {"#4b4ba8", "#a9a9ff"}}};
+constexpr std::array<SeriesColour, max_series> series_colours{{{"#0072b2", "#56b4e9"},
+                                                               {"#b34a00", "#ff9a4d"},
+                                                               {"#00795a", "#2ed0a2"},
+                                                               {"#a8467f", "#f09fce"},
+                                                               {"#7a5d00", "#e6c229"},
+                                                               {"#4b4ba8", "#a9a9ff"}}};
 
 struct Rect {
     double x, y, width, height;
@@ -48,7 +48,7 @@ std::string dark_style() {
         "<style>@media (prefers-color-scheme: dark){"
         ".t-paper{fill:#17171b}.t-ink{fill:#ececf1}.t-muted{fill:#a9a9b4}.t-grid{stroke:#3a3a42}"
         ".t-line{stroke:#ececf1}";
-    for (std::size_t i = 0; i < most_series; ++i) {
+    for (std::size_t i = 0; i < max_series; ++i) {
         append_text(out, text(".t-fill-", i, "{fill:", series_colours[i].dark, "}.t-line-", i,
                               "{stroke:", series_colours[i].dark, "}"));
     }

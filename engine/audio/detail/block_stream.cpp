@@ -6,11 +6,11 @@
 namespace thaum::audio::detail {
 
 std::size_t blocks_to_queue(double period) {
-    if (!(period > 0)) return BlockStream::least_queued;
+    if (!(period > 0)) return BlockStream::min_queued;
     const double blocks = std::min(period / frame_samples, 1e3);
     // One more block is being mixed. A period that is no multiple of a block ends within yet another block.
     const double needed = blocks == std::floor(blocks) ? blocks + 1 : std::floor(blocks) + 2;
-    return std::clamp(static_cast<std::size_t>(needed), BlockStream::least_queued, BlockStream::most_queued);
+    return std::clamp(static_cast<std::size_t>(needed), BlockStream::min_queued, BlockStream::max_queued);
 }
 
 BlockStream::BlockStream(std::size_t queued, std::size_t channels)
@@ -44,7 +44,7 @@ std::size_t BlockStream::wanted() {
     if (playing_ && state != AL_PLAYING) {
         playing_ = false;
         alSourceRewind(source_);  // without this, blocks that are queued from here on would count as played
-        queued_ = std::min(queued_ + 1, most_queued);
+        queued_ = std::min(queued_ + 1, max_queued);
     }
     return queued_ - std::min(queued_, waiting());
 }

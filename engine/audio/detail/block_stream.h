@@ -15,7 +15,7 @@ std::size_t blocks_to_queue(double period);
 /// Blocks of samples queued at one source. All functions act on the context that is current.
 class BlockStream {
 public:
-    static constexpr std::size_t least_queued = 2, most_queued = 24;
+    static constexpr std::size_t min_queued = 2, max_queued = 24;
 
     /// Makes the source. Up to `queued` blocks wait in it, and one more after each gap. `channels`: 2, or 8
     /// in the order of surround_channels (audio/channels.h).
@@ -29,14 +29,14 @@ public:
 
 private:
     void take_back_played();
-    std::size_t waiting() const { return most_queued - free_count_; }
+    std::size_t waiting() const { return max_queued - free_count_; }
 
     std::size_t queued_;
     ALenum format_;
     bool playing_{};
     ALuint source_{};
-    std::array<ALuint, most_queued> free_{};  ///< buffers that are not in the queue
-    std::size_t free_count_{most_queued};
+    std::array<ALuint, max_queued> free_{};  ///< buffers that are not in the queue
+    std::size_t free_count_{max_queued};
 };
 
 }  // namespace thaum::audio::detail

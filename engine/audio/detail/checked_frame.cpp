@@ -6,7 +6,7 @@
 namespace thaum::audio::detail {
 namespace {
 
-constexpr double least_pitch = 0.25, most_pitch = 4;
+constexpr double min_pitch = 0.25, max_pitch = 4;
 constexpr double longest_reach_m = 1e5;
 
 /// Clips a value, or replaces one that is not a number.
@@ -49,16 +49,16 @@ bool check_voice(Voice& voice, bool lasting, std::span<const SoundFacts> sounds,
         return false;
     }
     clip(voice.gain, 0, 1, 0, bad_values);
-    clip(voice.pitch, least_pitch, most_pitch, 1, bad_values);
+    clip(voice.pitch, min_pitch, max_pitch, 1, bad_values);
     for (auto& muffled : voice.muffled) clip(muffled, 0, 1, 0, bad_values);
     return true;
 }
 
 Listener checked_listener(const Listener& listener, const Listener& before, std::uint64_t& bad_values) {
-    constexpr double least_length = 1e-6, most_length = 1e6;
+    constexpr double min_length = 1e-6, max_length = 1e6;
     const auto usable = [](vec3 axis) {
         const double length = glm::length(axis);
-        return length > least_length && length < most_length;  // false for NaN
+        return length > min_length && length < max_length;  // false for NaN
     };
     if (!is_finite(listener.position) || !usable(listener.forward) || !usable(listener.up)) {
         ++bad_values;

@@ -6,12 +6,12 @@ namespace thaum::audio::detail {
 namespace {
 
 /// Quieter voices use no source (-100 dB).
-constexpr double least_gain = 1e-5;
+constexpr double min_gain = 1e-5;
 /// Factor on the gain of a voice that already plays: a new voice must be louder by this to take its source.
 constexpr double keep_factor = 1.1;
 /// Largest change of the damping in one block: all of it takes 0.4 s. The filter's output jumps by as much of
 /// the signal as its gain changes, for some samples; 2 % cannot be heard as a click.
-constexpr double most_muffle_change = 0.02;
+constexpr double max_muffle_change = 0.02;
 /// Offset between the starting samples of loops with neighbouring keys, so that equal sounds do not add up
 /// wave by wave.
 constexpr std::uint64_t samples_between_keys = 7919;
@@ -90,7 +90,7 @@ std::int32_t ListenerMix::find_lasting(const Voice& voice) const {
 }
 
 void ListenerMix::add(const Candidate& candidate) {
-    if (candidate.gain > least_gain) candidates_[candidate_count_++] = candidate;
+    if (candidate.gain > min_gain) candidates_[candidate_count_++] = candidate;
 }
 
 void ListenerMix::gather(const Listener& listener, BlockVoices voices,
@@ -121,22 +121,22 @@ void ListenerMix::gather(const Listener& listener, BlockVoices voices,
 
 /// Keeps the loudest candidates, in an order that does not depend on the sorting.
 void ListenerMix::choose(MixReport& report) {
-    if (candidate_count_ <= most_heard) return;
+    if (candidate_count_ <= max_heard) return;
     const auto all = std::span(candidates_).first(candidate_count_);
     const auto rank = [](const Candidate& c) { return c.gain * (c.playing >= 0 ? keep_factor : 1); };
     // Of candidates with equal gains the earlier ones come first. Voices lie in several lists, so each gets
     // an index here.
-    std::array<std::uint16_t, most_candidates> order{};
+    std::array<std::uint16_t, max_candidates> order{};
     for (std::size_t i = 0; i < all.size(); ++i) order[i] = static_cast<std::uint16_t>(i);
     const auto used = std::span(order).first(all.size());
     std::sort(used.begin(), used.end(), [&](std::uint16_t a, std::uint16_t b) {
         return rank(all[a]) != rank(all[b]) ? rank(all[a]) > rank(all[b]) : a < b;
     });
-    std::sort(used.begin(), used.begin() + most_heard);
-    for (const auto cut : used.subspan(most_heard)) report.stolen += all[cut].playing >= 0 ? 1 : 0;
-    report.left_out += all.size() - most_heard;
-    for (std::size_t i = 0; i < most_heard; ++i) candidates_[i] = all[used[i]];
-    candidate_count_ = most_heard;
+    std::sort(used.begin(), used.begin() + max_heard);
+    for (const auto cut : used.subspan(max_heard)) report.stolen += all[cut].playing >= 0 ? 1 : 0;
+    report.left_out += all.size() - max_heard;
+    for (std::size_t i = 0; i < max_heard; ++i) candidates_[i] = all[used[i]];
+    candidate_count_ = max_heard;
 }
 
 /// Fades out the playing voices that were not chosen.
@@ -161,7 +161,7 @@ void ListenerMix::change(Playing& playing, const Candidate& candidate, const Lis
     if (place != playing.place) device_->set_place(playing.source, place);
     playing.place = place;
     const double muffled = playing.muffled + std::clamp(voice.muffled[index_] - playing.muffled,
-                                                        -most_muffle_change, most_muffle_change);
+                                                        -max_muffle_change, max_muffle_change);
     if (muffled != playing.muffled) device_->set_muffled(playing.source, muffled);
     playing.muffled = muffled;
 }

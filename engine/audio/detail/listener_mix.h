@@ -58,9 +58,9 @@ private:
         double gain{};
     };
     /// Room for playing and fading voices: as many may fade as may play.
-    static constexpr std::size_t most_playing = 2 * most_heard;
-    static_assert(most_playing + most_heard <= Loopback::most_at_once);
-    static constexpr std::size_t most_candidates = most_playing + 32 + most_begins;
+    static constexpr std::size_t max_playing = 2 * max_heard;
+    static_assert(max_playing + max_heard <= Loopback::max_at_once);
+    static constexpr std::size_t max_candidates = max_playing + 32 + max_begins;
 
     void free_ended();
     void gather(const Listener& listener, BlockVoices voices, const std::array<double, sound_groups>& faders,
@@ -80,11 +80,11 @@ private:
     std::uint32_t heard_{};
     std::uint32_t silent_blocks_{2};
 
-    std::array<Playing, most_playing> playing_{};
+    std::array<Playing, max_playing> playing_{};
     std::size_t playing_count_{};
-    std::array<Candidate, most_candidates> candidates_{};
+    std::array<Candidate, max_candidates> candidates_{};
     std::size_t candidate_count_{};
-    std::array<std::uint32_t, most_heard> starting_{};
+    std::array<std::uint32_t, max_heard> starting_{};
     std::size_t starting_count_{};
 };
 

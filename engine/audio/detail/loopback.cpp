@@ -160,7 +160,7 @@ void Loopback::warm_up() {
     if (buffers_.empty()) return;
     std::array<float, 2 * frame_samples> unheard{};
     // OpenAL Soft starts with memory for 256 voices, and doubles it before a start that could use them up.
-    const auto playing = std::span(pool_).first(most_at_once);
+    const auto playing = std::span(pool_).first(max_at_once);
     for (int round = 0; round < 3; ++round) {
         begin_changes();
         for (const auto& source : playing) {

@@ -19,7 +19,7 @@ class Loopback {
 public:
     static constexpr std::uint32_t pool_size = 256;
     /// Greatest number of sources that play at a time.
-    static constexpr std::uint32_t most_at_once = 192;
+    static constexpr std::uint32_t max_at_once = 192;
 
     /// Opens a device with the sounds of the bank. The error is one line.
     static Expected<std::unique_ptr<Loopback>> open(const SoundBank& bank, bool hrtf);

@@ -10,7 +10,7 @@
 namespace thaum::detail {
 namespace {
 
-constexpr std::size_t most_listed = 12;  // most names that are listed in a message about an unknown key
+constexpr std::size_t max_listed = 12;  // most names that are listed in a message about an unknown key
 
 /// An unknown key, with the known key that was probably meant.
 struct Stray {
@@ -99,7 +99,7 @@ private:
 
     static std::string known_here(std::vector<std::string_view> names) {
         std::erase(names, "version");
-        if (names.empty() || names.size() > most_listed) return "";
+        if (names.empty() || names.size() > max_listed) return "";
         std::string list;
         for (const auto name : names) list += text(list.empty() ? "" : ", ", name);
         return text("; known here: ", list);

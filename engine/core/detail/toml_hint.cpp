@@ -43,7 +43,7 @@ bool has_too_many_dots(std::string_view line) {
     for (auto at = line.find('.'); at != std::string_view::npos; at = line.find('.', at + 1)) {
         if (!is_decimal_point(line, at)) ++dots;
     }
-    return dots > most_dots;
+    return dots > max_dots;
 }
 
 /// Number of digits at the beginning of a word, with the sign before them.

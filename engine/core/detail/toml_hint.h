@@ -11,7 +11,7 @@ namespace thaum::detail {
 
 /// Most dots in one line, decimal points not counted. toml++ destroys nested tables recursively, and a key
 /// such as a.a.a... nests one table per dot.
-inline constexpr std::size_t most_dots = 200;
+inline constexpr std::size_t max_dots = 200;
 
 /// Number of the first line with too many dots, counted from 1; 0 if there is none.
 std::size_t overdotted_line(std::string_view source);

@@ -41,7 +41,7 @@ std::size_t asserting_line(std::string_view source) {
 
 Expected<toml::table> parse_toml(std::string_view source, const std::string& name) {
     if (const auto line = overdotted_line(source); line != 0)
-        return fail(text(name, ":", line, ": more than ", most_dots, " dots in one line"));
+        return fail(text(name, ":", line, ": more than ", max_dots, " dots in one line"));
     const auto refused = [&](std::size_t line, std::string_view what) {
         const auto slip = toml_slip(source, line, what);
         return fail(text(name, ":", slip.line, ": ", in_one_line(slip.words)));

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double bell_exponent = 4.5;  // the radius is three standard deviations
 constexpr double rim_voxels = 2;
-constexpr double least_weight = 1e-9;
+constexpr double min_weight = 1e-9;
 
 bool is_round(ExtentShape shape) { return shape == ExtentShape::sphere || shape == ExtentShape::gaussian; }
 
@@ -41,8 +41,8 @@ VoxelBox box_of(const Footprint& f, const VoxelBox& all) {
 /// A weight within [0, 1]. Weights that rounding leaves almost 0 or almost 1 are set to that, because they
 /// would leave a trace of density after a cut.
 double clean(double weight) {
-    if (weight < least_weight) return 0;
-    return weight > 1 - least_weight ? 1 : weight;
+    if (weight < min_weight) return 0;
+    return weight > 1 - min_weight ? 1 : weight;
 }
 
 /// Weight of a voxel at the distance `inside` within an edge.
@@ -121,7 +121,7 @@ double series(double r) {
     }
 }
 
-/// exp(x) for -most_amount <= x <= 0, without branches: x = n log 2 + r.
+/// exp(x) for -max_amount <= x <= 0, without branches: x = n log 2 + r.
 double falling_exp(double x) {
     constexpr double log_2_high = 0x1.62e42fee00000p-1, log_2_low = 0x1.a39ef35793c76p-33;
     constexpr double per_log_2 = 1.4426950408889634,

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double shortest = 1e-9, longest = 1e3;  ///< spacings outside this range are refused (m)
 constexpr double farthest = 1e6;                  ///< an origin farther away than this is refused (m)
-constexpr std::size_t most_axes = 5;
-constexpr std::size_t most_files = 100'000;
+constexpr std::size_t max_axes = 5;
+constexpr std::size_t max_files = 100'000;
 
 enum class Role : std::uint8_t { space, component, time };
 
@@ -94,7 +94,7 @@ bool is_unknown(std::string_view kind) {
 
 void read_sizes(NrrdFields& fields, std::size_t limit, NrrdHeader& header, Axes& axes) {
     if (!fields.has("dimension")) fields.report("dimension", "a volume has 'dimension: 3'");
-    axes.all.resize(static_cast<std::size_t>(fields.integer("dimension", 3, most_axes, 3)));
+    axes.all.resize(static_cast<std::size_t>(fields.integer("dimension", 3, max_axes, 3)));
     const auto sizes = fields.numbers("sizes", axes.all.size());
     std::size_t product = 1;
     for (std::size_t a = 0; a < axes.all.size(); ++a) {
@@ -485,14 +485,14 @@ void read_data_files(NrrdFields& fields, NrrdHeader& header) {
             return;
         }
         const long last =
-            std::min((pattern->to - pattern->from) / pattern->step, static_cast<long>(most_files));
+            std::min((pattern->to - pattern->from) / pattern->step, static_cast<long>(max_files));
         for (long i = 0; i <= last; ++i)
             header.data_files.push_back({file_of(*pattern, pattern->from + i * pattern->step), line});
     } else {
         header.data_files.push_back({std::string(fields.text_of("datafile")), line});
     }
-    if (header.data_files.size() > most_files)
-        fields.report("datafile", text("more than ", most_files, " files"));
+    if (header.data_files.size() > max_files)
+        fields.report("datafile", text("more than ", max_files, " files"));
     if (!header.data_files.empty() && header.stored % header.data_files.size() != 0)
         fields.report("datafile", text(header.stored, " samples cannot lie in ", header.data_files.size(),
                                        " equal files"));

@@ -16,9 +16,9 @@ namespace thaum::field {
 namespace {
 
 /// Deflate packs at most 1,032 bytes into one; this allows a little more.
-constexpr std::size_t most_packed = 1040;
+constexpr std::size_t max_packed = 1040;
 /// Most bytes that may precede samples at the end of gzip data.
-constexpr std::size_t most_before_end = std::size_t{64} << 20U;
+constexpr std::size_t max_before_end = std::size_t{64} << 20U;
 
 using Path = std::filesystem::path;
 
@@ -162,20 +162,20 @@ Expected<std::string> unpacked(const NrrdHeader& header, const FileOfSamples& fi
                           text("the samples in ", name_in_message(header, file), " are no gzip bytes",
                                line_too_many(header, file)));
     }
-    if (promised / most_packed > file.bytes.size())
+    if (promised / max_packed > file.bytes.size())
         return fail_field(header, "sizes",
                           text("the header promises ", promised, " bytes of samples, but ", file.bytes.size(),
                                " bytes cannot hold them; copy the file again"));
     const bool from_end = header.skipped_bytes < 0;
     const std::size_t skipped = from_end ? 0 : static_cast<std::size_t>(header.skipped_bytes);
-    auto start = unpack_gzip_start(file.bytes, promised + (from_end ? most_before_end : skipped));
+    auto start = unpack_gzip_start(file.bytes, promised + (from_end ? max_before_end : skipped));
     if (!start) return fail(in_one_line(text(file.path.string(), ": ", start.error().message)));
     if (start->bytes.size() < promised + skipped)
         return too_few(header, file, "bytes", promised,
                        start->bytes.size() - std::min(start->bytes.size(), skipped));
     if (from_end && start->goes_on)
         return fail_field(header, "byte skip",
-                          text("more than ", most_before_end, " bytes are packed before the samples"));
+                          text("more than ", max_before_end, " bytes are packed before the samples"));
     start->bytes.erase(0, from_end ? start->bytes.size() - promised : skipped);
     if (start->goes_on) note_more(header, file, notes);
     return std::move(start->bytes);
@@ -254,10 +254,10 @@ Expected<void> append_numbers(const NrrdHeader& header, const FileOfSamples& fil
 
 /// Reads as much of a file as its samples can occupy, and one byte more to notice a longer file.
 Expected<Bytes> read_part(const NrrdHeader& header, const Path& path, std::size_t samples,
-                          std::size_t most_bytes) {
+                          std::size_t max_bytes) {
     const bool ends_known =
         header.encoding == NrrdEncoding::raw && header.skipped_lines == 0 && header.skipped_bytes >= 0;
-    if (!ends_known) return read_file(path, most_bytes);
+    if (!ends_known) return read_file(path, max_bytes);
     return read_start(path,
                       static_cast<std::size_t>(header.skipped_bytes) + samples * size_of(header.type) + 1);
 }
@@ -271,7 +271,7 @@ std::size_t rest_of(const Path& path, std::size_t read) {
 
 /// Reads one of the files that a header names, and adds its path to the volume.
 Expected<Bytes> read_named(const NrrdHeader& header, const Path& path, const NrrdDataFile& named,
-                           std::size_t most_bytes, Volume& volume) {
+                           std::size_t max_bytes, Volume& volume) {
     const auto place = sample_file(path, named.name);
     std::error_code ignored;
     if (!std::filesystem::exists(place, ignored))
@@ -280,7 +280,7 @@ Expected<Bytes> read_named(const NrrdHeader& header, const Path& path, const Nrr
                                      place.lexically_normal().string(), " was looked for)")));
     if (const auto note = note_on_place(path, named.name, place); !note.empty() && volume.files.size() == 1)
         volume.notes.push_back(note);
-    auto bytes = read_part(header, place, header.stored / header.data_files.size(), most_bytes);
+    auto bytes = read_part(header, place, header.stored / header.data_files.size(), max_bytes);
     if (!bytes)
         return Error{
             in_one_line(text(header.path, ":", named.line, ": field 'data file': ", bytes.error().message))};
@@ -290,7 +290,7 @@ Expected<Bytes> read_named(const NrrdHeader& header, const Path& path, const Nrr
 
 }  // namespace
 
-Expected<void> read_nrrd_samples(const NrrdHeader& header, const Path& path, std::size_t most_bytes,
+Expected<void> read_nrrd_samples(const NrrdHeader& header, const Path& path, std::size_t max_bytes,
                                  NrrdSamples& out, Volume& volume) {
     const auto take = [&](const Path& from, std::span<const std::byte> bytes, std::size_t samples,
                           std::size_t not_read) -> Expected<void> {
@@ -312,7 +312,7 @@ Expected<void> read_nrrd_samples(const NrrdHeader& header, const Path& path, std
         if (auto done = take(path, data, header.stored, 0); !done) return done;
     }
     for (const auto& named : header.data_files) {
-        auto bytes = read_named(header, path, named, most_bytes, volume);
+        auto bytes = read_named(header, path, named, max_bytes, volume);
         if (!bytes) return bytes.error();
         out.file = std::move(*bytes);
         const auto& place = volume.files.back();

@@ -21,6 +21,6 @@ struct NrrdSamples {
 /// header's type, or doubles if they stand in text. Sets files and notes of the volume. The error names the
 /// header's line, and says so if the bytes are of another encoding.
 Expected<void> read_nrrd_samples(const NrrdHeader& header, const std::filesystem::path& path,
-                                 std::size_t most_bytes, NrrdSamples& out, Volume& volume);
+                                 std::size_t max_bytes, NrrdSamples& out, Volume& volume);
 
 }  // namespace thaum::field

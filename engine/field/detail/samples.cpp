@@ -129,12 +129,12 @@ bool is_odd(T value) {
 }  // namespace
 
 ByteOrder check_byte_order(const StoredSamples& stored) {
-    constexpr std::size_t most_looked_at = 4096, share = 10;
+    constexpr std::size_t max_looked_at = 4096, share = 10;
     constexpr std::size_t fewest_values =
         16;  // least number of values to judge by; fewer may look right in both byte orders by chance
     ByteOrder result{};
     with_type(stored.type, [&]<class T>(T) {
-        const std::size_t all = stored.bytes.size() / sizeof(T), step = all / most_looked_at + 1;
+        const std::size_t all = stored.bytes.size() / sizeof(T), step = all / max_looked_at + 1;
         std::size_t looked_at = 0, odd = 0, odd_in_other = 0;
         std::set<T> values;
         for (std::size_t i = 0; sizeof(T) > 1 && i < all; i += step) {

@@ -55,11 +55,11 @@ struct LevelFaces {
 };
 
 /// Mean of both_sides over the open faces of a level, for each position along x.
-using LevelMeans = std::array<float, cells_most>;
+using LevelMeans = std::array<float, max_cells>;
 
 LevelMeans means_of(const LevelFaces& faces) {
-    std::array<double, cells_most> sums{};
-    std::array<float, cells_most> counts{};  // numbers of open faces
+    std::array<double, max_cells> sums{};
+    std::array<float, max_cells> counts{};  // numbers of open faces
     faces.each_8([&](std::ptrdiff_t at, std::ptrdiff_t x) {
         const Floats8 share = faces.open_at(at);
         const Floats8 both = share > zero8 ? faces.both_sides(at) : zero8;

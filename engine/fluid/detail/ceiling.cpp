@@ -41,11 +41,11 @@ DensityStencil densities_along(const float* density, const float* aperture, std:
     return result;
 }
 
-// A hill or slope counts as smooth if its bend or its rise from cell to cell is at most `change_most` of its
+// A hill or slope counts as smooth if its bend or its rise from cell to cell is at most `max_change` of its
 // height. The smallest such change must be at least `evenness` of the largest.
-constexpr float change_most = 0.125F, evenness = 0.7F;
+constexpr float max_change = 0.125F, evenness = 0.7F;
 /// largest slope, as a share of a hill's bend, with which the top of the hill lies in this cell
-constexpr float slope_most = 0.6F;
+constexpr float max_slope = 0.6F;
 
 /// Height that a smooth slope gains between the last cell before a wall and the wall; 0 if there is no wall
 /// or no such slope.
@@ -53,8 +53,8 @@ float rise_to_wall(const std::array<float, 7>& v) {
     const auto rise = [&](std::size_t first, std::size_t second, bool mirrored) {
         const float near = v[3] - v[first], far = v[first] - v[second];
         const float least = std::min(near, far), most = std::max(near, far);
-        return mirrored && least > 0 && most < change_most * v[3] && least >= evenness * most ? 0.5F * most
-                                                                                              : 0;
+        return mirrored && least > 0 && most < max_change * v[3] && least >= evenness * most ? 0.5F * most
+                                                                                             : 0;
     };
     const float below = rise(4, 5, v[3] == v[2] && v[4] == v[1] && v[5] == v[0]);
     const float above = rise(2, 1, v[3] == v[4] && v[2] == v[5] && v[1] == v[6]);
@@ -75,8 +75,8 @@ float crest_above(const std::array<DensityStencil, 3>& along) {
         if (wall > 0) {
             sum += wall;
         } else if (least != 0 || most != 0) {
-            if (!(least > 0 && most < change_most * v[3] && least >= evenness * most)) return 0;
-            if (std::abs(slope) > slope_most * here) return 0;
+            if (!(least > 0 && most < max_change * v[3] && least >= evenness * most)) return 0;
+            if (std::abs(slope) > max_slope * here) return 0;
             sum += slope * slope / (2 * here);
         }
     }

@@ -13,10 +13,10 @@ namespace {
 /// noise, and the flow gains energy.
 constexpr int reach = 2;
 /// Added to the variance of the positions of a fit's faces, which may all lie in one plane (cells^2).
-constexpr double least_spread = 1e-6;
+constexpr double min_spread = 1e-6;
 /// Largest sum of the absolute weights of a fit. This value and upwind_share were chosen by trials in turning
 /// and stirred bowls of 16 to 64 cells: with 6, flows gained energy.
-constexpr double weights_most = 4;
+constexpr double max_weights = 4;
 /// Weight of upwind differences. With a smaller one, flows gained energy in some trials; with 1 a turning
 /// flow lost twice as much energy.
 constexpr float upwind_share = 0.5F;
@@ -98,7 +98,7 @@ void solve_fit(std::vector<FittedFace>& faces) {
         f.weight /= total;
         mean += f.weight * f.apart;
     }
-    mat3 spread(least_spread);
+    mat3 spread(min_spread);
     for (const FittedFace& f : faces) spread += f.weight * glm::outerProduct(f.apart - mean, f.apart - mean);
     const vec3 slope = glm::inverse(spread) * mean;
     double part = 1;
@@ -110,7 +110,7 @@ void solve_fit(std::vector<FittedFace>& faces) {
         for (const FittedFace& f : faces) result += std::abs(weight(f));
         return result;
     };
-    for (int i = 0; i < 20 && sum() > weights_most; ++i) part *= 0.9;
+    for (int i = 0; i < 20 && sum() > max_weights; ++i) part *= 0.9;
     for (FittedFace& f : faces) f.weight = weight(f);
 }
 

@@ -117,12 +117,12 @@ OpenPart open_part(const SolidShare& solid, vec3 low, std::size_t axis, double h
                                                            : measured_part(solid, {low, second, first});
 }
 
-double way_to_wall(const SolidShare& solid, vec3 from, vec3 step, int parts_most) {
-    for (int part = 0; part < parts_most; ++part) {
+double way_to_wall(const SolidShare& solid, vec3 from, vec3 step, int max_parts) {
+    for (int part = 0; part < max_parts; ++part) {
         const vec3 here = from + double(part) * step;
         if (!is_open(solid, here + step)) return part + crossing(solid, here, step);
     }
-    return parts_most;
+    return max_parts;
 }
 
 double distance_to_wall(const SolidShare& solid, vec3 place, double h) {

@@ -26,9 +26,9 @@ OpenPart open_part(const SolidShare& solid, vec3 low, std::size_t axis, double h
 
 inline bool is_open(const SolidShare& solid, vec3 place) { return solid(place) < 0.5; }
 
-/// Distance from an open place to the wall along `step`, as a multiple of `step`; `parts_most` if no wall is
+/// Distance from an open place to the wall along `step`, as a multiple of `step`; `max_parts` if no wall is
 /// that near.
-double way_to_wall(const SolidShare& solid, vec3 from, vec3 step, int parts_most);
+double way_to_wall(const SolidShare& solid, vec3 from, vec3 step, int max_parts);
 
 /// Distance from a place to the wall (m), assumed to be a plane, from its distances along the axes; 0 in the
 /// solid, `4 h` if no wall is near.

@@ -47,7 +47,7 @@ std::vector<double> column(const Wave& wave, int count, double offset) {
 }
 
 /// Shorter ranges are not folded further, because folding would take longer than the work it saves.
-constexpr int fold_least = 8;
+constexpr int min_fold = 8;
 constexpr double symmetry_error = 1e-9;
 
 /// The values of a wave at each place.
@@ -95,7 +95,7 @@ void fold_waves(const std::vector<SampledWave>& columns, const CellRange& places
         if (mirrored(column, places, -1)) antisymmetric.push_back(column);
     }
     const bool splits = symmetric.size() + antisymmetric.size() == columns.size();
-    if (!splits || (!waves.folds.empty() && places.count < fold_least)) {
+    if (!splits || (!waves.folds.empty() && places.count < min_fold)) {
         add_dense(columns, places, waves);
         return;
     }
@@ -203,8 +203,8 @@ struct DenseTransform {
 template <TransformDirection direction, bool whole>
 void change_columns(const DenseTransform& by, const RowBlock& from, const RowBlock& to) {
     const Waves& waves = by.waves;
-    Floats8 given[2 * cells_most];
-    Floats8 found[2 * cells_most];
+    Floats8 given[2 * max_cells];
+    Floats8 found[2 * max_cells];
     for (int i = 0; i < waves.count; ++i) load_row<whole>(from, i, given + 2 * i);
     if constexpr (direction != TransformDirection::from_waves)
         for (const CellRange& places : waves.folds) fold(places, given);
@@ -239,8 +239,8 @@ struct SpectralDivision {
 template <bool whole>
 void divide_columns(const Waves& waves, const SpectralDivision& by, const RowBlock& block,
                     std::ptrdiff_t column) {
-    Floats8 given[2 * cells_most];
-    Floats8 found[2 * cells_most];
+    Floats8 given[2 * max_cells];
+    Floats8 found[2 * max_cells];
     for (int i = 0; i < waves.count; ++i) load_row<whole>(block, i, given + 2 * i);
     for (const CellRange& places : waves.folds) fold(places, given);
     for (std::size_t d = 0; d < waves.dense.size(); ++d) {

@@ -18,7 +18,7 @@ constexpr double own_part = 0.8, own_below = 5;
 // then computed again from the corrected velocity. The next search direction stays conjugate to the last one,
 // because restarting the search would cost a third of an iteration per step.
 constexpr double gain_of_round = 2e-3;
-constexpr int rounds_most = 4;
+constexpr int max_rounds = 4;
 
 double total(const Floats8& values) {
     double sum = 0;
@@ -46,7 +46,7 @@ void fill_round(const Rows& rows, Samples& potential) {
 
 }  // namespace
 
-Solids::Solids(const Lattice& lattice, const SolidShare& solid, double least_share)
+Solids::Solids(const Lattice& lattice, const SolidShare& solid, double min_share)
     : lattice_(lattice), box_(lattice, 2) {
     for (auto* samples : {&residual_, &smoothed_, &direction_, &image_, &correction_})
         *samples = make_samples(lattice);
@@ -58,7 +58,7 @@ Solids::Solids(const Lattice& lattice, const SolidShare& solid, double least_sha
         open_[axis] = make_samples(lattice);
         each_cell(lattice, [&](int i, int j, int k, std::size_t at) {
             const OpenPart part = open_part(solid, lattice.h * vec3(i, j, k), axis, lattice.h);
-            if (part.share < least_share) return;
+            if (part.share < min_share) return;
             open_[axis][at] = static_cast<float>(part.share);
             if (part.share < 1) cut_faces_[axis].push_back({at, part.middle});
         });
@@ -112,7 +112,7 @@ Solids::Maxima Solids::divergence(const std::array<Samples, 3>& velocity) {
                                         holds ? larger_magnitudes(magnitudes_of(ux), across) : Magnitudes8{});
         }
     });
-    return {largest_of(largest), largest_of(fastest)};
+    return {max_of(largest), max_of(fastest)};
 }
 
 /// Sets image_ to minus the divergence, through open faces, of the direction's gradient. Ghosts at
@@ -208,9 +208,9 @@ std::optional<double> Solids::step_along_direction(double slope) {
 /// Adds to correction_ the potential whose gradient has minus the residual as divergence. Stops when
 /// the residual, initially at most `left`, is at most `tolerance` in each cell. Returns the number of
 /// iterations.
-int Solids::solve(double left, double tolerance, int iterations_most) {
+int Solids::solve(double left, double tolerance, int max_iterations) {
     int iterations = 0;
-    while (iterations < iterations_most && left > tolerance) {
+    while (iterations < max_iterations && left > tolerance) {
         const Products products = precondition();
         if (!(products.residual > 0)) break;
         // Conjugate to the previous direction, which may be the start of the search or belong to the previous
@@ -247,7 +247,7 @@ void Solids::subtract_correction(std::array<Samples, 3>& velocity) const {
 }
 
 Solids::ProjectionResult Solids::project(std::array<Samples, 3>& velocity, Samples& potential, double share,
-                                         int iterations_most) {
+                                         int max_iterations) {
     ProjectionResult found;
     std::swap(direction_, potential);
     clear(rows_, potential);
@@ -258,12 +258,12 @@ Solids::ProjectionResult Solids::project(std::array<Samples, 3>& velocity, Sampl
         const Maxima is = divergence(velocity);
         found.divergence = is.divergence;
         const double tolerance = share * is.velocity / lattice_.h;
-        if (!(found.divergence > tolerance) || round == rounds_most) break;
+        if (!(found.divergence > tolerance) || round == max_rounds) break;
         clear(rows_, correction_);
         double left = found.divergence;
         if (round == 0) left = step_along_direction(dot(rows_, residual_, direction_)).value_or(left);
         found.iterations += solve(left, std::max(tolerance, found.divergence * gain_of_round),
-                                  iterations_most - found.iterations);
+                                  max_iterations - found.iterations);
         subtract_correction(velocity);
         add(rows_, potential, 1, correction_);
     }

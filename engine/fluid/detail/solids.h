@@ -26,7 +26,7 @@ struct CutFace {
 /// Faces with a smaller open share count as closed, and the flow through them is lost. With 0.125 this loss
 /// was 8 to 10 % of the squared error of a flow in a bowl, and more on finer grids. Smaller openings do not
 /// add iterations to the pressure solve.
-inline constexpr double open_least = 0.02;
+inline constexpr double min_open = 0.02;
 /// Smallest open share of a face along which the fluid slips, where the flow beside the wall is as fast as
 /// elsewhere. What is lost through a small closed opening is pushed through others by the pressure. With
 /// 0.02, a flow that turns as a rigid body had 1.7 times the error at 48 cells, and hardly less at 64.
@@ -35,7 +35,7 @@ inline constexpr double open_least_where_slipping = 0.002;
 /// Solids on one lattice: open shares of faces, and the projection that removes divergence.
 class Solids {
 public:
-    Solids(const Lattice& lattice, const SolidShare& solid, double least_share = open_least);
+    Solids(const Lattice& lattice, const SolidShare& solid, double min_share = min_open);
 
     /// Open shares of the faces of each component, 0 to 1, including ghosts; 0 on walls.
     const std::array<Samples, 3>& open() const { return open_; }
@@ -62,7 +62,7 @@ public:
     /// along it is as long as reduces the energy most (Fischer 1998, with one direction), so a bad guess does
     /// no harm.
     ProjectionResult project(std::array<Samples, 3>& velocity, Samples& potential, double share,
-                             int iterations_most);
+                             int max_iterations);
 
 private:
     struct Maxima {
@@ -75,7 +75,7 @@ private:
     };
     Products precondition();
     std::optional<double> step_along_direction(double slope);
-    int solve(double left, double tolerance, int iterations_most);
+    int solve(double left, double tolerance, int max_iterations);
     void subtract_correction(std::array<Samples, 3>& velocity) const;
 
     Lattice lattice_;

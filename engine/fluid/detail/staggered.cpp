@@ -27,20 +27,20 @@ constexpr double weight_1 = 1 - weight_2 - weight_3 - weight_4;
 
 /// Largest distance that the flow may move in a sub-step, summed over the axes (cells). At order 4 the phase
 /// of the fastest wave, which is 3.5 cells long, advances by 1.37 times that (rad).
-constexpr double carried_most = 2.0;
+constexpr double max_carried = 2.0;
 /// Largest nu dt / h^2 for which the stages include viscosity. For the shortest wave, rate times dt is 16
 /// times that: 2.4.
-constexpr double explicit_most = 0.15;
+constexpr double max_explicit = 0.15;
 /// Largest nu dt / h^2 of the base fluid for which implicit viscosity takes one pass. At 0.66 one pass
 /// doubles the error beside a curved wall.
-constexpr double one_pass_most = 0.25;
+constexpr double max_one_pass = 0.25;
 /// Limit of nu dt / h^2 where viscosity varies or there are solids. At this value the fluid already moves as
 /// a rigid body within a step. With a larger one, float could no longer represent its coupling to the fluid
 /// around it. At 9e6 a thick lump beside thin fluid in a bowl gained energy without end.
 constexpr double rigid = 1e5;
 /// Largest accepted divergence with solids, times h and divided by the largest velocity component.
 constexpr double max_divergence_with_solids = 9.5e-7;
-constexpr int iterations_most = 40;
+constexpr int max_iterations = 40;
 /// Largest accepted divergence without solids, in the same measure. A larger one is rounding error, from a
 /// velocity that viscosity almost removed or from the corners of a lid. The pressure is then solved again,
 /// `solves_more` times at most.
@@ -75,7 +75,7 @@ StaggeredSolver::StaggeredSolver(const Settings& settings, const Lattice& lattic
       order_(settings.solid ? 2 : settings.order),
       solids_(settings.solid ? std::make_unique<Solids>(
                                    lattice, settings.solid,
-                                   settings.no_slip_at_solids ? open_least : open_least_where_slipping)
+                                   settings.no_slip_at_solids ? min_open : open_least_where_slipping)
                              : nullptr),
       rows_(solids_ ? solids_->rows() : whole_rows(lattice)),
       pressure_(lattice, order_),
@@ -123,7 +123,7 @@ bool StaggeredSolver::has_weight(const Settings& settings) {
                                                       [](const Substance& s) { return s.weight != 0; });
 }
 
-/// Number of sub-steps of equal length that keeps the distance per sub-step within carried_most.
+/// Number of sub-steps of equal length that keeps the distance per sub-step within max_carried.
 ///
 /// Where the fluid slips along solids, advection reads continued velocities on cut faces. A face then counts
 /// by its open share. In a small opening the velocity, or the force, may be much larger than around it, and
@@ -131,15 +131,15 @@ bool StaggeredSolver::has_weight(const Settings& settings) {
 double StaggeredSolver::substeps_wanted(const Settings& settings, const Velocity& velocity, double dt) const {
     const auto wanted = [&](double flow, double push) {
         const double carried = flow + std::abs(settings.lid) + dt * push;
-        return std::ceil(carried * dt / (lattice_.h * carried_most));
+        return std::ceil(carried * dt / (lattice_.h * max_carried));
     };
     const double most = wanted(start_norms_.sum_of_largest, has_force_ ? sum_of_largest(rows_, force_) : 0);
     if (most <= 1 || !continuation_) return most;
     double flow = 0, push = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const Samples& open = solids_->open()[axis];
-        flow += largest_product(rows_, open, velocity[axis]);
-        if (has_force_) push += largest_product(rows_, open, force_[axis]);
+        flow += max_product(rows_, open, velocity[axis]);
+        if (has_force_) push += max_product(rows_, open, force_[axis]);
     }
     return wanted(flow, push);
 }
@@ -241,7 +241,7 @@ const StaggeredSolver::Velocity& StaggeredSolver::carrying_velocity(const Settin
 /// Makes sum_ the new velocity.
 void StaggeredSolver::end_step(const Settings& settings, State& now, double dt, StepReport& report) {
     if (solids_) {
-        const auto found = solids_->project(sum_, now.projected, max_divergence_with_solids, iterations_most);
+        const auto found = solids_->project(sum_, now.projected, max_divergence_with_solids, max_iterations);
         report.pressure_iterations += found.iterations;
         report.divergence = found.divergence;
         const auto per_dt = static_cast<float>(1 / dt);
@@ -364,7 +364,7 @@ void StaggeredSolver::diffuse_velocity(const Settings& settings, const State& no
                         .no_slip_at_solids = settings.no_slip_at_solids,
                         .lid = settings.lid,
                         .dt = dt,
-                        .passes = ratio > one_pass_most ? 2 : 1},
+                        .passes = ratio > max_one_pass ? 2 : 1},
                        sum_);
 }
 
@@ -372,7 +372,7 @@ void StaggeredSolver::diffuse_velocity(const Settings& settings, const State& no
 /// energy that diffusion added (m^2/s^2, summed over cells).
 double StaggeredSolver::transport_substances(const Velocity& before, const Velocity& after,
                                              const Settings& settings, State& now, double dt,
-                                             int most_substeps) {
+                                             int max_substeps) {
     if (now.substances.empty()) return 0;
     const auto* open = solids_ ? &solids_->open() : nullptr;
     set_face_flow(lattice_, before, after, solids_ ? &face_apertures_ : nullptr, dt, face_flow_, order_);
@@ -384,7 +384,7 @@ double StaggeredSolver::transport_substances(const Velocity& before, const Veloc
         const double lifted = substance.diffusion > 0 ? lifted_by_diffusion(rows_, open, pull, density) : 0;
         const TransportReport did =
             transport(lattice_, face_flow_,
-                      {.diffusion = substance.diffusion, .most_substeps = most_substeps, .moved_along = pull},
+                      {.diffusion = substance.diffusion, .max_substeps = max_substeps, .moved_along = pull},
                       density, transport_);
         sunk += lattice_.h * glm::dot(pull, did.moved) + dt * did.spread * substance.diffusion * lifted;
     }
@@ -398,8 +398,8 @@ void StaggeredSolver::carry_substances(const Settings& settings, State& now, dou
 /// Transports the substances by the velocities before a sub-step (in sum_) and after it. Returns the
 /// result of transport_substances.
 double StaggeredSolver::transport_after_substep(const Settings& settings, State& now, double dt,
-                                                int most_substeps) {
-    return transport_substances(sum_, now.velocity, settings, now, dt, most_substeps);
+                                                int max_substeps) {
+    return transport_substances(sum_, now.velocity, settings, now, dt, max_substeps);
 }
 
 /// A semi-Lagrangian step of any length: each sample takes the value from the place where its fluid was
@@ -482,7 +482,7 @@ StepReport StaggeredSolver::step(const Settings& settings, State& now, double dt
     current_norms_.reset();
     find_pushed_rows(now);
     while (left > 0) {
-        const int allowed = substeps_most - report.substeps;
+        const int allowed = max_substeps - report.substeps;
         const double wanted = plan_substeps(settings, now, left, dt, allowed);
         if (wanted > allowed) {
             // The semi-Lagrangian step covers all remaining time at once, because doing some sub-steps first
@@ -495,7 +495,7 @@ StepReport StaggeredSolver::step(const Settings& settings, State& now, double dt
         }
         const double sub = left / wanted;
         viscosity_in_stages_ = !solids_ && !viscosity_varies(settings) &&
-                               settings.viscosity * sub <= explicit_most * lattice_.h * lattice_.h;
+                               settings.viscosity * sub <= max_explicit * lattice_.h * lattice_.h;
         substep(settings, now, sub, dt, report);
         left = wanted > 1 ? left - sub : 0;
     }

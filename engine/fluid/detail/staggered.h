@@ -64,9 +64,9 @@ private:
     void limit_energy(const Settings& settings, State& now, double share, double sunk, StepReport& report);
     void diffuse_velocity(const Settings& settings, const State& now, double dt);
     double transport_after_substep(const Settings& settings, State& now, double dt,
-                                   int most_substeps = TransportSettings{}.most_substeps);
+                                   int max_substeps = TransportSettings{}.max_substeps);
     double transport_substances(const Velocity& before, const Velocity& after, const Settings& settings,
-                                State& now, double dt, int most_substeps = TransportSettings{}.most_substeps);
+                                State& now, double dt, int max_substeps = TransportSettings{}.max_substeps);
     void semi_lagrangian(const Settings& settings, State& now, double dt, double whole, StepReport& report);
 
     Lattice lattice_;

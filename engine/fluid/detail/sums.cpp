@@ -40,7 +40,7 @@ double product(const auto& where, const Samples& a, const Samples& b) {
 std::uint32_t size_of(float value) { return std::bit_cast<std::uint32_t>(value) & 0x7fffffffU; }
 double of_size(std::uint32_t size) { return static_cast<double>(std::bit_cast<float>(size)); }
 
-double most_over(const auto& where, auto&& term) {
+double max_over(const auto& where, auto&& term) {
     std::uint32_t most = 0;
     each_whole_row(where, [&](Row row) {
         for (std::ptrdiff_t i = row.at; i < row.at + row.count; ++i) most = std::max(most, size_of(term(i)));
@@ -48,8 +48,8 @@ double most_over(const auto& where, auto&& term) {
     return of_size(most);
 }
 
-double most_of(const auto& where, const Samples& samples) {
-    return most_over(where, [value = samples.data()](std::ptrdiff_t i) { return value[i]; });
+double max_of(const auto& where, const Samples& samples) {
+    return max_over(where, [value = samples.data()](std::ptrdiff_t i) { return value[i]; });
 }
 
 }  // namespace
@@ -68,16 +68,16 @@ double dot(const Rows& rows, const Samples& a, const Samples& b, const Samples& 
     });
 }
 
-double largest(const Lattice& lattice, const Samples& samples) { return most_of(lattice, samples); }
-double largest(const Rows& rows, const Samples& samples) { return most_of(rows, samples); }
+double largest(const Lattice& lattice, const Samples& samples) { return max_of(lattice, samples); }
+double largest(const Rows& rows, const Samples& samples) { return max_of(rows, samples); }
 double largest(const Rows& rows, const std::array<Samples, 3>& velocity) {
     double most = 0;
     for (const Samples& component : velocity) most = std::max(most, largest(rows, component));
     return most;
 }
 
-double largest_product(const Rows& rows, const Samples& a, const Samples& b) {
-    return most_over(rows, [x = a.data(), y = b.data()](std::ptrdiff_t i) { return x[i] * y[i]; });
+double max_product(const Rows& rows, const Samples& a, const Samples& b) {
+    return max_over(rows, [x = a.data(), y = b.data()](std::ptrdiff_t i) { return x[i] * y[i]; });
 }
 
 double segregation(const Rows& rows, double cells, const Samples& density) {

@@ -17,7 +17,7 @@ double largest(const Rows& rows, const Samples& samples);
 double largest(const Rows& rows, const std::array<Samples, 3>& velocity);
 
 /// Largest absolute value of the product of two samples of one place.
-double largest_product(const Rows& rows, const Samples& a, const Samples& b);
+double max_product(const Rows& rows, const Samples& a, const Samples& b);
 
 /// Intensity of segregation of a density >= 0 over `cells` cells with fluid (Danckwerts 1952), 0 to 1: its
 /// variance, divided by the variance that the same amount would have if each cell were either empty or at the

@@ -42,12 +42,12 @@ constexpr float bias = 0.1F;
 /// Largest sharpness of the flux above. With it, a sphere of 64^3 returns from LeVeque's flow with an error
 /// of 0.31. A sharpness of 0.15 gives 0.35, and a sharpness of 0 gives 0.60. A larger one deforms slots and
 /// corners that are a few cells wide.
-constexpr double sharpness_most = 0.25;
+constexpr double max_sharpness = 0.25;
 /// Intensities of segregation from which on edges are kept sharp in part, and fully. A Gaussian has at most
 /// 0.41 in a flow that stretches it. At 0.5 and above, more of a body lies in its inside than on its edge.
 constexpr double segregation_of_blurred = 0.5, segregation_of_sharp = 0.6;
 // Smaller numbers soon become subnormal (below 1e-38), which are slow.
-constexpr float least_density = 1e-20F;
+constexpr float min_density = 1e-20F;
 
 using Floats = const float* __restrict;
 
@@ -216,7 +216,7 @@ inline float limited_difference(Floats difference, Floats part, Floats room, std
             (((limited_difference(x, part, room, i + 1, 1) - limited_difference(x, part, room, i, 1)) +
               (limited_difference(y, part, room, i + sy, sy) - limited_difference(y, part, room, i, sy))) +
              (limited_difference(z, part, room, i + sz, sz) - limited_difference(z, part, room, i, sz)));
-        result[i] = now < least_density ? 0 : now;
+        result[i] = now < min_density ? 0 : now;
     }
 }
 
@@ -353,7 +353,7 @@ void take_stage(const SubstepContext& c, const Samples& value, float part, Sampl
 /// Density that crossed all faces along an axis, positive in the direction of the axis.
 template <TransportTerms terms>
 double moved_across(const SubstepContext& c, std::size_t axis, const Samples& part, const Samples& room) {
-    std::array<LevelCrossing, cells_most> levels{};
+    std::array<LevelCrossing, max_cells> levels{};
     for (int k = 0; k < c.lattice.cells[2]; ++k) {
         for (int j = 0; j < c.lattice.cells[1]; ++j) {
             const Row row = c.rows().at(j, k);
@@ -432,9 +432,9 @@ struct Schedule {
 /// time.
 Schedule schedule(double outflow, double diffusion, int most) {
     const double spreading = 6 * diffusion;
-    const double wanted = std::max(1.0, std::ceil((outflow + spreading) / courant_most));
+    const double wanted = std::max(1.0, std::ceil((outflow + spreading) / max_courant));
     if (wanted <= most) return {static_cast<int>(wanted), 1, 1};
-    const double room = courant_most * most;
+    const double room = max_courant * most;
     const double spread = std::min(spreading, std::max(room / 2, room - outflow));
     const double carried = std::min(outflow, room - spread);
     return {most, outflow > 0 ? carried / outflow : 1, spreading > 0 ? spread / spreading : 1};
@@ -459,7 +459,7 @@ float sharpness_of(const FaceFlow& face_flow, double diffusion, const Samples& d
                          (segregation_of_sharp - segregation_of_blurred);
     // Rounding the share to sixteenths hides the rounding errors of the sums, so that the symmetry of the
     // flow is kept.
-    return static_cast<float>(sharpness_most * std::round(16 * std::clamp(share, 0.0, 1.0)) / 16);
+    return static_cast<float>(max_sharpness * std::round(16 * std::clamp(share, 0.0, 1.0)) / 16);
 }
 
 /// Outflow of each cell of a row; `most` keeps the largest value so far.
@@ -556,7 +556,7 @@ void set_face_flow(const Lattice& lattice, const std::array<Samples, 3>& before,
     }
     face_flow.face_apertures = face_apertures;
     face_flow.dt = dt;
-    std::array<float, cells_most> most{};
+    std::array<float, max_cells> most{};
     each_row(face_flow.rows(), [&](Row row) {
         const auto& c = face_flow.courant;
         outflow_row({{c[0].data() + row.at, c[1].data() + row.at, c[2].data() + row.at}, lattice.stride},
@@ -569,7 +569,7 @@ TransportReport transport(const Lattice& lattice, const FaceFlow& face_flow,
                           const TransportSettings& settings, Samples& density, TransportScratch& scratch) {
     const double diffusion = settings.diffusion * face_flow.dt / (lattice.h * lattice.h);
     if ((face_flow.outflow == 0 && diffusion == 0) || is_empty(face_flow.rows(), density)) return {};
-    const auto [substeps, carried, spread] = schedule(face_flow.outflow, diffusion, settings.most_substeps);
+    const auto [substeps, carried, spread] = schedule(face_flow.outflow, diffusion, settings.max_substeps);
     const SubstepScale scale{static_cast<float>(carried / substeps),
                              static_cast<float>(diffusion * spread / substeps),
                              sharpness_of(face_flow, diffusion, density)};

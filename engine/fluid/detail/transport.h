@@ -17,7 +17,7 @@
 // `segregation`), its fluxes carry a share of the slope back. A smooth hill, a mixture and a substance
 // that diffuses are left as they are.
 //
-// Sub-steps are so short that the first-order fluxes take at most `courant_most` of any cell. There is
+// Sub-steps are so short that the first-order fluxes take at most `max_courant` of any cell. There is
 // no splitting by direction: the fluxes of all three axes act at once.
 //
 // Symmetry: if the input is mirrored along any axis, or x and y are exchanged, so is the output, to the
@@ -86,14 +86,14 @@ struct TransportScratch {
 TransportScratch make_transport_scratch(const Lattice& lattice);
 
 /// Largest share of a cell that first-order fluxes take in a sub-step.
-inline constexpr double courant_most = 0.9;
+inline constexpr double max_courant = 0.9;
 
 /// Settings of one transport of a substance.
 struct TransportSettings {
     double diffusion{};  ///< diffusion coefficient, finite, >= 0 (m^2/s)
     /// Largest number of sub-steps, >= 1; 10 are enough for a flow of four cells along two axes at
     /// once.
-    int most_substeps{10};
+    int max_substeps{10};
     vec3 moved_along{};  ///< nonzero for the axes along which `moved` is to be computed
 };
 

@@ -13,18 +13,18 @@ namespace {
 /// Smallest distance to a wall that is used, in h. A place with walls along three axes loses its
 /// velocity by the product of three factors. If that product were thousands, the pressure would take
 /// minutes to settle.
-constexpr double least_way = 0.2;
+constexpr double min_way = 0.2;
 /// Smallest ratio of the velocity at the centre of a face to that at the centre of its open part. Faces with
 /// a smaller ratio are dragged (DraggedFace).
-constexpr double least_factor = 0.25;
+constexpr double min_factor = 0.25;
 /// Strength of the drag, relative to dt nu / h^2 and to the distance from the centre of the open part
 /// to the wall in h.
 constexpr float drag_factor = 8;
 /// Limits of the explicit half for a link between open places and for a link to a wall. Even if both links of
 /// a place are at their limit, no wave grows in the explicit half, so energy only falls. Between open places
 /// all values stay within their previous range.
-constexpr float explicit_link_most = 0.25F;
-constexpr float explicit_wall_link_most = 0.5F;
+constexpr float max_explicit_link = 0.25F;
+constexpr float max_explicit_wall_link = 0.5F;
 
 /// Layout of slabs: lines that are parallel and adjacent along x. Lines along x are adjacent along y.
 struct Slabs {
@@ -48,9 +48,9 @@ struct Lines {
     Edge edge;
     bool through;  ///< true: the component is parallel to the line, so it is 0 on the walls at both ends
     bool no_slip_at_solids;
-    bool varies;      ///< whether the viscosity differs between places
-    float link_most;  ///< largest coefficient of a link, not counting links that a wall shortens
-    float lid;        ///< speed of the wall at the high end (m/s)
+    bool varies;     ///< whether the viscosity differs between places
+    float max_link;  ///< largest coefficient of a link, not counting links that a wall shortens
+    float lid;       ///< speed of the wall at the high end (m/s)
     std::span<const CutLink> cuts;
     std::ptrdiff_t skipped;  ///< closed places left out before the first place
 };
@@ -66,12 +66,12 @@ inline Floats8 explicit_part(const Floats8& whole, const Floats8& most) {
 /// one of the places is closed.
 inline Floats8 explicit_part(const Floats8& whole, const Floats8& a, const Floats8& b) {
     const Floats8 most =
-        ((a < zero8) | (b < zero8)) ? zero8 + explicit_wall_link_most : zero8 + explicit_link_most;
+        ((a < zero8) | (b < zero8)) ? zero8 + max_explicit_wall_link : zero8 + max_explicit_link;
     return explicit_part(whole, most);
 }
 
 /// Largest coefficient of a link.
-float largest_coefficient(const Lattice& lattice, const ViscousStep& step) {
+float max_coefficient(const Lattice& lattice, const ViscousStep& step) {
     return static_cast<float>(step.thickest * step.dt / (step.passes * lattice.h * lattice.h));
 }
 
@@ -89,7 +89,7 @@ Lines lines_along(const Lattice& lattice, const ViscousStep& step, std::size_t a
             .through = axis == across,
             .no_slip_at_solids = step.no_slip_at_solids,
             .varies = step.varies,
-            .link_most = largest_coefficient(lattice, step),
+            .max_link = max_coefficient(lattice, step),
             .lid = axis == 0 && across == 1 ? static_cast<float>(step.lid) : 0.0F,
             .cuts = {},
             .skipped = 0};
@@ -161,12 +161,12 @@ void find_links(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r,
     const float* own = coefficients_at(lines, buffers, r);
     const float* next = lines.coefficient + (r + 1) * lines.row;
     for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8)
-        store(buffers.link + i, smaller(link(holds, load(own + i), load(next + i)), zero8 + lines.link_most));
+        store(buffers.link + i, smaller(link(holds, load(own + i), load(next + i)), zero8 + lines.max_link));
     if (layered) {
         const LinkRows rows = rows_around(lines, buffers, r);
         for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8)
             store(buffers.link + i,
-                  smaller(layered_link(load(buffers.link + i), rows, i), zero8 + lines.link_most));
+                  smaller(layered_link(load(buffers.link + i), rows, i), zero8 + lines.max_link));
     }
     if (!holds) return;
     const std::ptrdiff_t first = (r + lines.skipped) * lines.pitch;
@@ -184,8 +184,8 @@ void begin(const Lines& lines, const RowBuffers& buffers, const EliminationFacto
     const float multiple = links_to_walls(lines)[0];
     const float* own = coefficients_at(lines, buffers, 0);
     for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8) {
-        const Floats8 whole = multiple * smaller(larger(load(own + i), zero8), zero8 + lines.link_most);
-        const Floats8 part = explicit_part(whole, zero8 + explicit_wall_link_most);
+        const Floats8 whole = multiple * smaller(larger(load(own + i), zero8), zero8 + lines.max_link);
+        const Floats8 part = explicit_part(whole, zero8 + max_explicit_wall_link);
         const Floats8 value = load(lines.value + i);
         store(buffers.below + i, zero8);
         store(buffers.flux + i, -part * value);
@@ -195,8 +195,8 @@ void begin(const Lines& lines, const RowBuffers& buffers, const EliminationFacto
                 link(lines.no_slip_at_solids, load(lines.coefficient + last + i), load(own + i));
             const Floats8 ends = smaller(
                 lines.varies ? layered_link(mean, rows_around(lines, buffers, lines.count - 1), i) : mean,
-                zero8 + lines.link_most);
-            const Floats8 half = explicit_part(ends, zero8 + explicit_link_most);
+                zero8 + lines.max_link);
+            const Floats8 half = explicit_part(ends, zero8 + max_explicit_link);
             store(buffers.ring + i, half * (value - load(lines.value + last + i)));
             // The matrix of a periodic line is that of a line with open ends plus ends * (e0 - en)(e0 -
             // en)^T.
@@ -240,8 +240,8 @@ template <bool ring, bool last>
     const Floats8 here = load(place.value + i), coefficient = load(place.coefficient + i);
     Floats8 whole, part, to_next;
     if constexpr (last) {
-        whole = place.wall_multiple * smaller(larger(coefficient, zero8), zero8 + lines.link_most);
-        part = explicit_part(whole, zero8 + explicit_wall_link_most);
+        whole = place.wall_multiple * smaller(larger(coefficient, zero8), zero8 + lines.max_link);
+        part = explicit_part(whole, zero8 + max_explicit_wall_link);
         to_next = part * here;
     } else {
         whole = load(buffers.link + i);
@@ -393,8 +393,8 @@ void Viscosity::find_faces(const SolidShare& solid, std::size_t axis) {
     for (const CutFace& face : solids_->cut_faces(axis)) {
         const double centre = distance_to_wall(solid, position_of(axis, face.at), h);
         const double middle = distance_to_wall(solid, face.middle, h);
-        if (centre >= least_way * h && centre >= least_factor * middle)
-            scaled_[axis].push_back({face.at, static_cast<float>(centre / std::max(middle, least_way * h))});
+        if (centre >= min_way * h && centre >= min_factor * middle)
+            scaled_[axis].push_back({face.at, static_cast<float>(centre / std::max(middle, min_way * h))});
         else
             on_line[face.at] = 0;
     }
@@ -408,7 +408,7 @@ void Viscosity::find_faces(const SolidShare& solid, std::size_t axis) {
 DraggedFace Viscosity::dragged_face(const SolidShare& solid, std::size_t axis, const CutFace& face) const {
     const double h = lattice_.h;
     const double middle = distance_to_wall(solid, face.middle, h);
-    DraggedFace result{.at = face.at, .nearer = static_cast<float>(h / std::max(middle, least_way * h))};
+    DraggedFace result{.at = face.at, .nearer = static_cast<float>(h / std::max(middle, min_way * h))};
     std::array<double, 6> away{};
     double squares = 0;
     for (std::size_t side = 0; side < 6; ++side) {
@@ -437,7 +437,7 @@ void Viscosity::find_cuts(const SolidShare& solid, std::size_t axis, std::size_t
                 const double way = is_on_line(low) ? way_to_wall(solid, first, second - first, 2)
                                                    : way_to_wall(solid, second, first - second, 2);
                 cuts_[axis][across].push_back({low[outer], low[across] * pitch + low[beside],
-                                               static_cast<float>(1 / std::max(way, least_way))});
+                                               static_cast<float>(1 / std::max(way, min_way))});
             }
         }
     }
@@ -479,7 +479,7 @@ void Viscosity::diffuse(const ViscousStep& step, std::array<Samples, 3>& velocit
 void Viscosity::component(const ViscousStep& step, std::size_t axis, Samples& u) {
     const auto s = lattice_.stride[axis];
     const auto half = static_cast<float>(0.5 * step.dt / (step.passes * lattice_.h * lattice_.h));
-    const Floats8 most = zero8 + largest_coefficient(lattice_, step);
+    const Floats8 most = zero8 + max_coefficient(lattice_, step);
     const float* nu = step.viscosity->data();
     const bool holds = solids_ != nullptr && step.no_slip_at_solids;
     const float* open = holds                ? on_lines_[axis].data()
@@ -513,7 +513,7 @@ void Viscosity::add_force(const ViscousStep& step, std::size_t axis, float sign,
                           std::ptrdiff_t at, Samples& u) {
     const auto half = 0.5F * sign * static_cast<float>(step.dt);
     const Floats8 share =
-        2 * explicit_link_most < coefficients ? 2 * explicit_link_most / coefficients : zero8 + 1.0F;
+        2 * max_explicit_link < coefficients ? 2 * max_explicit_link / coefficients : zero8 + 1.0F;
     const Floats8 more = half * share * load((*step.force)[axis].data() + at);
     store(u.data() + at, load(u.data() + at) + (coefficients < zero8 ? zero8 : more));
 }

@@ -11,26 +11,26 @@ namespace thaum::gesture {
 
 /// Distance below which two gestures are twins if the mean force of one is twice that of the other: as the logarithm of the
 /// ratio of their forces, and no more than the second one. The clearer their force, the less alike their shapes need be.
-inline constexpr double twin_distance = 0.07, most_twin_distance = 0.15;
+inline constexpr double twin_distance = 0.07, max_twin_distance = 0.15;
 /// The same where every third gesture is so many times as far: then the two are one shape, drawn with little care.
-inline constexpr double clear_twin_distance = 0.12, most_clear_twin_distance = 0.25, clear_of_others = 1.6;
+inline constexpr double clear_twin_distance = 0.12, max_clear_twin_distance = 0.25, clear_of_others = 1.6;
 
 /// Whether force tells apart two gestures at a distance whose strokes have these mean forces. `third` is the distance of the
 /// nearest third gesture; 0: there is none.
 inline bool differ_in_force(double distance, double force, double other, double third = 0) {
     if (!(std::min(force, other) > 0)) return false;
     const double doublings = std::abs(det::log(force / other)) / det::log(2);
-    if (distance <= std::min(twin_distance * doublings, most_twin_distance)) return true;
+    if (distance <= std::min(twin_distance * doublings, max_twin_distance)) return true;
     return distance * clear_of_others <= third &&
-           distance <= std::min(clear_twin_distance * doublings, most_clear_twin_distance);
+           distance <= std::min(clear_twin_distance * doublings, max_clear_twin_distance);
 }
 
 /// How odd a mean force is for a gesture whose strokes usually have the other one: half the square of their logarithms'
 /// difference. A force that is e^force_scatter times as far from one gesture as from another counts.
 inline double force_oddness(double force, double usual) {
     constexpr double force_scatter = 0.25;
-    constexpr double least_force = 1e-3;  // share of the usual force
-    const double ratio = std::max(force / usual, least_force);
+    constexpr double min_force = 1e-3;  // share of the usual force
+    const double ratio = std::max(force / usual, min_force);
     const double off = det::log(ratio) / force_scatter;
     return off * off / 2;
 }

@@ -15,7 +15,7 @@ constexpr std::uint32_t none = 0xffffffff;
 constexpr double false_accepts_wanted = 0.01;
 /// Number of strokes to which weights are fitted, at most. Of more strokes, only every second, third or so is
 /// taken: the weights need no more, and there may be very many.
-constexpr std::size_t most_fitted = 20'000;
+constexpr std::size_t max_fitted = 20'000;
 
 using Numbers = std::vector<std::vector<std::size_t>>;
 
@@ -53,8 +53,8 @@ private:
     std::optional<std::string> check() const {
         if (index_.gestures.size() < 2)
             return "the strokes are of one gesture; there is nothing to tell apart";
-        if (index_.gestures.size() > most_gestures)
-            return text(index_.gestures.size(), " gestures, more than ", most_gestures);
+        if (index_.gestures.size() > max_gestures)
+            return text(index_.gestures.size(), " gestures, more than ", max_gestures);
         if (settings_.protocol == Protocol::leave_user_out && index_.users.size() < 2)
             return "all strokes are of one user; use --protocol random or user-dependent";
         return std::nullopt;
@@ -128,7 +128,7 @@ std::vector<std::uint32_t> groups_of(std::span<const Trial> trials) {
 /// Sets the probabilities of one group with weights fitted to the other groups.
 void calibrate_group(std::vector<Trial>& trials, std::uint32_t group) {
     std::vector<LabelledEvidence> samples;
-    const std::size_t stride = trials.size() / most_fitted + 1;
+    const std::size_t stride = trials.size() / max_fitted + 1;
     std::size_t number = 0;
     for (const auto& t : trials) {
         if (t.group != group && t.answer != none && number++ % stride == 0)
@@ -231,10 +231,10 @@ GestureIndex index_of(std::span<const Stroke> strokes) {
     return index;
 }
 
-Certainty certainty_of(const Evaluation& evaluation, double least_probability) {
+Certainty certainty_of(const Evaluation& evaluation, double min_probability) {
     std::size_t told = 0, right = 0;
     for (const auto& t : evaluation.trials) {
-        if (t.answer == none || t.probability < least_probability) continue;
+        if (t.answer == none || t.probability < min_probability) continue;
         ++told;
         right += t.right();
     }

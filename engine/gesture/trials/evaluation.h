@@ -103,7 +103,7 @@ struct Certainty {
     double right{};  ///< share of the sure answers that are right; 0 if there are none
 };
 /// Certainty with which answers of at least this probability are told.
-Certainty certainty_of(const Evaluation& evaluation, double least_probability);
+Certainty certainty_of(const Evaluation& evaluation, double min_probability);
 
 /// Templates of one fold.
 std::vector<Gesture> gestures_of(std::span<const Stroke> strokes, const GestureIndex& index,

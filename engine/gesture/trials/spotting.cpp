@@ -10,7 +10,7 @@
 namespace thaum::gesture {
 namespace {
 
-constexpr double least_overlap = 0.5;
+constexpr double min_overlap = 0.5;
 constexpr float tightest = 0.02F, loosest = 0.4F, threshold_step = 0.0025F;
 constexpr auto thresholds = static_cast<std::size_t>((loosest - tightest) / threshold_step + 1.5F);
 
@@ -74,7 +74,7 @@ void judge(const Candidate& c, double told, const Truth& truth, std::vector<char
         const auto& label = labels[i];
         if (used[i] != 0 || label.gesture != c.gesture) continue;
         const double both = std::min(label.end, c.end) - std::max(label.start, c.start);
-        if (both < least_overlap * std::min(label.end - label.start, c.end - c.start)) continue;
+        if (both < min_overlap * std::min(label.end - label.start, c.end - c.start)) continue;
         used[i] = 1;
         ++count.right;
         count.delays.push_back(told - label.end);

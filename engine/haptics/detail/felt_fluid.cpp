@@ -11,9 +11,9 @@ constexpr double viscosity_pace = 1.0 / 32;
 
 /// Leads the viscosity to that of the space. Returns true if the space became viscous or free.
 bool follow_viscosity(const Servo& servo, ServoState& state, const HapticModel& model) {
-    const double wanted = model.viscosity > 0 ? std::min(model.viscosity, servo.most_damping) : 0;
+    const double wanted = model.viscosity > 0 ? std::min(model.viscosity, servo.max_damping) : 0;
     const bool jumped = (wanted > 0) != (state.viscosity > 0);
-    const double pace = viscosity_pace * servo.most_damping, before = state.viscosity;
+    const double pace = viscosity_pace * servo.max_damping, before = state.viscosity;
     state.viscosity = jumped ? wanted : std::clamp(wanted, before - pace, before + pace);
     return jumped;
 }
@@ -27,7 +27,7 @@ FeltFluid feel_space(const Servo& servo, ServoState& state, const HapticModel& m
     felt.switched = detect_fluid_switch(state.fluid, model.fluid) || viscous;
     if (state.viscosity > 0) sources.passive -= state.viscosity * prompt_velocity(state, servo.quantum);
     if (state.fluid.number == 0) return felt;
-    felt.forces = feel_fluid(model.fluid, state.fluid, {tip.position, tip.velocity, age, servo.most_damping});
+    felt.forces = feel_fluid(model.fluid, state.fluid, {tip.position, tip.velocity, age, servo.max_damping});
     sources.passive += felt.forces.passive;
     sources.active += felt.forces.active;
     return felt;

@@ -29,7 +29,7 @@ double friction_on(const ContactPlane& plane, double strength, const ModeSetting
 /// Strength of the plane that holds the proxy (N).
 double strength_of(const LevelContact& contact, const ModeSettings& settings) {
     const double strength = std::max(0.0, strength_at(settings.strength, contact.planes[0].gradient));
-    return contact.behind ? std::min(strength, most_pull) : strength;
+    return contact.behind ? std::min(strength, max_pull) : strength;
 }
 
 /// Strength with which a magnetic surface holds the proxy (N). It fades before the end of the reach.
@@ -38,7 +38,7 @@ double magnet_of(const LevelContact& contact, const ModeSettings& settings, cons
     const ContactPlane& first = contact.planes[0];
     const double height = glm::dot(input.next_tip() - first.place, first.normal);
     const double share = (settings.reach - height) / std::min(magnet_fade, settings.reach);
-    return std::min(settings.magnet, most_pull) * std::clamp(share, 0.0, 1.0);
+    return std::min(settings.magnet, max_pull) * std::clamp(share, 0.0, 1.0);
 }
 
 void add_isosurface(const field::AnyField& field, const ModeSettings& settings, const ModeInput& input,

@@ -29,7 +29,7 @@ void add_snap(const field::AnyField& field, const ModeSettings& settings, const 
     const Direction axis = direction_of(curl(here));
     const vec3 off = axis.length > 0 ? to_core(here, axis.unit) : vec3(0);
     const bool near = axis.length > 0 && is_finite(off) && glm::length(off) <= settings.reach;
-    const double strength = near ? std::min(most_pull, strength_at(settings.strength, axis.length)) : 0;
+    const double strength = near ? std::min(max_pull, strength_at(settings.strength, axis.length)) : 0;
     add_or_rest(set, {PrimitiveKind::line, near ? input.proxy + off : vec3(0), axis.unit, strength});
 }
 

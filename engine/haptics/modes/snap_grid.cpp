@@ -20,7 +20,7 @@ void add_snap(const field::AnyField& field, const ModeSettings& settings, const 
     const vec3 nearest = nearest_point(field.placement, settings.pitch, input.proxy);
     const bool near = settings.pitch > 0 && glm::distance(nearest, input.proxy) <= settings.reach;
     const double strength =
-        near ? std::min(most_pull, strength_at(settings.strength, field.scalar(nearest).value)) : 0;
+        near ? std::min(max_pull, strength_at(settings.strength, field.scalar(nearest).value)) : 0;
     add_or_rest(set, {PrimitiveKind::point, near ? nearest : vec3(0), {}, strength});
 }
 

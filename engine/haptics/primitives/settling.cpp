@@ -6,8 +6,8 @@
 namespace thaum::haptics {
 namespace {
 
-/// Factors of the bound in each tick: from first_pace to most_pace in `first_ticks`, and
-/// from there to least_pace in 227.
+/// Factors of the bound in each tick: from first_pace to max_pace in `first_ticks`, and
+/// from there to min_pace in 227.
 constexpr double beginning = 0.7, calming = 0.97;
 /// Rise of the bound for each newton by which motion stretches the spring. At a steady speed, the bound is
 /// thus 5 times the stretch of one tick.
@@ -24,14 +24,14 @@ constexpr std::uint64_t few = 2;
 /// Whether the balance has moved farther than the proxy and the tip together. Then the proxy's own step was
 /// too large: a whole step to the balance would not come nearer to where all forces cancel.
 bool is_astray(const Settling& state, const ProxyWay& way, double moved) {
-    const double own = glm::length(state.step) + moved + least_pace / way.spring.stiffness;
+    const double own = glm::length(state.step) + moved + min_pace / way.spring.stiffness;
     return glm::distance(way.balance, state.balance) > own;
 }
 
 void adapt_pace(Settling& state, const ProxyWay& way, double moved) {
     const vec3 wanted = way.balance - way.from;
     const double before = glm::length(state.step);
-    const bool counts = way.spring.stiffness * before > least_pace;  // not the noise of rounding
+    const bool counts = way.spring.stiffness * before > min_pace;  // not the noise of rounding
     const bool astray = is_astray(state, way, moved);
     const double straight = astray ? straight_astray : straight_on;
     if (counts && glm::dot(wanted, state.step) < straight * glm::length(wanted) * before) {
@@ -41,7 +41,7 @@ void adapt_pace(Settling& state, const ProxyWay& way, double moved) {
         state.pace *= astray || state.straight < few ? after_turn : later;
         ++state.straight;
     }
-    state.pace = std::clamp(state.pace, least_pace, state.bound);
+    state.pace = std::clamp(state.pace, min_pace, state.bound);
 }
 
 /// Lets the bound fall by the factor of a tick, and rise with the motion of tip and fields.
@@ -49,11 +49,11 @@ void adapt_bound(Settling& state, const ProxyWay& way, double field_motion) {
     const double away = glm::distance(way.tip, state.rest);
     const double motion = std::max(0.0, away - still_range) + field_motion;
     if (away > still_range) state.rest = glm::mix(way.tip, state.rest, still_range / away);
-    if (state.bound > most_pace) {
-        state.bound = std::max(most_pace, beginning * state.bound);
+    if (state.bound > max_pace) {
+        state.bound = std::max(max_pace, beginning * state.bound);
     } else {
         const double raised = calming * state.bound + freeing * way.stiffness * motion;
-        state.bound = std::clamp(raised, least_pace, most_pace);
+        state.bound = std::clamp(raised, min_pace, max_pace);
     }
 }
 
@@ -110,7 +110,7 @@ vec3 settle(Settling& state, const ProxyWay& way) noexcept {
     state.balance = way.balance;
     state.force = force_at(way, proxy);
     const vec3 change = state.force - felt_before;
-    const vec3 felt_change = limited(change, std::max(state.pace, most_pace) + explained);
+    const vec3 felt_change = limited(change, std::max(state.pace, max_pace) + explained);
     state.lag = begins ? vec3(0) : felt_change - change;
     return proxy;
 }

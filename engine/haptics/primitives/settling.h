@@ -12,9 +12,9 @@
 //     on. If the balance moves farther than proxy and tip explain, a smaller turn is enough: such a proxy
 //     circles the place of rest.
 //   - The way of a tick shrinks steadily, whatever the field and the modes. So at a fixed reading the force
-//     changes by at most `least_pace` a tick after about 240 ticks.
+//     changes by at most `min_pace` a tick after about 240 ticks.
 //   - The hand explains as much change as its place and velocity stretch spring and damper, and a field as
-//     much as its way stretches the spring. Beyond that the force changes by at most `most_pace` a tick, and
+//     much as its way stretches the spring. Beyond that the force changes by at most `max_pace` a tick, and
 //     at a steady speed by at most five times what the hand explains. So a moving hand feels a prompt force,
 //     and a wall that lets go, or takes hold, takes some ticks for that.
 //
@@ -34,9 +34,9 @@ namespace thaum::haptics {
 
 /// Largest change of the spring's force in a tick besides that by the hand's motion (N): when the proxy
 /// begins, while the tip moves, and at rest.
-inline constexpr double first_pace = 10, most_pace = 0.09, least_pace = 9e-5;
+inline constexpr double first_pace = 10, max_pace = 0.09, min_pace = 9e-5;
 
-/// Ticks after which a proxy that began changes the force by no more than `most_pace`.
+/// Ticks after which a proxy that began changes the force by no more than `max_pace`.
 inline constexpr std::uint32_t first_ticks = 14;
 
 /// Way of the tip that counts as rest (m): the flicker of the coarsest encoder.

@@ -58,7 +58,7 @@ struct LevelContact {
 
 /// Largest change of the force in a tick by the steps of samples (N), as
 /// LevelSurface::slew times the stiffness.
-inline constexpr double most_step = 0.012;
+inline constexpr double max_step = 0.012;
 
 /// Finds the planes that hold a proxy which would move from `proxy` to `target` (m). No allocation. A field
 /// that is not finite gives no contact.
@@ -70,7 +70,7 @@ template <class StrengthOf>
 LevelContact find_contact(LevelSurface surface, vec3 proxy, vec3 target, double stiffness,
                           StrengthOf strength_of) {
     constexpr double gives_way = 0.9;
-    surface.slew = most_step / stiffness;
+    surface.slew = max_step / stiffness;
     const LevelContact contact = find_contact(surface, proxy, target);
     if (!contact.late || contact.count == 0) return contact;
     if (stiffness * contact.depth < gives_way * strength_of(contact)) return contact;

@@ -40,7 +40,7 @@ void feel_shell(const DensityShell& shell, double density, VolumeFelt& felt) {
 /// Adds S as a plane at which the spring has just that force. It faces against the gradient, or along it if
 /// S pulls towards larger densities.
 void add_stiffness(double stiff, const Direction& up, const ModeInput& input, PrimitiveSet& set) {
-    const double strength = up.length > 0 ? std::min(std::abs(stiff), most_pull) : 0;
+    const double strength = up.length > 0 ? std::min(std::abs(stiff), max_pull) : 0;
     const vec3 way = stiff < 0 ? up.unit : -up.unit;
     add_or_rest(set, {PrimitiveKind::plane, input.tip + strength / input.stiffness * way, way, strength});
 }
@@ -52,12 +52,12 @@ void add_ambient(const VolumeFeel& feel, PrimitiveSet& set) {
         add_or_rest(set, {PrimitiveKind::directed, {}, down.unit, std::min(down.length, primitive_limit)});
     else
         add_or_rest(set, {.kind = PrimitiveKind::point});
-    for (std::size_t i = 0; i < std::min<std::size_t>(feel.guide_count, most_guides); ++i) {
+    for (std::size_t i = 0; i < std::min<std::size_t>(feel.guide_count, max_guides); ++i) {
         const GuidePlane& guide = feel.guides[i];
         add_or_rest(set,
-                    {PrimitiveKind::plane, guide.place, guide.normal, std::min(guide.strength, most_pull)});
+                    {PrimitiveKind::plane, guide.place, guide.normal, std::min(guide.strength, max_pull)});
         add_or_rest(set,
-                    {PrimitiveKind::plane, guide.place, -guide.normal, std::min(guide.strength, most_pull)});
+                    {PrimitiveKind::plane, guide.place, -guide.normal, std::min(guide.strength, max_pull)});
     }
 }
 
@@ -72,7 +72,7 @@ bool add_wall(const VolumeFeel& feel, const DensityWall& wall, const ModeInput& 
         const double factor =
             material_at(feel, first.place - 0.5 * wall.reach * first.normal, index).stiffness;
         return std::clamp(finite_or_zero(wall.strength * factor), 0.0,
-                          found.behind ? most_pull : primitive_limit);
+                          found.behind ? max_pull : primitive_limit);
     };
     const LevelContact contact =
         find_contact(surface, input.proxy, input.next_tip(), input.stiffness, strength_of);
@@ -95,8 +95,8 @@ bool add_wall(const VolumeFeel& feel, const DensityWall& wall, const ModeInput& 
 }  // namespace
 
 std::size_t primitives_of(const VolumeFeel& feel) noexcept {
-    return primitives_of_feel + primitives_of_guide * std::min<std::size_t>(feel.guide_count, most_guides) +
-           primitives_of_wall * std::min<std::size_t>(feel.wall_count, most_walls_felt);
+    return primitives_of_feel + primitives_of_guide * std::min<std::size_t>(feel.guide_count, max_guides) +
+           primitives_of_wall * std::min<std::size_t>(feel.wall_count, max_walls_felt);
 }
 
 VolumeFelt add_volume_feel(const VolumeFeel& feel, const ModeInput& input, PrimitiveSet& set) noexcept {
@@ -114,7 +114,7 @@ VolumeFelt add_volume_feel(const VolumeFeel& feel, const ModeInput& input, Primi
     felt.viscosity = std::max(0.0, finite_or_zero(feel.share * felt.viscosity * material.viscosity));
     add_stiffness(felt.stiff, up, input, set);
     add_ambient(feel, set);
-    for (std::uint32_t i = 0; i < std::min<std::uint32_t>(feel.wall_count, most_walls_felt); ++i)
+    for (std::uint32_t i = 0; i < std::min<std::uint32_t>(feel.wall_count, max_walls_felt); ++i)
         felt.touched |= add_wall(feel, feel.walls[i], input, set) ? 1U << i : 0U;
     return felt;
 }

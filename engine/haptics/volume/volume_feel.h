@@ -64,7 +64,7 @@ using MaterialTable = std::array<MaterialFeel, 256>;
 struct GuidePlane {
     vec3 place{};          ///< a point on the plane (m)
     vec3 normal{0, 1, 0};  ///< unit vector
-    double strength{};     ///< largest force towards the plane, from both sides, at most most_pull (N)
+    double strength{};     ///< largest force towards the plane, from both sides, at most max_pull (N)
 };
 
 /// Haptic volume rendering: forces linked to the opacity transfer function a = density x gradient.
@@ -97,18 +97,18 @@ struct DensityWall {
     double reach{};     ///< depth at which the proxy is through, about the size of a voxel (m)
 };
 
-inline constexpr std::size_t most_guides = 3;
-inline constexpr std::size_t most_walls_felt = 2;
+inline constexpr std::size_t max_guides = 3;
+inline constexpr std::size_t max_walls_felt = 2;
 
 /// How a volume feels.
 struct VolumeFeel {
     field::ScalarField density{};
-    MaterialField material{};                      ///< empty: index 0 everywhere
-    const MaterialTable* materials{};              ///< null: all factors are 1
-    vec3 gravity{};                                ///< ambient force on the hand (N)
-    std::array<GuidePlane, most_guides> guides{};  ///< the first `guide_count`
+    MaterialField material{};                     ///< empty: index 0 everywhere
+    const MaterialTable* materials{};             ///< null: all factors are 1
+    vec3 gravity{};                               ///< ambient force on the hand (N)
+    std::array<GuidePlane, max_guides> guides{};  ///< the first `guide_count`
     std::uint32_t guide_count{};
-    std::array<DensityWall, most_walls_felt> walls{};  ///< the first `wall_count`
+    std::array<DensityWall, max_walls_felt> walls{};  ///< the first `wall_count`
     std::uint32_t wall_count{};
     OpacityFeel opacity{};
     DensityShell shell{};

@@ -28,7 +28,7 @@ struct Slot {
 
 constexpr int servo_priority = 50;  // priority above all ordinary threads
 
-std::array<Slot, most_open_arms> slots;
+std::array<Slot, max_open_arms> slots;
 std::atomic<bool> silence_wanted{false};
 std::atomic<int> stops{0};
 thread_local char thread_mark = 0;  ///< the address of this variable identifies the thread

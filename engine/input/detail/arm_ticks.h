@@ -37,7 +37,7 @@ struct ArmTicks {
     std::uint32_t resumed{};
 };
 
-/// Gives the ticks a number, by which calls find them. Returns false if most_open_arms are open.
+/// Gives the ticks a number, by which calls find them. Returns false if max_open_arms are open.
 bool open_ticks(ArmTicks& ticks);
 
 /// Runs one tick. Returns false if no further tick is needed.

@@ -20,11 +20,11 @@ constexpr int compression_level = 3;
 
 /// Largest unpacked size of a block (bytes). A residual takes at most a token (2 bytes) and 5 bytes. A hash
 /// takes at most 18 bytes and a mark 8. Counts, lengths and the total take at most 10.
-constexpr std::size_t most_raw(BlockKind kind, std::size_t ticks, std::uint32_t format) {
+constexpr std::size_t max_raw(BlockKind kind, std::size_t ticks, std::uint32_t format) {
     if (kind == BlockKind::end) return 10 + 4 + result_limit + 16;
     return max_devices * columns(format) * (1 + ticks * 7) + block_hashes * 18 + block_marks * 8 + 8;
 }
-static_assert(most_raw(BlockKind::ticks, block_ticks, format_version) <= raw_limit);
+static_assert(max_raw(BlockKind::ticks, block_ticks, format_version) <= raw_limit);
 
 using Column = std::array<std::uint32_t, block_ticks>;
 
@@ -66,7 +66,7 @@ bool set_field(DeviceSample& s, std::size_t column, std::uint32_t value) {
         case buttons_column: s.buttons = value; return true;
         case model_age_column: s.model_age = static_cast<std::uint16_t>(value); return value <= 0xffffU;
         case skips_column: s.skips = static_cast<std::uint16_t>(value); return value <= 0xffffU;
-        case wand_column: s.wand = static_cast<std::uint8_t>(value); return value <= most_wands;
+        case wand_column: s.wand = static_cast<std::uint8_t>(value); return value <= max_wands;
         case state_column: return set_state(s, value);
         default: s.counts[column] = static_cast<std::int32_t>(value); return true;
     }
@@ -77,7 +77,7 @@ bool set_field(DeviceSample& s, std::size_t column, std::uint32_t value) {
 void split_off_wand(DeviceSample& s) {
     constexpr std::uint32_t wand_bits = 0x1fU << 11U | 0xfU << 19U;
     s.wand = 0;
-    for (std::uint8_t wand = 1; wand <= most_wands; ++wand) {
+    for (std::uint8_t wand = 1; wand <= max_wands; ++wand) {
         const auto bit = 1U << (wand <= 5 ? 10U + wand : 13U + wand);
         if ((s.buttons & bit) != 0) s.wand = wand;
     }
@@ -254,7 +254,7 @@ std::optional<BlockHeader> decode_block_header(std::span<const std::byte> bytes,
     header.first = in.get<std::uint64_t>();
     header.payload_checksum = in.get<std::uint64_t>();
     if (in.get<std::uint64_t>() != checksum_of_header(bytes, log.salt) || magic != block_magic) return {};
-    const bool sizes = header.raw_size <= most_raw(header.kind, header.ticks, log.format) &&
+    const bool sizes = header.raw_size <= max_raw(header.kind, header.ticks, log.format) &&
                        header.packed_size <= ZSTD_COMPRESSBOUND(header.raw_size);
     const bool ticks = header.kind == BlockKind::ticks && header.ticks >= 1 && header.ticks <= block_ticks;
     const bool end = header.kind == BlockKind::end && header.ticks == 0;

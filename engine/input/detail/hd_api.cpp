@@ -14,12 +14,12 @@
 namespace thaum::input::hd {
 namespace {
 
-constexpr std::size_t most_said = 80;  ///< longest text of the library that is used (bytes)
+constexpr std::size_t max_said = 80;  ///< longest text of the library that is used (bytes)
 
 /// Printable part of a string from the library, which may be invalid, very long or unterminated.
 std::string said(const char* by_library) {
     if (by_library == nullptr) return {};
-    return printable({by_library, ::strnlen(by_library, most_said + 4)}, most_said);
+    return printable({by_library, ::strnlen(by_library, max_said + 4)}, max_said);
 }
 
 const char* find_all(void* library, Api& api) {
@@ -172,7 +172,7 @@ void copy_error_string(const Api& api, unsigned int code, char* to, std::size_t 
 }
 
 std::string advice(unsigned int code, std::string_view by_library) {
-    const auto what = text(printable(by_library, most_said), " (", hex(code).substr(12), ")");
+    const auto what = text(printable(by_library, max_said), " (", hex(code).substr(12), ")");
     switch (code) {
         case already_initiated: return text("another program has the arm: close it; ", what);
         case comm_error:
@@ -192,7 +192,7 @@ std::string advice(unsigned int code, std::string_view by_library) {
 }
 
 std::string advice(const Api& api, unsigned int code) {
-    std::array<char, most_said + 4> words{};
+    std::array<char, max_said + 4> words{};
     copy_error_string(api, code, words.data(), words.size());
     return advice(code, words.data());
 }
@@ -201,19 +201,19 @@ std::string advice(const Api& api, unsigned int code) {
 
 ArmFacts facts_of(const Api& api) {
     // No arm of this class is stronger or stiffer. A larger value has another unit or is invalid.
-    constexpr double most_force = 100, most_stiffness_n_per_mm = 100, most_damping_n_s_per_mm = 1;
-    constexpr int most_freedom = 16, most_rate = 100'000;
+    constexpr double max_force = 100, max_stiffness_n_per_mm = 100, max_damping_n_s_per_mm = 1;
+    constexpr int max_freedom = 16, max_rate = 100'000;
     ArmFacts facts;
     auto& spec = facts.spec;
     spec.name = string_of(api, model_type);
-    spec.sensed = integer_of(api, input_dof, most_freedom);
-    spec.actuated = integer_of(api, output_dof, most_freedom);
-    spec.peak_force = number_of(api, nominal_max_force, most_force);
-    spec.continuous_force = number_of(api, nominal_max_continuous_force, most_force);
-    spec.max_stiffness = number_of(api, nominal_max_stiffness, most_stiffness_n_per_mm) * 1e3;
-    spec.max_damping = number_of(api, nominal_max_damping, most_damping_n_s_per_mm) * 1e3;
+    spec.sensed = integer_of(api, input_dof, max_freedom);
+    spec.actuated = integer_of(api, output_dof, max_freedom);
+    spec.peak_force = number_of(api, nominal_max_force, max_force);
+    spec.continuous_force = number_of(api, nominal_max_continuous_force, max_force);
+    spec.max_stiffness = number_of(api, nominal_max_stiffness, max_stiffness_n_per_mm) * 1e3;
+    spec.max_damping = number_of(api, nominal_max_damping, max_damping_n_s_per_mm) * 1e3;
     spec.workspace = workspace_of(api);
-    spec.update_rate = integer_of(api, update_rate, most_rate);
+    spec.update_rate = integer_of(api, update_rate, max_rate);
     facts.family = "phantom";
     facts.serial = string_of(api, serial_number);
     facts.driver = string_of(api, version);

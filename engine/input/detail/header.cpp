@@ -58,7 +58,7 @@ std::string_view device_fault(const DeviceSpec& device, std::size_t players) {
     if (device.roughness_reduction > 100) return "a device's reduction of roughness is above 100 %";
     if (device.aim_assist > 100) return "a device's aim assist is above 100 %";
     for (const auto edge : device.box_um) {
-        if (edge > DeviceSpec::most_box_um) return "a device's box is larger than 10 m";
+        if (edge > DeviceSpec::max_box_um) return "a device's box is larger than 10 m";
     }
     for (const auto percent : device.fluid_reduction) {
         if (percent > 100) return "a device's reduction of a fluid's force is above 100 %";

@@ -49,7 +49,7 @@ btScalar rebound(const ClosingSpeeds& closing, btScalar gap, btScalar e, btScala
 
 }  // namespace
 
-void BouncingWorld::adjust_contact(btPersistentManifold& manifold, btScalar dt, btScalar least_speed) {
+void BouncingWorld::adjust_contact(btPersistentManifold& manifold, btScalar dt, btScalar min_speed) {
     const btRigidBody* const a = btRigidBody::upcast(manifold.getBody0());
     const btRigidBody* const b = btRigidBody::upcast(manifold.getBody1());
     const btScalar e = manifold.getBody0()->getRestitution() * manifold.getBody1()->getRestitution();
@@ -60,7 +60,7 @@ void BouncingWorld::adjust_contact(btPersistentManifold& manifold, btScalar dt, 
         const btScalar gap = point.getDistance();
         point.m_combinedRestitution = e;
         const ClosingSpeeds closing = closing_at(point, a, b, dt);
-        if (closing.now < least_speed) continue;  // the solver lets this contact come to rest
+        if (closing.now < min_speed) continue;  // the solver lets this contact come to rest
         if (exact_flight && gap < closing.end * dt)
             point.m_combinedRestitution = rebound(closing, gap, e, dt, getSolverInfo().m_erp2) / closing.now;
         if (gap <= 0) continue;

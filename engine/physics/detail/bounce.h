@@ -36,8 +36,8 @@ private:
         btRigidBody* body;
         btVector3 path;
     };
-    /// Sets restitution and distance of the contacts of a pair that close faster than `least_speed` (m/s).
-    void adjust_contact(btPersistentManifold&, btScalar dt, btScalar least_speed);
+    /// Sets restitution and distance of the contacts of a pair that close faster than `min_speed` (m/s).
+    void adjust_contact(btPersistentManifold&, btScalar dt, btScalar min_speed);
     void store_unused_path(const btCollisionObject&, const btVector3& path);
 
     btAlignedObjectArray<UnusedPath> unused_paths_;

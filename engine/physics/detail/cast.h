@@ -44,9 +44,9 @@ struct CastHit {
 template <class NearestTo>
 std::optional<CastHit> cast(const Path& path, const NearestTo& nearest) {
     // When a path grazes a curved side, the gap halves each time, so 30 are enough.
-    constexpr int most_advances = 100;
+    constexpr int max_advances = 100;
     CastHit touch{0, -path.direction};
-    for (int i = 0; i < most_advances; ++i) {
+    for (int i = 0; i < max_advances; ++i) {
         const NearestPoint here = nearest(path.from + touch.travelled * path.direction);
         // If the direction is undefined here, the previous one is kept. At a start inside the shape there is
         // none.

@@ -71,7 +71,7 @@ InnerSpheres inner_spheres(const BodyDesc& desc) {
         case Shape::mesh: break;
     }
     spheres.radius = ball - skin_share * least;
-    spheres.least_path = least * 0.5;
+    spheres.min_path = least * 0.5;
     spheres.centre_gap = least * 0.25;
     return spheres;
 }

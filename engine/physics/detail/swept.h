@@ -17,7 +17,7 @@ struct InnerSpheres {
     std::size_t count{};
     double radius{};  ///< radius of all spheres (m)
     /// Length of a path up to which a step needs no cast, because Bullet finds the contacts in time (m).
-    double least_path{};
+    double min_path{};
     double centre_gap{};  ///< smallest distance of the body's centre from a wall (m)
 
     const vec3* begin() const { return centres.data(); }

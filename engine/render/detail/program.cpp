@@ -8,7 +8,7 @@
 namespace thaum::render::detail {
 namespace {
 
-constexpr std::size_t largest_shader = 1U << 20U;  // bytes
+constexpr std::size_t max_shader = 1U << 20U;  // bytes
 
 std::string first_line(const std::string& log) {
     const auto from = log.find_first_not_of(" \n\r\t");
@@ -38,7 +38,7 @@ std::string with_variant(const std::string& source, const std::vector<std::strin
 
 Expected<Shader> compile(const std::filesystem::path& file, GLenum stage,
                          const std::vector<std::string_view>& variant) {
-    auto source = read_text_file(file, largest_shader);
+    auto source = read_text_file(file, max_shader);
     if (!source) return source.error();
     if (!variant.empty() && !source->empty()) source = with_variant(*source, variant);
     Shader shader(glCreateShader(stage));

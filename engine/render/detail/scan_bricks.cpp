@@ -9,7 +9,7 @@ namespace thaum::render::detail {
 namespace {
 
 constexpr float full = 65535;
-constexpr int most_samples = 2048;  // largest number of samples along an axis; OpenGL may allow fewer
+constexpr int max_samples = 2048;  // largest number of samples along an axis; OpenGL may allow fewer
 
 std::size_t number(const std::array<int, 3>& count) {
     return static_cast<std::size_t>(count[0]) * static_cast<std::size_t>(count[1]) *
@@ -71,7 +71,7 @@ bool has_look(const Scan& scan) {
 bool drawable(const Scan& scan) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const float spacing = scan.spacing[static_cast<int>(axis)];
-        if (scan.count[axis] < 2 || scan.count[axis] > most_samples) return false;
+        if (scan.count[axis] < 2 || scan.count[axis] > max_samples) return false;
         if (!(spacing > 0) || !std::isfinite(spacing)) return false;
     }
     const auto samples = number(scan.count);

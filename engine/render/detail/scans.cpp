@@ -184,7 +184,7 @@ Expected<Scans::ShowProgram> Scans::load_show(const std::filesystem::path& shade
 
 Expected<Scans> Scans::load(const std::filesystem::path& shaders) {
     Scans out;
-    glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &out.most_samples_);
+    glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &out.max_samples_);
     auto surface = load_march(shaders, "scan_surface.frag", {});
     if (!surface) return surface.error();
     out.surface_ = std::move(*surface);
@@ -218,7 +218,7 @@ ScanCounts Scans::draw(const ScanView& view, std::span<const SeenScan> seen,
     std::vector<SeenScan> shown;
     for (const auto& its : seen) {
         THAUM_ASSERT(its.scan->id < all_.size(), "a scan that was never made");
-        if (*std::ranges::max_element(its.scan->count) > most_samples_) continue;
+        if (*std::ranges::max_element(its.scan->count) > max_samples_) continue;
         drawing.counts.bricks_sent += send(*its.scan, all_[its.scan->id], scratch_);
         if (!all_[its.scan->id].shows) continue;
         shown.push_back(its);

@@ -104,7 +104,7 @@ private:
     void draw_look(Drawing& drawing, std::span<const SeenScan> seen, ScanLook look, bool again);
 
     std::vector<GpuScan> all_;
-    GLint most_samples_{};  // largest number of samples along an axis that the driver allows
+    GLint max_samples_{};  // largest number of samples along an axis that the driver allows
     MarchProgram surface_;
     std::array<std::array<MarchProgram, 2>, 2> light_;  // [glowing, lit][plain, painted]
     ShowProgram show_solid_, show_light_;

@@ -74,7 +74,7 @@ std::vector<std::uint32_t> stand_ins(const MeshData& mesh, fvec3 middle, float c
 }
 
 /// Rotates the corners to a canonical order that keeps the winding.
-Triangle from_least(Triangle t) {
+Triangle min_from(Triangle t) {
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
     return t;
 }
@@ -109,7 +109,7 @@ Clusters clusters_of(const MeshData& mesh, fvec3 middle, float cell) {
         const Triangle t{corner(0), corner(1), corner(2)};
         if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
         const auto before = known.size();
-        if (known(from_least(t)) != before) continue;
+        if (known(min_from(t)) != before) continue;
         for (std::size_t k = 0; k < 3; ++k) out.corners.push_back(mesh.indices[i + k]);
     }
     return out;

@@ -6,7 +6,7 @@
 namespace thaum::render::detail {
 namespace {
 
-constexpr std::size_t most_blocks = 64;
+constexpr std::size_t max_blocks = 64;
 
 bool holds(const Block& block, vec3 p) {
     return glm::all(glm::lessThanEqual(block.low, p)) && glm::all(glm::lessThanEqual(p, block.high));
@@ -15,7 +15,7 @@ bool holds(const Block& block, vec3 p) {
 /// One bit for each block that the ray hits.
 std::uint64_t hidden_by(std::span<const Block> blocks, vec3 eye, vec3 way) {
     std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < std::min(blocks.size(), most_blocks); ++i) {
+    for (std::size_t i = 0; i < std::min(blocks.size(), max_blocks); ++i) {
         if (meets(blocks[i], eye, way) && !holds(blocks[i], eye)) bits |= std::uint64_t{1} << i;
     }
     return bits;

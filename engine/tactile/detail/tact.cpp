@@ -13,9 +13,9 @@ namespace {
 constexpr int deepest = 32;
 constexpr std::size_t longest_name = 200;
 /// Largest number of cells that are drawn, over all frames. A real file draws some ten thousand.
-constexpr std::size_t most_drawn = 4'000'000;
+constexpr std::size_t max_drawn = 4'000'000;
 constexpr double clip_ms = static_cast<double>(clip_frame_ticks);
-constexpr double longest_ms = clip_ms * static_cast<double>(most_clip_frames);
+constexpr double longest_ms = clip_ms * static_cast<double>(max_clip_frames);
 
 /// Nesting depth of the brackets of a JSON text, outside of strings.
 int depth_of(std::string_view json) {
@@ -86,9 +86,9 @@ public:
 
     /// Raises a cell to a strength (0 to 1) in one frame.
     void raise(std::size_t frame, std::size_t cell, double strength) {
-        if (++drawn_ > most_drawn) full = true;
+        if (++drawn_ > max_drawn) full = true;
         if (full) return;
-        if (frame >= most_clip_frames) {
+        if (frame >= max_clip_frames) {
             too_long = true;
             return;
         }
@@ -285,8 +285,8 @@ bool has_strength(const Canvas& canvas) {
 }  // namespace
 
 Expected<TactImport> import_tact(std::string_view json) {
-    if (json.size() > most_tact_bytes)
-        return fail(text("the file has more than ", most_tact_bytes >> 20U, " MiB"));
+    if (json.size() > max_tact_bytes)
+        return fail(text("the file has more than ", max_tact_bytes >> 20U, " MiB"));
     if (depth_of(json) > deepest) return fail(text("the file is nested deeper than ", deepest, " levels"));
     const auto root = parse_json(json);
     if (!root) return fail(text("the file ", root.error().message));

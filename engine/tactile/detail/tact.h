@@ -23,7 +23,7 @@
 
 namespace thaum::tactile {
 
-inline constexpr std::size_t most_tact_bytes = std::size_t{4} << 20U;
+inline constexpr std::size_t max_tact_bytes = std::size_t{4} << 20U;
 
 struct TactImport {
     Clip clip{};

@@ -52,7 +52,7 @@ evenly its ticks come and the delay from a pose to its force. Hold the arms stil
 Exit code 0: a match can be played here; 1: a needed part is missing.
 )";
 
-constexpr std::size_t most_of_name_shown = 100;
+constexpr std::size_t max_of_name_shown = 100;
 
 enum class State { good, note, missing };
 
@@ -264,7 +264,7 @@ void add_jackets(std::vector<Finding>& findings, const std::filesystem::path& as
 /// Reports pads, joysticks that SDL does not know, and devices that this user may not read.
 void add_pads(std::vector<Finding>& findings) {
     const auto named = [](const std::string& name, const std::string& path) {
-        return text(printable(name, most_of_name_shown), " (", path, ")");
+        return text(printable(name, max_of_name_shown), " (", path, ")");
     };
     const auto before = findings.size();
     auto own = load_own_pads(own_pads_file(settings_file()));
@@ -280,7 +280,7 @@ void add_pads(std::vector<Finding>& findings) {
             findings.push_back({"pad", State::good, text(named(pad.name, pad.path), " plays"), ""});
     for (const auto& name : reader.left_over())
         findings.push_back({"pad", State::note,
-                            text(printable(name, most_of_name_shown), " cannot play: only ", pads.size(),
+                            text(printable(name, max_of_name_shown), " cannot play: only ", pads.size(),
                                  " pads can be used at once"),
                             ""});
     for (const auto& stick : reader.sticks())

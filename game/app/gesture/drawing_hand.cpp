@@ -15,7 +15,7 @@ constexpr double mouse_workspace = 10;
 constexpr std::int64_t tick_ns = 1'000'000;
 /// Largest number of ticks in one call. After a longer gap, such as a suspended computer, simulated time
 /// continues from the present and skips the rest.
-constexpr std::int64_t most_ticks = 250;
+constexpr std::int64_t max_ticks = 250;
 
 haptics::DeviceSpec without_edges(haptics::DeviceSpec spec) {
     spec.workspace = vec3(mouse_workspace);
@@ -38,7 +38,7 @@ void DrawingMouse::press(bool down) {
 }
 
 void DrawingMouse::advance(std::int64_t now_ns, gesture::StrokeRecorder& recorder) {
-    now_ns_ = std::max(now_ns_, now_ns - most_ticks * tick_ns);
+    now_ns_ = std::max(now_ns_, now_ns - max_ticks * tick_ns);
     const auto ticks = (now_ns - now_ns_) / tick_ns;
     if (ticks <= 0) return;
     now_ns_ += ticks * tick_ns;
@@ -56,7 +56,7 @@ void DrawingMouse::advance(std::int64_t now_ns, gesture::StrokeRecorder& recorde
 
 DrawingArm::DrawingArm(std::unique_ptr<input::OpenArm> arm, double share)
     : servo_(haptics::servo_of(arm->facts().spec, share)),
-      damping_(std::min(gesture::stroke_viscosity, servo_.most_damping)),
+      damping_(std::min(gesture::stroke_viscosity, servo_.max_damping)),
       arm_(std::move(arm)) {}
 
 Expected<std::unique_ptr<DrawingArm>> DrawingArm::open(const std::string& name, double share) {

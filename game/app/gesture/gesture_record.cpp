@@ -118,14 +118,14 @@ Expected<gesture::Gesture> read_gesture_words(const Arguments& arguments) {
 /// Text of the gesture file, after the same checks that `thaum gesture check` and a match make on reading.
 Expected<std::string> text_of(const gesture::Gesture& gesture, const std::string& path) {
     for (const auto& stroke : gesture.strokes) {
-        if (stroke.size() > gesture::most_template_points)
+        if (stroke.size() > gesture::max_template_points)
             return fail(text("a stroke of ", stroke.size(), " points, more than ",
-                             gesture::most_template_points, ": draw a shorter one, or thin it"));
+                             gesture::max_template_points, ": draw a shorter one, or thin it"));
     }
     auto words = gesture::to_file(gesture);
-    if (words.size() > gesture::most_gesture_bytes)
+    if (words.size() > gesture::max_gesture_bytes)
         return fail(text("the file would have ", words.size() >> 20U, " MiB, more than ",
-                         gesture::most_gesture_bytes >> 20U, ": take fewer strokes with --count"));
+                         gesture::max_gesture_bytes >> 20U, ": take fewer strokes with --count"));
     const auto config = Config::parse(words, path, gesture::gesture_file_version);
     if (!config) return config.error();
     const auto read = gesture::read_gesture(*config);

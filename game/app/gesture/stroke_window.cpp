@@ -117,21 +117,21 @@ Expected<std::unique_ptr<DrawingHand>> hand_of(const std::string& device, const 
 
 std::string fault_of(gesture::Points stroke, const LeastStroke& least) {
     // Arc length above which the hand did more than press the button (m)
-    constexpr double least_move = 0.0015;
+    constexpr double min_move = 0.0015;
     const double way = way_of(stroke), lasts = stroke.empty() ? 0 : stroke.back().t - stroke.front().t;
-    if (way < least_move) return "a press without a stroke does not count: hold the button while you draw";
+    if (way < min_move) return "a press without a stroke does not count: hold the button while you draw";
     if (way < least.way)
         return text("a stroke of ", fixed(1000 * way, 0), " mm is too small to be read: draw it larger");
     if (lasts < least.seconds)
         return text("a stroke of ", fixed(lasts, 2), " s is too short to be read: draw it more slowly");
-    if (stroke.size() > gesture::most_template_points)
+    if (stroke.size() > gesture::max_template_points)
         return text("a stroke of ", fixed(lasts, 0), " s is too long: draw it faster");
     return {};
 }
 
 void StrokeDesk::take_ended() {
     if (recorder_.strokes().size() > taken_) {
-        note_ = fault_of(recorder_.strokes().back(), least_);
+        note_ = fault_of(recorder_.strokes().back(), min_);
         if (!note_.empty()) recorder_.drop_last();
     }
     taken_ = recorder_.strokes().size();

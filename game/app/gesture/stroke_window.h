@@ -26,7 +26,7 @@ std::string fault_of(gesture::Points stroke, const LeastStroke& least);
 /// The strokes drawn so far, and the window's words about them.
 class StrokeDesk {
 public:
-    explicit StrokeDesk(StrokeWish wish, LeastStroke least = {}) : wish_(std::move(wish)), least_(least) {}
+    explicit StrokeDesk(StrokeWish wish, LeastStroke least = {}) : wish_(std::move(wish)), min_(least) {}
 
     gesture::StrokeRecorder& recorder() { return recorder_; }
     const gesture::StrokeRecorder& recorder() const { return recorder_; }
@@ -44,7 +44,7 @@ public:
 
 private:
     StrokeWish wish_;
-    LeastStroke least_;
+    LeastStroke min_;
     std::string note_;
     std::size_t taken_ = 0;  ///< number of accepted strokes
     /// Its minimum length is 0, because short strokes are refused with a message instead of being ignored.

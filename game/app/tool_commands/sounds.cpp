@@ -55,13 +55,13 @@ std::string_view name_of(audio::SoundGroup group) {
     return names[static_cast<std::size_t>(group)];
 }
 
-constexpr std::size_t most_of_name_shown = 100;
+constexpr std::size_t max_of_name_shown = 100;
 
 void print_list(const Chosen& sounds) {
     std::printf("%-20s %-9s %7s %5s %7s  %s\n", "sound", "group", "s", "peak", "dB", "what is heard");
     for (const auto* sound : sounds) {
         const double seconds = static_cast<double>(sound->samples.size()) / audio::sample_rate;
-        std::printf("%-20s %-9s %7s %5s %7s  ", printable(sound->name, most_of_name_shown).c_str(),
+        std::printf("%-20s %-9s %7s %5s %7s  ", printable(sound->name, max_of_name_shown).c_str(),
                     std::string(name_of(sound->group)).c_str(),
                     text(fixed(seconds, 2), sound->loops ? "~" : "").c_str(),
                     fixed(audio::peak_of(sound->samples), 2).c_str(),

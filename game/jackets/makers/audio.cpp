@@ -14,14 +14,14 @@
 namespace thaum::app {
 namespace {
 
-constexpr std::size_t most_words_shown = 60, most_of_name_shown = 100;
+constexpr std::size_t max_words_shown = 60, max_of_name_shown = 100;
 /// Blocks that are written at once. A device that wants ever more would keep a core busy.
-constexpr std::size_t most_at_once = 4;
+constexpr std::size_t max_at_once = 4;
 /// Looks at a device that takes no block before it is given up. The player looks about every 4 ms.
-constexpr int most_idle_looks = 500;
+constexpr int max_idle_looks = 500;
 constexpr Tick longest_life = 500;
 /// At the end: blocks with the end of the waves, and the longest wait for a device that takes them.
-constexpr int last_blocks = 3, most_last_looks = 15;
+constexpr int last_blocks = 3, max_last_looks = 15;
 constexpr std::chrono::milliseconds between_last_looks{4};
 
 class AudioJacket final : public input::TactileOutput {
@@ -77,9 +77,9 @@ void AudioJacket::silence() {
 /// Writes the blocks that the device wants. Returns their number.
 std::size_t AudioJacket::feed() {
     if (!open_) return 0;
-    std::array<float, audio::most_channels * audio::frame_samples> block{};
+    std::array<float, audio::max_channels * audio::frame_samples> block{};
     const auto values = std::span(block).first(tones_.channels() * audio::frame_samples);
-    const auto wanted = std::min(device_->wanted(), most_at_once);
+    const auto wanted = std::min(device_->wanted(), max_at_once);
     for (std::size_t i = 0; i < wanted; ++i) {
         if (blocks_left_ == 0)
             tones_.silence();
@@ -98,7 +98,7 @@ bool AudioJacket::is_connected() {
         return false;
     }
     idle_looks_ = feed() > 0 ? 0 : idle_looks_ + 1;
-    if (idle_looks_ < most_idle_looks) return true;
+    if (idle_looks_ < max_idle_looks) return true;
     fault_ = "the sound device takes no sound";
     return false;
 }
@@ -109,7 +109,7 @@ void AudioJacket::end() {
     const bool fade = !tones_.is_silent() && device_->is_connected();
     blocks_left_ = 0;
     int written = 0;
-    for (int i = 0; fade && i < most_last_looks && written < last_blocks; ++i) {
+    for (int i = 0; fade && i < max_last_looks && written < last_blocks; ++i) {
         written += static_cast<int>(feed());
         std::this_thread::sleep_for(between_last_looks);
     }
@@ -124,7 +124,7 @@ Expected<std::string> read(std::string_view, std::string_view device) {
 
 std::string audio_name(const Jacket& jacket) {
     const auto where = jacket.place.empty() ? std::string("the usual sound device")
-                                            : text("'", printable(jacket.place, most_words_shown), "'");
+                                            : text("'", printable(jacket.place, max_words_shown), "'");
     return text(jacket.layout().motors, " shakers on ", where);
 }
 
@@ -136,7 +136,7 @@ std::unique_ptr<input::TactileOutput> make(const Jacket& jacket, std::uint32_t) 
 std::vector<FoundJacket> find() {
     std::vector<FoundJacket> found;
     for (const auto& name : audio::sound_device_names())
-        found.push_back({"shakers", text("could be on \"audio:", printable(name, most_of_name_shown), "\"")});
+        found.push_back({"shakers", text("could be on \"audio:", printable(name, max_of_name_shown), "\"")});
     return found;
 }
 

@@ -208,7 +208,7 @@ int PlayerLink::put(const std::string& payload, lws_write_protocol kind) {
 }
 
 int PlayerLink::take_piece(const char* data, std::size_t size) {
-    if (reply_.size() + size > most_reply_bytes) return -1;
+    if (reply_.size() + size > max_reply_bytes) return -1;
     reply_.append(data, size);
     if (lws_remaining_packet_payload(socket_) > 0 || lws_is_final_fragment(socket_) == 0) return 0;
     // A message that is no reply does no harm.

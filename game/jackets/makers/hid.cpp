@@ -13,7 +13,7 @@
 namespace thaum::app {
 namespace {
 
-constexpr std::size_t most_of_name_shown = 100;
+constexpr std::size_t max_of_name_shown = 100;
 constexpr double longest_report_s = 0.1;  ///< longest time that a device may take for a report
 
 class HidJacket final : public input::TactileOutput {
@@ -112,7 +112,7 @@ std::vector<FoundJacket> find() {
     std::vector<FoundJacket> found;
     for (const auto& [id, name] : hid_devices())
         found.push_back(
-            {"HID device", text("\"hid:", words_of(id), "\" is ", printable(name, most_of_name_shown))});
+            {"HID device", text("\"hid:", words_of(id), "\" is ", printable(name, max_of_name_shown))});
     return found;
 }
 

@@ -26,8 +26,8 @@ using Clock = std::chrono::steady_clock;
 /// Number of messages that stop all motors, and the time between two of them.
 constexpr int messages_of_silence = 8;
 constexpr std::chrono::milliseconds between_silences{50};
-constexpr std::size_t most_of_host_shown = 60;  ///< longest part of a host's name in messages (bytes)
-constexpr std::size_t most_addresses = 8;       ///< most addresses of one host to which messages go
+constexpr std::size_t max_of_host_shown = 60;  ///< longest part of a host's name in messages (bytes)
+constexpr std::size_t max_addresses = 8;       ///< most addresses of one host to which messages go
 
 struct FreeAddresses {
     void operator()(addrinfo* list) const { ::freeaddrinfo(list); }
@@ -43,7 +43,7 @@ Expected<Addresses> look_up(const NetAddress& address) {
     const auto port = text(address.port);
     const int failure = ::getaddrinfo(address.host.c_str(), port.c_str(), &wanted, &found);
     if (failure != 0)
-        return fail(text("no address for '", printable(address.host, most_of_host_shown),
+        return fail(text("no address for '", printable(address.host, max_of_host_shown),
                          "': ", ::gai_strerror(failure), "; correct the jacket in the settings file"));
     return Addresses(found);
 }
@@ -109,7 +109,7 @@ Expected<void> OscJacket::open() {
     end();
     const auto found = look_up(address_);
     if (!found) return found.error();
-    for (const auto* one = found->get(); one != nullptr && peers_.size() < most_addresses;
+    for (const auto* one = found->get(); one != nullptr && peers_.size() < max_addresses;
          one = one->ai_next) {
         // The socket is not connected, because otherwise the system would report a dead jacket as an error of
         // a later send.

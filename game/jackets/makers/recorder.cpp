@@ -14,8 +14,8 @@
 namespace thaum::app {
 namespace {
 
-constexpr int most_names = 10'000;
-constexpr std::size_t most_of_path_shown = 200;
+constexpr int max_names = 10'000;
+constexpr std::size_t max_of_path_shown = 200;
 constexpr int rows_between_flushes = 125;  ///< so a full disk is noticed within seconds
 
 class FeltRecorder final : public input::TactileOutput {
@@ -32,7 +32,7 @@ public:
     bool wants_every_frame() const override { return true; }
     void close() override { end(); }
     std::string name() const override {
-        return text("recording of what is felt, ", printable(path_.string(), most_of_path_shown));
+        return text("recording of what is felt, ", printable(path_.string(), max_of_path_shown));
     }
 
 private:
@@ -50,7 +50,7 @@ private:
 /// Starts a file with the first name that no file has: FILE.csv, FILE_2.csv, ... Another program may take a
 /// name between the look and the start, and then the next one is tried.
 Expected<FileWriter> start_new(const std::filesystem::path& wanted, std::filesystem::path& name) {
-    for (int i = 1; i < most_names; ++i) {
+    for (int i = 1; i < max_names; ++i) {
         name = wanted;
         if (i > 1) name.replace_filename(text(wanted.stem().string(), "_", i, wanted.extension().string()));
         const auto is_there = [&] {

@@ -90,7 +90,7 @@ Expected<game::Ingredient> read_substance(const std::string& words, const game::
         return fail(text("--substance '", words, "': must be NAME or NAME,VISCOSITY,WEIGHT,DIFFUSION"));
     const std::array<double*, 3> numbers{&result.substance.viscosity, &result.substance.weight,
                                          &result.substance.diffusion};
-    constexpr std::array<std::pair<double, double>, 3> ranges{{{0, fluid::viscosity_most}, {-1, 10}, {0, 1}}};
+    constexpr std::array<std::pair<double, double>, 3> ranges{{{0, fluid::max_viscosity}, {-1, 10}, {0, 1}}};
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         const auto number = parse_number(parts[i + 1], "--substance", ranges[i].first, ranges[i].second);
         if (!number) return number.error();
@@ -103,9 +103,9 @@ Expected<void> read_substances(const Arguments& arguments, const game::CauldronR
                                LabSettings& settings) {
     const auto words = arguments.values("--substance");
     if (words.empty()) return {};
-    if (words.size() > fluid::substances_most)
+    if (words.size() > fluid::max_substances)
         return fail(text("--substance is given ", words.size(), " times: a brew has at most ",
-                         fluid::substances_most, " substances"));
+                         fluid::max_substances, " substances"));
     settings.substances.clear();
     for (const auto& word : words) {
         auto substance = read_substance(word, rules);
@@ -137,7 +137,7 @@ Expected<LabSettings> read_settings(const Arguments& arguments, const game::Caul
     if (!edges) return edges.error();
     const auto order = one_of(arguments, "--order", {"2", "4"}, settings.order == 2 ? 0 : 1);
     if (!order) return order.error();
-    const auto viscosity = arguments.number("--viscosity", 0, fluid::viscosity_most, settings.viscosity);
+    const auto viscosity = arguments.number("--viscosity", 0, fluid::max_viscosity, settings.viscosity);
     if (!viscosity) return viscosity.error();
     const auto gravity = arguments.number("--gravity", -100, 100, settings.gravity);
     if (!gravity) return gravity.error();

@@ -9,7 +9,7 @@
 namespace thaum::app {
 namespace {
 
-constexpr double pitch_least = -0.1, pitch_most = 1.5, away_least = 1.5, away_most = 12;
+constexpr double min_pitch = -0.1, max_pitch = 1.5, min_away = 1.5, max_away = 12;
 constexpr double eye_middle = -0.25;  // height of the camera's target above the level surface (m)
 constexpr double handle = 1.3;        // length of the ladle's handle (m)
 constexpr double hand_newtons = 3.3;  // peak force of the device that hands in a match hold (N)
@@ -34,8 +34,8 @@ fmat4 at_height(double y) {
 
 LabEye turned(const LabEye& eye, double yaw, double pitch, double away_times) {
     return {.yaw = std::remainder(eye.yaw + yaw, 2 * pi),
-            .pitch = std::clamp(eye.pitch + pitch, pitch_least, pitch_most),
-            .away = std::clamp(eye.away * away_times, away_least, away_most)};
+            .pitch = std::clamp(eye.pitch + pitch, min_pitch, max_pitch),
+            .away = std::clamp(eye.away * away_times, min_away, max_away)};
 }
 
 render::Camera camera_of(const LabEye& eye) {

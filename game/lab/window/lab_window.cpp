@@ -34,7 +34,7 @@ constexpr double pour_m3 = 2e-3;
 constexpr double above = 0.15;  // height of a lifted ladle above the level surface (m)
 constexpr double dip_m = 0.04;  // vertical speed of the ladle (m per step)
 // how a ladle follows the mouse: share of the distance per step, and maximum displacement (m)
-constexpr double follow = 0.5, way_most = 0.12;
+constexpr double follow = 0.5, max_way = 0.12;
 constexpr double depth_step = 0.08;  // change of the ladle's depth by one step of the wheel (m)
 // Largest distance of the ladle from the middle, as a share of the basin's width.
 constexpr double within_walls = 0.93;
@@ -103,7 +103,7 @@ void move_ladle(LabSession& session, render::Size size) {
     if (!session.ladle) return;
     vec3& at = *session.ladle;
     if (target) {
-        const vec3 way = limited(follow * vec3(target->x - at.x, 0, target->z - at.z), way_most);
+        const vec3 way = limited(follow * vec3(target->x - at.x, 0, target->z - at.z), max_way);
         const double down = std::clamp(target->y - at.y, -dip_m, dip_m);
         at = in_basin(session.plan.lab, at + way + vec3(0, down, 0));
     } else if (!session.stirring) {

@@ -74,7 +74,7 @@ Expected<game::LabPlace> read_place(std::string_view option, std::span<const std
     if (parts.size() < 3 || parts.size() > n.size())
         return fail(text(option, ": a place is X,Y,Z[,SCALE[,DEGREES]]"));
     constexpr std::array<Range, 5> ranges{
-        {{-1, 1}, {-1, 1}, {-1, 1}, {game::least_place_scale, game::most_place_scale}, {-360, 360}}};
+        {{-1, 1}, {-1, 1}, {-1, 1}, {game::min_place_scale, game::max_place_scale}, {-360, 360}}};
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const auto number = parse_number(parts[i], option, ranges.at(i).low, ranges.at(i).high);
         if (!number) return number.error();
@@ -378,7 +378,7 @@ void note_slow_filters(VolumeLabPlan& plan) {
 
 /// Reads the duration of a servo step (ms). A tick must consist of a whole number of steps.
 Expected<void> read_servo_step(const Arguments& arguments, VolumeLab& lab) {
-    const auto ms = arguments.number("--step", 1.0 / game::most_steps_per_tick, 1);
+    const auto ms = arguments.number("--step", 1.0 / game::max_steps_per_tick, 1);
     if (!ms) return ms.error();
     const double steps = 1 / ms->value_or(1);
     if (std::abs(steps - std::round(steps)) > 1e-3 * steps)
@@ -413,13 +413,13 @@ Expected<VolumeLabPlan> read_volume_plan(const Arguments& arguments) {
 
 // ---- without a window -------------------------------------------------------------------------------------
 
-void tell_end(const VolumeLab& lab, std::size_t changed, double most_n, double took_s) {
+void tell_end(const VolumeLab& lab, std::size_t changed, double max_n, double took_s) {
     // Computed before any output, because the hash needs memory for a second body and may fail.
     const auto state = hex(game::lab_hash(lab));
     const auto& n = lab.carvable() ? lab.body.count : lab.source.count;
     std::printf("lab: %s s with %d x %d x %d samples in %s s; force up to %s N; %zu voxels changed\n",
                 fixed(lab.seconds(), 3).c_str(), n[0], n[1], n[2], fixed(took_s, 2).c_str(),
-                fixed(most_n, 3).c_str(), changed);
+                fixed(max_n, 3).c_str(), changed);
     std::printf("state %s\n", state.c_str());
 }
 
@@ -428,7 +428,7 @@ int run_headless(VolumeLabPlan plan) {
     if (!trace) return refuse(trace.error());
     auto shots = VolumeShots::open(plan);
     if (!shots) return refuse(shots.error());
-    double most_n = 0;
+    double max_n = 0;
     std::size_t changed = 0;
     const auto start = monotonic_ns();
     const auto steps = ticks(*plan.seconds);
@@ -436,7 +436,7 @@ int run_headless(VolumeLabPlan plan) {
     for (Tick i = 0; i < steps && !EndWatch::asked(); ++i) {
         const auto input = planned_input(plan);
         const auto figures = game::step_volume_lab(plan.lab, input);
-        most_n = std::max(most_n, glm::length(figures.force));
+        max_n = std::max(max_n, glm::length(figures.force));
         changed += figures.edit.voxels;
         trace->add([&](std::string& rows) { game::append_volume_row(plan.lab, input, figures, rows); });
         if (auto put = shots->follow(plan.lab, plan.view, figures); !put) return refuse(put.error());
@@ -446,7 +446,7 @@ int run_headless(VolumeLabPlan plan) {
     if (plan.out.save) {
         if (auto saved = game::save_volume(plan.lab, *plan.out.save); !saved) return refuse(saved.error());
     }
-    tell_end(plan.lab, changed, most_n, took);
+    tell_end(plan.lab, changed, max_n, took);
     tell_end_by_signal();
     return done;
 }

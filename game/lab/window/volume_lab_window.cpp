@@ -28,7 +28,7 @@ namespace {
 
 constexpr Tick ticks_of_a_frame = 100;  // maximum number of ticks per picture; time beyond them is dropped
 constexpr double way_per_step = 0.003;  // displacement of the hand along the view per step of the wheel (m)
-constexpr double least_way = 1e-4;      // minimum displacement for which the hand counts as moving (m)
+constexpr double min_way = 1e-4;        // minimum displacement for which the hand counts as moving (m)
 // Time without motion after which a sharp picture is drawn (ns)
 constexpr std::int64_t rest_ns = 400'000'000;
 constexpr float text_px = 14;
@@ -275,7 +275,7 @@ bool is_moving(Session& session, std::int64_t now) {
     const auto& eye = session.plan.view.eye;
     const Seen seen{session.figures.tip, eye.aim, vec3(eye.yaw, eye.pitch, eye.away),
                     session.plan.lab.body.bricks.newest};
-    const bool same = glm::distance(seen.tip, session.seen.tip) < least_way && seen.aim == session.seen.aim &&
+    const bool same = glm::distance(seen.tip, session.seen.tip) < min_way && seen.aim == session.seen.aim &&
                       seen.eye == session.seen.eye && seen.body == session.seen.body;
     if (!same) {
         session.seen = seen;

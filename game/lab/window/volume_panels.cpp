@@ -177,7 +177,7 @@ bool show_filters(LabMode& chosen) {
         ImGui::PopID();
     }
     const auto add = [&](const char* name, field::FilterKind kind) {
-        if (!ImGui::SmallButton(name) || chosen.filters.size() >= field::most_filters) return;
+        if (!ImGui::SmallButton(name) || chosen.filters.size() >= field::max_filters) return;
         chosen.filters.push_back({kind, 1, 1});
         changed = true;
     };
@@ -296,7 +296,7 @@ void show_modes(VolumeLabPlan& plan, VolumePanelState& state) {
 // ---- feel of the body as a whole --------------------------------------------------------------------------
 
 /// Largest value of a number of a part, for its slider.
-double largest_number(const VolumeLab& lab, std::string_view label) {
+double max_number(const VolumeLab& lab, std::string_view label) {
     if (label == "density" || label == "low" || label == "high") return lab.range.high;
     if (label == "force (N)") return lab.data.device.peak_force;
     if (label == "drag (N s/m)") return lab.data.device.max_damping;
@@ -308,7 +308,7 @@ bool show_part(const VolumeLab& lab, game::FeelPart& part) {
     bool changed = false;
     for (std::size_t i = 0; i < form.count; ++i) {
         const std::string label(form.labels.at(i));
-        const double high = largest_number(lab, label);
+        const double high = max_number(lab, label);
         const bool density = label == "density" || label == "low" || label == "high";
         const bool one_way = label == "force (N)" || label == "drag (N s/m)" || label == "friction";
         changed |= slider(label.c_str(), part.numbers.at(i),

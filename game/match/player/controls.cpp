@@ -17,7 +17,7 @@ using input::Button;
 namespace hand = input::hand;
 
 /// Limit of mouse counts per tick: more than any mouse reports, and small enough that no product overflows.
-constexpr std::int32_t most_counts = 10'000;
+constexpr std::int32_t max_counts = 10'000;
 
 double wrapped(double angle) {
     if (angle > pi) return angle - 2 * pi;
@@ -56,7 +56,7 @@ std::int32_t by_stick(const HapticRules& rules, std::int32_t deflection) {
 void move_hand(const input::DeviceSample& sample, const HapticRules& rules, Controls& controls) {
     const auto& counts = sample.counts;
     const auto moved = [&](std::size_t look, std::size_t turning) {
-        return std::clamp(counts[look], -most_counts, most_counts) * rules.clutch_per_count +
+        return std::clamp(counts[look], -max_counts, max_counts) * rules.clutch_per_count +
                by_stick(rules, counts[turning]);
     };
     controls.hand_right = moved(hand::look_right, hand::turn_right);
@@ -76,7 +76,7 @@ void move_tracing_hand(const input::DeviceSample& sample, const input::DeviceSpe
     const double pace =
         rules.clutch_per_count * spec.look_rad_per_count / input::DeviceSpec{}.look_rad_per_count;
     const auto by_mouse = [&](std::size_t look) {
-        const double way = pace * std::clamp(counts[look], -most_counts, most_counts);
+        const double way = pace * std::clamp(counts[look], -max_counts, max_counts);
         return static_cast<std::int32_t>(std::lround(std::clamp(way, -1e6, 1e6)));
     };
     const auto by_stick = [&](std::size_t turning) {

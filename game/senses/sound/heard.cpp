@@ -15,7 +15,7 @@ constexpr double own_place = 1.2, own_height = 2;
 /// Sine of the elevation beyond which a sound counts as above or below.
 constexpr double steep = 0.8;
 /// Minimum strength of a voice that gets a caption.
-constexpr double least_strength = 0.02;
+constexpr double min_strength = 0.02;
 
 /// Strength of a voice at the listener, from distance alone, 0 to 1.
 double strength_at(const audio::Listener& listener, const audio::Sound& sound, const audio::Voice& voice) {
@@ -105,7 +105,7 @@ void HeardLines::follow(const audio::AudioFrame& frame, const audio::SoundBank& 
         if ((voice.heard_by & (1U << listener)) == 0 || voice.sound >= bank.sounds.size()) return;
         const auto& sound = bank.sounds[voice.sound];
         const auto& ears = frame.listeners.at(listener);
-        const bool loud = strength_at(ears, sound, voice) >= least_strength;
+        const bool loud = strength_at(ears, sound, voice) >= min_strength;
         if (!tells(bank, voice, loud) || sound.caption.empty()) return;
         const bool sided = !voice.at_ear || voice.sided;
         add({.words = sound.caption,

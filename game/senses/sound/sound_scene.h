@@ -35,7 +35,7 @@ struct ThingSoundMemory {
 /// Muffling of a lasting voice by walls, smoothed.
 struct WallSoundMemory {
     std::uint32_t key{};
-    std::array<double, audio::most_listeners> muffled{};
+    std::array<double, audio::max_listeners> muffled{};
 };
 
 /// Number of layers of the music.

@@ -46,7 +46,7 @@ FeltCourses felt_courses(const audio::SoundBank& bank, const FeltBands& bands) {
 }
 
 void FeltSound::begin(const audio::Voice& voice) {
-    if (is_known(voice) && begun_count_ < most_begun) begun_.at(begun_count_++) = {.voice = voice};
+    if (is_known(voice) && begun_count_ < max_begun) begun_.at(begun_count_++) = {.voice = voice};
 }
 
 /// Continues a lasting voice, or starts it.
@@ -56,7 +56,7 @@ void FeltSound::keep_up(const audio::Voice& voice) {
     const auto known = std::find_if(lasting_.begin(), end, [&](const Playing& playing) {
         return playing.voice.key == voice.key && playing.voice.sound == voice.sound;
     });
-    if (known == end && lasting_count_ == most_lasting) return;
+    if (known == end && lasting_count_ == max_lasting) return;
     if (known == end) lasting_.at(lasting_count_++) = {};
     known->voice = voice;
     known->told = true;
@@ -65,7 +65,7 @@ void FeltSound::keep_up(const audio::Voice& voice) {
 void FeltSound::add(const Playing& playing, const audio::AudioFrame& frame) {
     const auto& course = courses_.sounds[playing.voice.sound];
     const auto levels = course.at(playing.at);
-    const auto listeners = std::min<std::size_t>(frame.listener_count, audio::most_listeners);
+    const auto listeners = std::min<std::size_t>(frame.listener_count, audio::max_listeners);
     for (std::size_t i = 0; i < listeners; ++i) {
         if ((playing.voice.heard_by >> i & 1U) == 0) continue;
         const double gain = loudness(playing.voice, course, frame, i);

@@ -63,7 +63,7 @@ private:
     };
     /// Capacity for voices played once, and for lasting voices; even the largest match has far fewer at the
     /// same time.
-    static constexpr std::size_t most_begun = 64, most_lasting = 32;
+    static constexpr std::size_t max_begun = 64, max_lasting = 32;
     /// Sums of squared amplitudes, by group and band.
     using Powers = std::array<std::array<double, felt_bands>, audio::sound_groups>;
 
@@ -74,10 +74,10 @@ private:
     static void advance(Playing& playing);
 
     const FeltCourses& courses_;
-    std::array<Playing, most_begun> begun_{};
-    std::array<Playing, most_lasting> lasting_{};
+    std::array<Playing, max_begun> begun_{};
+    std::array<Playing, max_lasting> lasting_{};
     std::size_t begun_count_{}, lasting_count_{};
-    std::array<Powers, audio::most_listeners> powers_{};
+    std::array<Powers, audio::max_listeners> powers_{};
 };
 
 }  // namespace thaum::game

@@ -17,7 +17,7 @@ constexpr Tick quiet_after_event = 250;  ///< time after an event for which no s
 constexpr double chest = 1.15;           ///< assumed height of a blow whose height is unknown (m)
 
 /// Smallest change of an arm's angle that is passed to the mixers (rad)
-constexpr double least_raise = 0.02;
+constexpr double min_raise = 0.02;
 
 /// Keys of lasting effects.
 constexpr std::uint32_t heart_key = 1, stir_key = 2, work_key = 3, first_sound_key = 10;
@@ -128,7 +128,7 @@ void TactileScene::feel_events(const Simulation& match) {
 void TactileScene::follow_arm(const Simulation& match, bool anew) {
     if (!any_arms_) return;
     const double raised = raised_arm(match, player_);
-    if (!anew && std::abs(raised - raised_) < least_raise) return;
+    if (!anew && std::abs(raised - raised_) < min_raise) return;
     raised_ = raised;
     const auto pose = tactile::pose_with_arms(0, raised);
     for (auto& output : outputs_)

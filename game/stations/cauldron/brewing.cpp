@@ -158,7 +158,7 @@ void drop_all(MatchContext& context, Cauldron& cauldron, Tick tick) {
 // ---- ownership -------------------------------------------------------------------------------------------
 
 /// If both ladles are in the brew, the player whose ladle did more work becomes the brew's owner, provided
-/// that this work is at least CauldronRules::wrest_least. A brew without ingredients has no owner.
+/// that this work is at least CauldronRules::min_wrest. A brew without ingredients has no owner.
 void wrest(MatchContext& context, Cauldron& cauldron, Tick tick) {
     if (cauldron.begun == 0) return;
     std::array<double, players> work{-1, -1};
@@ -166,7 +166,7 @@ void wrest(MatchContext& context, Cauldron& cauldron, Tick tick) {
         [&](const Wizard& wizard, const Ladle& ladle) { work[wizard.player] = recent_work(ladle); });
     if (work[0] < 0 || work[1] < 0 || work[0] == work[1]) return;
     const std::uint32_t stronger = work[0] > work[1] ? 0 : 1;
-    if (stronger == cauldron.owner || work[stronger] < context.data.cauldron->wrest_least) return;
+    if (stronger == cauldron.owner || work[stronger] < context.data.cauldron->min_wrest) return;
     cauldron.owner = stronger;
     cauldron.mixed_since = 0;
     record(context, {.tick = tick,

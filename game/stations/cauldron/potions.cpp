@@ -104,8 +104,8 @@ BrewFault fault_of_stroke(const RecipeStroke& wanted, std::string_view gesture,
     if (gesture != wanted.gesture) return BrewFault::gesture;
     if (wanted.sense == CircleSense::clockwise && reading.turns < 0) return BrewFault::sense;
     if (wanted.sense == CircleSense::counterclockwise && reading.turns > 0) return BrewFault::sense;
-    if (reading.force < wanted.least_force) return BrewFault::gentle;
-    return reading.force > wanted.most_force ? BrewFault::hard : BrewFault::none;
+    if (reading.force < wanted.min_force) return BrewFault::gentle;
+    return reading.force > wanted.max_force ? BrewFault::hard : BrewFault::none;
 }
 
 /// How often a stroke counts: once, or once for each whole circle, at most as often as the recipe still
@@ -223,7 +223,7 @@ void tell_orders(MatchContext& context, Tick tick) {
     for (std::uint32_t player = 0; player < players; ++player) tell_order(context, player, tick);
 }
 
-using Order = std::array<std::uint32_t, most_recipe_ingredients>;
+using Order = std::array<std::uint32_t, max_recipe_ingredients>;
 
 Order shuffled(Random& random) {
     Order order{};
@@ -243,7 +243,7 @@ RecipeOrder order_of(const Recipe& recipe, const ecs::World& world, std::uint32_
     if (drawn) {
         for (const auto place : world.single<DrawnOrders>().order[player]) add(place);
     } else {
-        for (std::size_t place = 0; place < most_recipe_ingredients; ++place) add(place);
+        for (std::size_t place = 0; place < max_recipe_ingredients; ++place) add(place);
     }
     return order;
 }

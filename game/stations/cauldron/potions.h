@@ -15,7 +15,7 @@ namespace thaum::game {
 
 /// A recipe's ingredients in the order that one player must follow.
 struct RecipeOrder {
-    std::array<RecipeIngredient, most_recipe_ingredients> steps{};
+    std::array<RecipeIngredient, max_recipe_ingredients> steps{};
     std::size_t count{};
 };
 /// The order of a recipe for a player. Reads DrawnOrders.
@@ -23,7 +23,7 @@ RecipeOrder order_of(const Recipe& recipe, const ecs::World& world, std::uint32_
 
 /// A list of recipes by their numbers.
 struct RecipeList {
-    std::array<std::uint32_t, most_potions> numbers{};
+    std::array<std::uint32_t, max_potions> numbers{};
     std::size_t count{};
 };
 /// Recipes that the brew can still become for this player: all recipes for an empty brew, none after a fault.

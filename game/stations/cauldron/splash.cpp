@@ -9,7 +9,7 @@ namespace {
 /// Speed that is added to the slip in the law of drag (m/s). Well below it, drag is proportional to the slip;
 /// well above it, drag grows with the square of the slip.
 constexpr double slow = 1.5;
-constexpr std::size_t most_dips = 8;
+constexpr std::size_t max_dips = 8;
 
 /// A thing in the brew or at its surface (brew frame).
 struct Dip {
@@ -21,7 +21,7 @@ struct Dip {
 };
 
 struct Dips {
-    std::array<Dip, most_dips> list{};
+    std::array<Dip, max_dips> list{};
     std::size_t count{};
 };
 

@@ -207,13 +207,13 @@ std::vector<float> key_density(std::uint64_t seed, int voxels) {
 
 std::vector<float> rough_density(std::uint64_t seed, const std::vector<float>& key, int voxels) {
     constexpr double bite_off = 3.2, lump_off = 4.2;
-    constexpr int most_balls = 200;
+    constexpr int max_balls = 200;
     auto random = random_stream(seed, 2);
     const auto shape = key_shape(seed);
     RoughBody rough(key, voxels);
-    for (int i = 0; i < most_balls && rough.left() > 1 - bitten; ++i)
+    for (int i = 0; i < max_balls && rough.left() > 1 - bitten; ++i)
         rough.bite(ball_at(shape, random, bite_off));
-    for (int i = 0; i < most_balls && rough.overlap() > rough_overlap; ++i)
+    for (int i = 0; i < max_balls && rough.overlap() > rough_overlap; ++i)
         rough.grow(ball_at(shape, random, lump_off));
     return rough.take();
 }

@@ -24,20 +24,20 @@ struct KeyBit {
     double deep{};   ///< distance from the shaft's axis to the bit's end
 };
 
-inline constexpr std::size_t most_key_bits = 4;
+inline constexpr std::size_t max_key_bits = 4;
 
 /// Dimensions of a key (voxels).
 struct KeyShape {
-    double ring_x{};                           ///< x of the ring's middle
-    double ring_radius{};                      ///< radius of the ring's middle line
-    double ring_thick{};                       ///< radius of the ring's cross-section
-    double ring_high{};                        ///< height of the ring as a share of its width
-    double shaft_end{};                        ///< x of the shaft's tip
-    double shaft_thick{};                      ///< radius of the shaft
-    double collar_x{};                         ///< x of the collar, a disc around the shaft
-    double collar{};                           ///< radius of the collar
-    double side{};                             ///< 1: the bits point up; -1: down
-    std::array<KeyBit, most_key_bits> bits{};  ///< the bits; only the first `bit_count` are used
+    double ring_x{};                          ///< x of the ring's middle
+    double ring_radius{};                     ///< radius of the ring's middle line
+    double ring_thick{};                      ///< radius of the ring's cross-section
+    double ring_high{};                       ///< height of the ring as a share of its width
+    double shaft_end{};                       ///< x of the shaft's tip
+    double shaft_thick{};                     ///< radius of the shaft
+    double collar_x{};                        ///< x of the collar, a disc around the shaft
+    double collar{};                          ///< radius of the collar
+    double side{};                            ///< 1: the bits point up; -1: down
+    std::array<KeyBit, max_key_bits> bits{};  ///< the bits; only the first `bit_count` are used
     std::size_t bit_count{};
 };
 

@@ -10,16 +10,16 @@ namespace {
 
 /// Least and greatest distance of the core from the orb's middle, as a share of the extent. A probe at rest
 /// in the middle must not find the core.
-constexpr double least_off_middle = 0.1, most_off_middle = 0.22;
+constexpr double min_off_middle = 0.1, max_off_middle = 0.22;
 /// Half of the length of the part of the core that a hand can reach, as a share of the extent, for a device
 /// whose workspace is shallow. The conditions below hold along this part.
 constexpr double searched_half = 0.2;
 /// Maximum distance between the core and the point around which the flow turns, as a share of the extent.
-constexpr double most_shift = 0.03;
+constexpr double max_shift = 0.03;
 /// Minimum ratio of the core's curl to that of another vortex.
-constexpr double least_lead = 1.2;
+constexpr double min_lead = 1.2;
 /// Maximum number of flows that are tried. About one in 20 has a core that can be found by hand.
-constexpr int most_flows = 1000;
+constexpr int max_flows = 1000;
 
 double curl_of(const field::RankineVortex& vortex) { return 2 * std::abs(vortex.speed) / vortex.radius; }
 
@@ -37,7 +37,7 @@ std::uint64_t seed_of_flow(double extent, std::uint64_t seed) {
     constexpr std::uint64_t stream = 3;
     Random random = random_stream(seed, stream);
     std::uint64_t drawn = random.next();
-    for (int i = 1; i < most_flows && !can_be_found(field::make_vortex_flow(extent, drawn), extent); ++i)
+    for (int i = 1; i < max_flows && !can_be_found(field::make_vortex_flow(extent, drawn), extent); ++i)
         drawn = random.next();
     return drawn;
 }
@@ -70,13 +70,13 @@ bool can_be_found(const field::VortexFlow& flow, double extent) {
     const auto& core = flow.vortices[0];
     const vec3 nearest = across(core.middle, core.axis);
     const double off = glm::length(nearest) / extent;
-    if (off < least_off_middle || off > most_off_middle) return false;
+    if (off < min_off_middle || off > max_off_middle) return false;
     for (std::size_t i = 1; i < flow.vortices.size(); ++i)
-        if (curl_of(core) < least_lead * curl_of(flow.vortices[i])) return false;
+        if (curl_of(core) < min_lead * curl_of(flow.vortices[i])) return false;
     constexpr int steps = 4;
     for (int i = -steps; i <= steps; ++i) {
         const vec3 place = nearest + i * (searched_half * extent / steps) * core.axis;
-        if (shift_at(flow, place) > most_shift * extent) return false;
+        if (shift_at(flow, place) > max_shift * extent) return false;
     }
     return true;
 }

@@ -83,13 +83,13 @@ std::uint32_t neighbour_of_last(const WornModes& modes, std::size_t count, int s
 
 vec2 on_sheet(const OrbRules& rules, const OrbMode& mode, vec3 hand, vec3 reach) {
     const auto share = [](double place, double half) { return std::clamp((place / half + 1) / 2, 0.0, 1.0); };
-    return {mode.most_property * share(hand.x, reach.x),
+    return {mode.max_property * share(hand.x, reach.x),
             mode.least + (rules.most - mode.least) * share(hand.y, reach.y)};
 }
 
 void draw_curve(const OrbRules& rules, const OrbMode& mode, vec2 from, vec2 to,
                 field::TransferFunction& strength) {
-    field::draw_stroke(strength, from, to, mode.most_property * rules.column_share);
+    field::draw_stroke(strength, from, to, mode.max_property * rules.column_share);
 }
 
 void refit_modes(const OrbRules& before, const OrbRules& now, WornModes& modes) {

@@ -171,7 +171,7 @@ private:
     void update_live() noexcept {
         if (live_ == nullptr) return;
         live_->force = numbers_of(told_);
-        live_->greatest_force = std::max(live_->greatest_force, glm::length(told_));
+        live_->max_force = std::max(live_->max_force, glm::length(told_));
         live_->ticks = ticks_;
         live_->initiated = 1;
     }

@@ -125,7 +125,7 @@ void move_arm(Device& d) {
     ++d.ticks;
     d.report.force = numbers_of(force);
     d.report.position = numbers_of(d.arm.position);
-    d.report.greatest_force = std::max(d.report.greatest_force, glm::length(force));
+    d.report.max_force = std::max(d.report.max_force, glm::length(force));
     if (d.felt_at == 0 && force != vec3(0)) d.felt_at = d.ticks;
     record(d, force);
     update_live(d);
@@ -143,7 +143,7 @@ void update_live(Device& d) {
     if (d.live == nullptr) return;
     d.live->force = numbers_of(exerted(d));
     d.live->left = d.report.left;
-    d.live->greatest_force = std::max(d.live->greatest_force, d.report.greatest_force);
+    d.live->max_force = std::max(d.live->max_force, d.report.max_force);
     d.live->ticks = d.ticks;
     d.live->initiated = d.initiated ? 1 : 0;
 }

@@ -25,7 +25,7 @@ void fill(Term& term, const Primitive& primitive, std::size_t source) {
 
 /// Strength below which a primitive counts as none (N). Its square and its quotients would underflow or
 /// overflow.
-constexpr double least_strength = 1e-300;
+constexpr double min_strength = 1e-300;
 
 /// Collects the terms: primitives with a kink and strength. Sums the constant forces.
 void take_primitives(Problem& problem, const PrimitiveSet& set) {
@@ -35,7 +35,7 @@ void take_primitives(Problem& problem, const PrimitiveSet& set) {
         fill(next, primitive, source++);
         problem.load += load_of_kind[static_cast<std::size_t>(primitive.kind)] * primitive.strength * next.q;
         problem.strength += next.strength;
-        problem.terms.count += next.strength > 0 && primitive.strength >= least_strength ? 1 : 0;
+        problem.terms.count += next.strength > 0 && primitive.strength >= min_strength ? 1 : 0;
     }
 }
 

@@ -110,7 +110,7 @@ double duality_bound(Problem& problem, vec3 x) {
 }
 
 void improve_by_dual_ascent(Problem& problem, double accepted, Solution& best, int& steps) {
-    constexpr int most_passes = 12;
+    constexpr int max_passes = 12;
     // Updates of single terms, which cost as much as a Newton step of a full set.
     constexpr std::size_t updates_of_a_pass = 256;
     std::size_t i = 0;
@@ -119,7 +119,7 @@ void improve_by_dual_ascent(Problem& problem, double accepted, Solution& best, i
         term.dual = std::isfinite(best.residual) ? -to_problem_frame(problem, best.pulls[i++]) : vec3(0);
         sum += term.dual;
     }
-    int passes = std::clamp(balance_step_budget + most_passes - steps, 1, most_passes);
+    int passes = std::clamp(balance_step_budget + max_passes - steps, 1, max_passes);
     for (; passes > 0 && best.residual > accepted; --passes, ++steps) {
         for (std::size_t done = 0; done < updates_of_a_pass; done += problem.terms.count) {
             for (Term& term : terms_of(problem)) {

@@ -19,7 +19,7 @@ struct Share {
     vec3 force{};    ///< N
     double depth{};  ///< depth that is felt (m)
 };
-using Shares = std::array<Share, most_walls>;
+using Shares = std::array<Share, max_walls>;
 
 /// Computes the force on the hand (N). Each wall's share is its own push, plus a part of the common force in
 /// proportion to its depth.

@@ -9,7 +9,7 @@ namespace {
 
 // Distance that a touched triangle may move without telling its velocity (m).
 constexpr double resting_slack = 5e-4;
-constexpr int most_pushes = 4;
+constexpr int max_pushes = 4;
 
 bool was_touched(const Scene& scene, const SurfaceState& state, std::uint32_t i) {
     for (std::uint32_t c = 0; c < std::min<std::uint32_t>(state.contacts, 3); ++c) {
@@ -60,13 +60,13 @@ bool add_walls_that_moved_over(const Scene& scene, const SurfaceState& state, co
                                Walls& walls) {
     bool pushed = false;
     Wall wall;
-    for (std::uint32_t i = 0; i < scene.flat_count && walls.count < most_walls; ++i) {
+    for (std::uint32_t i = 0; i < scene.flat_count && walls.count < max_walls; ++i) {
         const Facet& flat = scene.flats[i];
         if (!moved_over(scene, state, flat, from[scene.surface(flat.surface).body], x, wall)) continue;
         add_wall(walls, wall);
         pushed = true;
     }
-    for (std::uint32_t i = 0; i < scene.solid_count && walls.count < most_walls; ++i) {
+    for (std::uint32_t i = 0; i < scene.solid_count && walls.count < max_walls; ++i) {
         const std::uint32_t solid = scene.solids[i];
         if (!moved_over(scene, solid, from[scene.surface(solid).body], x, wall)) continue;
         add_wall(walls, wall);
@@ -90,13 +90,13 @@ vec3 pushed_out(const Scene& scene, const SurfaceState& state, vec3 start) {
     for (std::uint32_t i = 0; i < scene.body_count; ++i) from[i] = scene.motions[i].now(state.proxy);
     Walls walls;
     vec3 x = start;
-    for (int round = 0; round < most_pushes; ++round) {
+    for (int round = 0; round < max_pushes; ++round) {
         const std::size_t before = walls.count;
         if (!add_walls_that_moved_over(scene, state, from, x, walls)) return x;
         const NearestPlace goal = nearest_place(walls, start);
         if (!goal.found) return x;
         x = goal.place;
-        if (walls.count == most_walls && walls.count == before) return x;
+        if (walls.count == max_walls && walls.count == before) return x;
     }
     return x;
 }

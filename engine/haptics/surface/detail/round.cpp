@@ -94,11 +94,11 @@ struct Path {
 
 /// Moves y onto both pieces, each time along the shortest displacement to their tangent planes.
 bool onto_both(const std::array<Piece, 2>& pieces, vec3& y) {
-    constexpr int most_steps = 12;
+    constexpr int max_steps = 12;
     constexpr double parallel = 1e-12;
     // m; after a step this short, the error is its square over the radius, which is rounding.
     constexpr double last = 1e-9;
-    for (int n = 0; n < most_steps; ++n) {
+    for (int n = 0; n < max_steps; ++n) {
         const Distance a = distance_to(pieces[0], y), b = distance_to(pieces[1], y);
         const double g = glm::dot(a.normal, b.normal), sine2 = 1 - g * g;
         if (sine2 < parallel) return false;
@@ -269,10 +269,10 @@ struct Sample {
 /// within the tolerance.
 template <class Function>
 double fall_to_zero(const Function& function, Sample above, Sample below, double guess, double tolerance) {
-    constexpr int most_samples = 64;
+    constexpr int max_samples = 64;
     Sample newer = above;
     double s = guess;
-    for (int n = 0; n < most_samples && below.value < -tolerance; ++n) {
+    for (int n = 0; n < max_samples && below.value < -tolerance; ++n) {
         if (!(s > above.s && s < below.s) || n % 8 == 7) s = 0.5 * (above.s + below.s);
         if (!(s > above.s && s < below.s)) break;
         const Sample older = newer;
@@ -430,7 +430,7 @@ bool alone(const Scene& scene, const Walls& walls) {
 /// move ends when no sweeps are left.
 Obstacle travel(const Track& track, double end, int& sweeps_left) {
     constexpr double shortest = 1e-9;  // m; on a radius of 1 mm, the tangents then stay within 1e-15 m
-    constexpr int most_parts = 200;
+    constexpr int max_parts = 200;
     constexpr int per_part = 2;  // sweeps that cost as much as the places of a part
     const Scene& scene = *track.scene;
     const int surfaces = static_cast<int>(scene.flat_count + scene.solid_count);
@@ -438,7 +438,7 @@ Obstacle travel(const Track& track, double end, int& sweeps_left) {
     Clearances near;
     vec3 here = track.at(0);
     double done = 0, part = end;
-    for (int n = 0; n < most_parts && sweeps_left > 0 && done < end; ++n) {
+    for (int n = 0; n < max_parts && sweeps_left > 0 && done < end; ++n) {
         const double to = std::min(done + part, end);
         const Tangents tangents = tangents_between(track, done, here, to);
         const SurfaceSet far = part < end ? near.beyond(scene, here, tangents.reach) : 0;
@@ -478,7 +478,7 @@ Track track_of(const Scene& scene, const Walls& walls, vec3 x, const RoundGoal& 
 }
 
 /// Drops the wall that pushes least.
-void drop_least(Walls& walls) {
+void min_drop(Walls& walls) {
     if (walls.count == 2 && walls.items[0].depth < walls.items[1].depth) walls.items[0] = walls.items[1];
     --walls.count;
 }
@@ -546,7 +546,7 @@ RoundEnd slide_round(const Scene& scene, SlideState& slide, const RoundGoal& goa
     const Track track = track_of(scene, slide.walls, slide.x, goal);
     const Loads start = loads_at(track, 0);
     if (start.least <= 0) {
-        drop_least(slide.walls);
+        min_drop(slide.walls);
         return RoundEnd::moved;
     }
     if (start.excess <= 0) return RoundEnd::rests;

@@ -6,7 +6,7 @@
 namespace thaum::haptics {
 namespace {
 
-constexpr int most_moves = 32;
+constexpr int max_moves = 32;
 
 /// Ends a slide that has used up its moves or its patch. If no wall is left, the last walls that held the
 /// proxy stay: the force never vanishes because the moves are used up.
@@ -25,7 +25,7 @@ void settle(const Scene& scene, SlideState& slide, vec3 tip, const Walls& held) 
     Walls held;
     vec3 cleared{}, last = start;
     bool first = true;
-    for (int move = 0; move < most_moves; ++move) {
+    for (int move = 0; move < max_moves; ++move) {
         refresh_round(scene, slide.walls, slide.x, glm::length(slide.x - last) > place_tolerance);
         last = slide.x;
         const NearestPlace goal = nearest_place(slide.walls, tip);

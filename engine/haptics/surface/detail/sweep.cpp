@@ -5,7 +5,7 @@
 namespace thaum::haptics {
 namespace {
 
-constexpr int most_advances = 60;  // grazing a round side halves the gap each time
+constexpr int max_advances = 60;  // grazing a round side halves the gap each time
 
 /// Whether a hit comes before another one. Of two simultaneous hits, the one at the steeper angle comes
 /// first.
@@ -51,7 +51,7 @@ void sweep_solid(const Scene& scene, std::uint32_t i, const Sweep& path, Hit& fi
     const double gap = scene.gap[i];
     double drop = 0;
     Distance here{};
-    for (int n = 0; n < most_advances; ++n) {
+    for (int n = 0; n < max_advances; ++n) {
         here = to_solid(s, orientation, path.from + at * path.step);
         drop = -glm::dot(here.normal, path.step);
         if (!(drop > 0) || here.value - (1 - at) * drop >= gap - place_tolerance) return;

@@ -47,8 +47,8 @@ Relief relief_at(const Texture& t, const BumpMap& bumps, vec3 place) noexcept {
     if (top_of(t) == 0) return {};
     const vec3 arm = place - t.origin;
     const double u = glm::dot(arm, t.axes[0]), v = glm::dot(arm, t.axes[1]);
-    constexpr double most_turns = 1e9;
-    const double least = t.wavelength * most_turns;
+    constexpr double max_turns = 1e9;
+    const double least = t.wavelength * max_turns;
     if (!(std::abs(u) < least && std::abs(v) < least)) return {};  // so far away that u has no phase
     if (t.kind == TextureKind::bumps) return bumps_at(t, bumps, u, v);
     const double turns = u / t.wavelength;

@@ -5,7 +5,7 @@
 
 namespace thaum::haptics {
 
-inline constexpr std::size_t most_walls = 4;
+inline constexpr std::size_t max_walls = 4;
 
 /// Plane through the place where the proxy touches a surface. x is in front of it if normal.x >= offset.
 struct Wall {
@@ -18,7 +18,7 @@ struct Wall {
 };
 
 struct Walls {
-    std::array<Wall, most_walls> items{};
+    std::array<Wall, max_walls> items{};
     std::size_t count{};
 };
 
@@ -35,7 +35,7 @@ inline void add_wall(Walls& walls, const Wall& wall) {
         walls.items[i] = wall;
         return;
     }
-    if (walls.count < most_walls) walls.items[walls.count++] = wall;
+    if (walls.count < max_walls) walls.items[walls.count++] = wall;
 }
 
 /// Distance of the tip behind a wall (m).

@@ -12,7 +12,7 @@ namespace {
 /// Distances from the start at which a search along the normal looks, in samples; then every half.
 constexpr std::array<double, 2> first_looks{0.1, 0.5};
 constexpr double look_samples = 0.5;
-constexpr int most_looks = 16;
+constexpr int max_looks = 16;
 /// Distance from the start of a search up to which the slope there serves for the surface too, and the
 /// same where drawn and smooth surface lie apart (samples). Farther away, the tangent would put the
 /// plane of a sheet now here, now there.
@@ -21,15 +21,15 @@ constexpr double same_slope = 0.5, same_slope_apart = 0.02;
 constexpr double apart = 0.25;
 /// Distance between drawn and smooth surface from which on it is no step of samples, but
 /// a sheet or a cut face (samples).
-constexpr double largest_step = 0.5;
+constexpr double max_search_step = 0.5;
 /// Largest distance from the drawn surface at which a plane is put, as a share
 /// of the tip's depth and in samples.
-constexpr double depth_share = 0.3, most_eased = 0.5;
+constexpr double depth_share = 0.3, max_eased = 0.5;
 /// The same while a tip slides: shares of its depth for a plane that rises and for one that
 /// sinks, and samples along the normal.
-constexpr double rising_share = 0.88, sinking_share = 8, most_late = 1;
+constexpr double rising_share = 0.88, sinking_share = 8, max_late = 1;
 /// Least share of the slew for a plane that moves the same way as the tip does.
-constexpr double least_slew = 0.25;
+constexpr double min_slew = 0.25;
 /// A tip less deep behind the smooth surface, in samples along the normal, may be
 /// let go by steps of samples ahead.
 constexpr double let_go = 0.75;
@@ -38,10 +38,10 @@ constexpr double let_go = 0.75;
 constexpr double depth_ahead = 0.45;
 /// Distance between looks ahead (samples), their largest number, and the shortest
 /// way that is looked at (samples).
-constexpr double look_ahead = 0.25, most_looks_ahead = 32, least_ahead = 0.01;
+constexpr double look_ahead = 0.25, max_looks_ahead = 32, min_ahead = 0.01;
 /// Motion of a tip in a tick whose way ahead is looked at (m). A faster one would be let
 /// go long before most of its steps.
-constexpr double most_motion = 5e-5;
+constexpr double max_motion = 5e-5;
 /// How far below the tip the body must go on, or the tip leaves a sheet through its
 /// back (samples along the normal).
 constexpr double ground_below = 0.5;
@@ -51,7 +51,7 @@ constexpr double still_felt = 0.01;
 /// Distance from the place of the first plane up to which a landing place needs no search (samples).
 constexpr double beside_samples = 0.25;
 /// Depth of a landing place that counts, and accuracy of a place (m).
-constexpr double least_depth = 1e-7, accurate = 1e-10;
+constexpr double min_depth = 1e-7, accurate = 1e-10;
 
 double look_at(int i) {
     const auto n = static_cast<std::size_t>(i);
@@ -276,14 +276,14 @@ BodySearch::Found BodySearch::found_at(vec3 place, vec3 start, const Way& way) {
 /// and for one near the back of a sheet, where a free place ahead is no step.
 bool BodySearch::stays_in(vec3 target, vec3 out, double depth, double height) {
     const vec3 along = motion_ - glm::dot(motion_, out) * out;
-    const double moved = glm::length(along), reach = std::min(moved, most_motion) * height / surface_.slew;
+    const double moved = glm::length(along), reach = std::min(moved, max_motion) * height / surface_.slew;
     const double space = look_ahead * fine_, ground = ground_below * sample_along(out);
-    if (!(reach > least_ahead * fine_) || !std::isfinite(reach)) return true;
+    if (!(reach > min_ahead * fine_) || !std::isfinite(reach)) return true;
     if (depth < depth_ahead * height) return false;
     const vec3 from = target + depth_ahead * height * out, to = target + reach / moved * along;
     if (!solid(from)) return true;
-    const int looks = static_cast<int>(std::ceil(std::min(reach / space, most_looks_ahead)));
-    const double part = std::min(1.0, most_looks_ahead * space / reach) / looks;
+    const int looks = static_cast<int>(std::ceil(std::min(reach / space, max_looks_ahead)));
+    const double part = std::min(1.0, max_looks_ahead * space / reach) / looks;
     for (int i = 1; i <= looks; ++i) {
         const vec3 ahead = glm::mix(from, to, part * i);
         if (!solid(ahead)) return !solid(target - ground * out);
@@ -297,14 +297,15 @@ double BodySearch::eased(const Found& found, vec3 proxy, vec3 target) {
     const auto& [place, way] = found;
     const double depth = std::max(0.0, glm::dot(place - target, way.out)), sample = sample_along(way.out);
     const double height = glm::dot(proxy - place, way.out);
-    const double step = way.smooth * fading((std::abs(way.smooth) / sample - largest_step) / largest_step);
+    const double step =
+        way.smooth * fading((std::abs(way.smooth) / sample - max_search_step) / max_search_step);
     const double own = glm::dot(motion_, way.out), slew = surface_.slew;
     if (!std::isfinite(depth) || !std::isfinite(step) || !std::isfinite(own)) return 0;
-    const double most = std::min(depth_share * depth, most_eased * fine_), late = most_late * sample;
+    const double most = std::min(depth_share * depth, max_eased * fine_), late = max_late * sample;
     const double wanted = std::clamp(step, -most, most);
     // The tip's own motion along the normal changes the force, too.
-    const double up = std::max(slew + std::min(own, 0.0), least_slew * slew);
-    const double down = std::max(slew - std::max(own, 0.0), least_slew * slew);
+    const double up = std::max(slew + std::min(own, 0.0), min_slew * slew);
+    const double down = std::max(slew - std::max(own, 0.0), min_slew * slew);
     const double lowest = std::min({height - down, sinking_share * depth, late});
     const double highest = std::max(height + up, -std::min(rising_share * depth, late));
     double result = std::min(std::max(wanted, lowest), highest);
@@ -330,7 +331,7 @@ std::optional<ContactPlane> BodySearch::plane_of(const std::optional<Found>& fou
 std::optional<BodySearch::Found> BodySearch::leaving(vec3 place, double at_place, const Way& way) {
     const double end = way_to_end(place, way.out, half_);
     Bracket b{place, place, at_place, at_place};
-    for (int i = 0; i < most_looks; ++i) {
+    for (int i = 0; i < max_looks; ++i) {
         const double t = std::min({look_at(i) * fine_, surface_.reach, end});
         b.to = place + t * way.out;
         b.at_to = inside(b.to);
@@ -348,7 +349,7 @@ std::optional<BodySearch::Found> BodySearch::entering(vec3 place, double at_plac
                                                       double limit) {
     const double end = std::min(limit, way_to_end(place, -way.out, half_));
     Bracket b{place, place, at_place, at_place};
-    for (int i = 0; i < most_looks; ++i) {
+    for (int i = 0; i < max_looks; ++i) {
         const double t = std::min(look_at(i) * fine_, end);
         b.to = place - t * way.out;
         b.at_to = inside(b.to);
@@ -376,7 +377,7 @@ std::optional<BodySearch::Found> BodySearch::out_of_crevice(vec3 place, double a
 /// The place on the surface of the smooth field near a place, if the tip is deep enough for a plane just
 /// there. It is the plane of the drawn surface that eased() would put there, in fewer reads.
 std::optional<BodySearch::Found> BodySearch::on_smooth(vec3 place, const Way& way, vec3 target) {
-    const double most = most_eased * fine_;
+    const double most = max_eased * fine_;
     if (!(std::abs(way.smooth) <= std::min(surface_.slew, most))) return std::nullopt;
     const vec3 smooth = place + way.smooth * way.out;
     const double depth = glm::dot(smooth - target, way.out);
@@ -413,7 +414,7 @@ std::optional<BodySearch::Found> BodySearch::between(vec3 from, vec3 to) {
     if (is_solid(b.at_from)) return found_at(b.from);
     const vec3 start = b.from, end = glm::mix(from, to, part.to);
     const double looks = std::ceil(glm::distance(start, end) / (look_samples * fine_));
-    const int parts = static_cast<int>(std::clamp(looks, 1.0, static_cast<double>(most_looks)));
+    const int parts = static_cast<int>(std::clamp(looks, 1.0, static_cast<double>(max_looks)));
     for (int i = 1; i <= parts; ++i) {
         b.to = glm::mix(start, end, static_cast<double>(i) / parts);
         b.at_to = inside(b.to);
@@ -443,16 +444,16 @@ std::optional<ContactPlane> BodySearch::first(vec3 proxy, vec3 target) {
 std::optional<ContactPlane> BodySearch::next(vec3 proxy, vec3 landing, vec3 target) {
     const vec3 place = to_box(landing);
     const vec3 normal = contact_.planes[0].normal * box_.placement.turn;
-    if (!solid(place + least_depth * normal)) return std::nullopt;
+    if (!solid(place + min_depth * normal)) return std::nullopt;
     // Beside the plane, the drawn surface is only a step of samples, unless it goes on above it.
     const vec3 plane_at = to_box(contact_.planes[0].place);
     const bool beside = glm::distance(place, plane_at) <= beside_samples * fine_;
-    if (beside && !solid(place + most_late * fine_ * normal)) return std::nullopt;
+    if (beside && !solid(place + max_late * fine_ * normal)) return std::nullopt;
     const vec3 to = to_box(target);
     auto found = near(place, to);
     if (!found) found = between(to_box(proxy), place);
     const auto plane = plane_of(found, to_box(proxy), to);
-    const bool holds = plane && glm::dot(plane->place - landing, plane->normal) > least_depth;
+    const bool holds = plane && glm::dot(plane->place - landing, plane->normal) > min_depth;
     return holds ? plane : std::nullopt;
 }
 
