@@ -8,7 +8,7 @@
 #include "core/text.h"
 #include "game/app/command.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 int become(std::string_view program, const std::vector<std::string>& words) {
     std::error_code unreadable;
     const auto self = std::filesystem::read_symlink("/proc/self/exe", unreadable);
@@ -23,4 +23,4 @@ int become(std::string_view program, const std::vector<std::string>& words) {
                         "; build it (./thaum does, given the command) or install it beside this program")});
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

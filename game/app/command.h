@@ -11,7 +11,7 @@
 
 #include "game/command_line/command.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 
 /// Runs the command whose name is the first word with the other words, or play if the first word is an
 /// option or missing. A command of Thaum that this program does not have is left to the program
@@ -23,4 +23,4 @@ int dispatch(std::vector<std::string> words, std::string_view others);
 /// only if it cannot be started: the exit code, after one line that says why.
 int become(std::string_view program, const std::vector<std::string>& words);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -29,7 +29,7 @@
 #include "gesture/gesture_file.h"
 #include "haptics/device.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -362,4 +362,4 @@ std::string short_words(const ContentReport& report) {
     return text(report.faults[0], more == 0 ? "; all: thaum check" : text("; ", more, " more: thaum check"));
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 
 struct ContentReport {
     std::size_t files{};                ///< number of files in the folder, without those that nothing reads
@@ -20,4 +20,4 @@ ContentReport check_content(const std::filesystem::path& assets);
 /// One line on a report for the start screen: the first fault, and how many more there are. Empty: no fault.
 std::string short_words(const ContentReport& report);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -12,7 +12,7 @@
 #include "game/data/match_data.h"
 #include "game/data/spell.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 using Names = std::vector<std::string_view>;
@@ -150,4 +150,4 @@ private:
 
 KnownFiles check_file_names(const std::filesystem::path& assets) { return Walk(assets).walk(); }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

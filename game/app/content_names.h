@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 
 /// The folder's files, and a line on each that nothing reads because of its name, ending or folder.
 struct KnownFiles {
@@ -15,4 +15,4 @@ struct KnownFiles {
 
 KnownFiles check_file_names(const std::filesystem::path& assets);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

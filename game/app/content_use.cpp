@@ -5,7 +5,7 @@
 
 #include "core/text.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 using game::MatchData;
@@ -148,4 +148,4 @@ UseFindings find_unusable(std::span<const MatchData> readings) {
     return found;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -6,7 +6,7 @@
 
 #include "game/data/match_data.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 
 /// Findings, each with the key that it is about.
 struct UseFindings {
@@ -17,4 +17,4 @@ struct UseFindings {
 /// Checks the data of matches, which must be free of reading errors. Every arena must appear at least once.
 UseFindings find_unusable(std::span<const game::MatchData> readings);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -10,7 +10,7 @@
 #include "game/app/command.h"
 #include "game/app/program.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 struct Summary {
@@ -89,4 +89,4 @@ int dispatch(std::vector<std::string> words, std::string_view others) {
         {text("unknown command '", name, "'", near.empty() ? "; `thaum --help` lists them" : near)});
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

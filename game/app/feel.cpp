@@ -17,7 +17,7 @@
 #include "input/arm_playback.h"
 #include "input/open_arm.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 /// Number of ticks computed ahead of the arm. A busy machine may need longer to compute a tick than the arm
@@ -184,4 +184,4 @@ int feel(game::Playback playback, const FeelPlan& plan) {
     return fault || forces.divergence() ? does_not_hold : done;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

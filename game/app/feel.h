@@ -4,7 +4,7 @@
 
 #include "game/match/playback.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 
 struct FeelPlan {
     std::string device;        ///< name or number of the arm in the list of `thaum doctor`
@@ -16,4 +16,4 @@ struct FeelPlan {
 /// the log. Returns an exit code.
 int feel(game::Playback playback, const FeelPlan& plan);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

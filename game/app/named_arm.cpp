@@ -4,7 +4,7 @@
 
 #include "core/text.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 
 Expected<std::unique_ptr<input::OpenArm>> open_named_arm(std::string_view option, const std::string& name) {
     std::string found;
@@ -24,4 +24,4 @@ Expected<std::unique_ptr<input::OpenArm>> open_named_arm(std::string_view option
                      found.empty() ? "no device" : found));
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -5,10 +5,10 @@
 
 #include "input/open_arm.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 
 /// Opens the first arm with this name, or the arm with this number ("arm:0"). Other arms are closed again.
 /// The error begins with `option`, and lists the arms that were found.
 Expected<std::unique_ptr<input::OpenArm>> open_named_arm(std::string_view option, const std::string& name);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

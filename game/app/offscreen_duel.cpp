@@ -12,7 +12,7 @@
 #include "game/match/record.h"
 #include "game/match/result.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 struct Played {
@@ -119,4 +119,4 @@ int play_offscreen_duel(const OffscreenDuel& duel) {
     return played->log_fault || drawn.fault ? does_not_hold : done;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -5,7 +5,7 @@
 
 #include "game/data/match_data.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 
 struct OffscreenDuel {
     std::filesystem::path assets{};
@@ -24,4 +24,4 @@ struct OffscreenDuel {
 /// says why.
 int play_offscreen_duel(const OffscreenDuel& duel);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

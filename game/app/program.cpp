@@ -19,7 +19,7 @@
 #include "game/settings/settings.h"
 #include "input/open_arm.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 /// Runs a command. Reports an exception that no other code handled in one line.
@@ -86,4 +86,4 @@ void protect_inputs(std::string_view command) {
     }
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

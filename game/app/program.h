@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 
 /// Work of a program: takes the words of its command line and returns an exit code.
 using Dispatch = int (*)(std::vector<std::string> words);
@@ -20,4 +20,4 @@ int run_program(int argc, char** argv, Dispatch dispatch);
 /// are changed.
 void protect_inputs(std::string_view command);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -3,7 +3,7 @@
 #include "audio/synth.h"
 #include "game/jackets/felt_rows.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 
 Expected<void> ReplayBody::add_sound(State& state, const game::MatchData& data,
                                      const std::filesystem::path& assets) {
@@ -48,4 +48,4 @@ void ReplayBody::follow(const game::Simulation& match, std::string& rows) {
     }
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

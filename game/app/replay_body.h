@@ -7,7 +7,7 @@
 #include "game/live/body.h"
 #include "game/live/body_sound.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 
 class ReplayBody {
 public:
@@ -35,4 +35,4 @@ private:
     std::unique_ptr<State> state_;
 };
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

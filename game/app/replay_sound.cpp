@@ -4,7 +4,7 @@
 #include "core/tell_user.h"
 #include "core/text.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 
 Expected<ReplaySound> ReplaySound::create(const std::filesystem::path& file,
                                           std::optional<std::uint32_t> ears, const game::MatchData& data,
@@ -41,4 +41,4 @@ Expected<void> ReplaySound::close() {
     return file_.close();
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

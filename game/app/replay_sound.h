@@ -8,7 +8,7 @@
 #include "audio/wav.h"
 #include "game/senses/sound/sound_scene.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 
 class ReplaySound {
 public:
@@ -34,4 +34,4 @@ private:
     std::array<float, audio::block_values> block_{};
 };
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -9,7 +9,7 @@
 #include "game/settings/recorded_names.h"
 #include "game/settings/settings.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 /// Tick with eight digits, so that file names sort by time; ten hours have eight digits.
@@ -80,4 +80,4 @@ void Shots::remove_unconfirmed() {
     unconfirmed_.clear();
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -8,7 +8,7 @@
 #include "game/hud/still.h"
 #include "game/match/playback.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 
 /// Chosen moments of a replay, and the folder for their pictures.
 struct ShotPlan {
@@ -57,4 +57,4 @@ std::unique_ptr<game::Senses> senses_of(const game::MatchData& data, const std::
 /// The HUD of a player who has changed no setting.
 game::HudSettings hud_of(const game::Playback& playback);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

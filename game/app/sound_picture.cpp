@@ -8,7 +8,7 @@
 #include "core/text.h"
 #include "core/utf8.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 struct Colour {
@@ -153,4 +153,4 @@ render::Image draw_sounds(std::span<const audio::Sound* const> sounds, render::F
     return image;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -6,7 +6,7 @@
 #include "render/font.h"
 #include "render/image.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 
 /// Picture of one sound with its name, axes and description.
 render::Image draw_sound(const audio::Sound& sound, render::Font& font);
@@ -14,4 +14,4 @@ render::Image draw_sound(const audio::Sound& sound, render::Font& font);
 /// Spectrograms and names of several sounds, side by side.
 render::Image draw_sounds(std::span<const audio::Sound* const> sounds, render::Font& font);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

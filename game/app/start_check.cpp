@@ -12,7 +12,7 @@ namespace {
 void say(const char* text) {
     unsigned length = 0;
     while (text[length] != '\0') ++length;
-    if (write(STDERR_FILENO, text, length) < 0) _exit(thaum::app::wrong_use);
+    if (write(STDERR_FILENO, text, length) < 0) _exit(thaum::game::wrong_use);
 }
 
 void refuse_older_processors(int, char**, char**) {
@@ -21,7 +21,7 @@ void refuse_older_processors(int, char**, char**) {
     say("thaum: this build needs a processor of x86-64-v3 and this one lacks");
     say(missing.text);
     say("; build with -DTHAUM_PORTABLE=ON (./thaum does so by itself)\n");
-    _exit(thaum::app::wrong_use);
+    _exit(thaum::game::wrong_use);
 }
 
 [[gnu::section(".preinit_array"), gnu::used]] void (*const first_of_all)(int, char**,

@@ -7,13 +7,13 @@
 #include "game/app/command.h"
 #include "game/app/program.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 int dispatch_words(std::vector<std::string> words) { return dispatch(std::move(words), "thaum-tools"); }
 
 }  // namespace
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app
 
-int main(int argc, char** argv) { return thaum::app::run_program(argc, argv, thaum::app::dispatch_words); }
+int main(int argc, char** argv) { return thaum::game::run_program(argc, argv, thaum::game::dispatch_words); }

@@ -11,7 +11,7 @@
 #include "render/display.h"
 #include "render/priority.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 
 namespace {
 
@@ -89,4 +89,4 @@ int watch(game::Playback playback, const WatchPlan& plan) {
     return watch_in_window(std::move(playback), plan);
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -4,7 +4,7 @@
 
 #include "game/match/playback.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 
 struct WatchPlan {
     Tick start = 0;               ///< first tick that is shown
@@ -16,4 +16,4 @@ struct WatchPlan {
 /// picture of the moment and its state in the folder, and prints a line about them. Returns an exit code.
 int watch(game::Playback playback, const WatchPlan& plan);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -9,7 +9,7 @@
 #include "game/arena/solids.h"
 #include "game/arena/symmetry.h"
 
-namespace thaum::game {
+namespace thaum::game::inline arena {
 namespace {
 
 constexpr Range place{-100, 100};
@@ -294,4 +294,4 @@ Arena read_arena(const Config& file) {
     return arena;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline arena

@@ -10,7 +10,7 @@
 #include "game/components/body.h"
 #include "game/components/power_up.h"
 
-namespace thaum::game {
+namespace thaum::game::inline arena {
 
 /// A body of the arena and its look. Ramps and bowls are static meshes.
 struct Thing {
@@ -74,4 +74,4 @@ bool is_crystal(Surface surface, physics::Shape shape);
 /// (core/config.h).
 Arena read_arena(const Config& file);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline arena

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace thaum::game {
+namespace thaum::game::inline arena {
 
 Basin basin_of(const BowlSize& bowl, double filled) {
     const auto whole = bowl_profile(bowl);
@@ -37,4 +37,4 @@ double width_at(const Basin& basin, double height) {
     return profile.front().x;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline arena

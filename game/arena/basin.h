@@ -5,7 +5,7 @@
 
 #include "game/arena/solids.h"
 
-namespace thaum::game {
+namespace thaum::game::inline arena {
 
 /// The inside of a bowl below the surface of its contents.
 struct Basin {
@@ -28,4 +28,4 @@ inline double off_axis(vec3 way) { return std::sqrt(way.x * way.x + way.z * way.
 /// the surface for positive heights.
 double width_at(const Basin& basin, double height);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline arena

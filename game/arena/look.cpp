@@ -2,7 +2,7 @@
 
 #include "game/arena/symmetry.h"
 
-namespace thaum::game {
+namespace thaum::game::inline arena {
 namespace {
 
 constexpr Range far_place{-1000, 1000};
@@ -77,4 +77,4 @@ ArenaLook read_arena_look(const Config& file) {
     return look;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline arena

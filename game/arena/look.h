@@ -6,7 +6,7 @@
 
 #include "core/config.h"
 
-namespace thaum::game {
+namespace thaum::game::inline arena {
 
 /// A colour 0xRRGGBB and a factor on its linear light.
 struct Tint {
@@ -64,4 +64,4 @@ struct ArenaLook {
 /// Reads the table `[look]`, which may be missing. Errors are collected in the Config.
 ArenaLook read_arena_look(const Config& file);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline arena

@@ -6,7 +6,7 @@
 #include "core/text.h"
 #include "game/arena/symmetry.h"
 
-namespace thaum::game {
+namespace thaum::game::inline arena {
 namespace {
 
 /// Depth in a solid that is tolerated, for rounding or contact of bodies at rest (m)
@@ -166,4 +166,4 @@ void check_placement(const ConfigTable& root, const Arena& arena) {
     placement.check_wizard(root.table("range").table("dummy"), "place", arena.practice[1].feet);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline arena

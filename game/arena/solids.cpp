@@ -1,6 +1,6 @@
 #include "game/arena/solids.h"
 
-namespace thaum::game {
+namespace thaum::game::inline arena {
 namespace {
 
 constexpr std::size_t bowl_sides = 32;
@@ -87,4 +87,4 @@ physics::TriangleMesh bowl(const BowlSize& size) {
     return mesh;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline arena

@@ -5,7 +5,7 @@
 
 #include "physics/physics.h"
 
-namespace thaum::game {
+namespace thaum::game::inline arena {
 
 /// Direction in which a ramp rises: +x, -x, -z, +z.
 enum class Rise : std::uint8_t { east, west, north, south };
@@ -29,4 +29,4 @@ physics::TriangleMesh bowl(const BowlSize& size);
 /// rim, then the inside down to the middle of the floor.
 std::vector<vec2> bowl_profile(const BowlSize& size);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline arena

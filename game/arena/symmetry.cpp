@@ -1,6 +1,6 @@
 #include "game/arena/symmetry.h"
 
-namespace thaum::game {
+namespace thaum::game::inline arena {
 
 Symmetry read_symmetry(const ConfigTable& table) {
     const bool mirror = table.boolean("mirror", false);
@@ -19,4 +19,4 @@ vec3 twin_place(Symmetry symmetry, vec3 place) {
     return place;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline arena

@@ -3,7 +3,7 @@
 #pragma once
 #include "core/config.h"
 
-namespace thaum::game {
+namespace thaum::game::inline arena {
 
 /// Relation of an entry to its twin: none, its mirror image at -z (`mirror`), or turned by 180 degrees about
 /// the vertical axis through the origin (`turned`).
@@ -15,4 +15,4 @@ Symmetry read_symmetry(const ConfigTable& table);
 /// Position of the twin of a thing at `place` (m, world).
 vec3 twin_place(Symmetry symmetry, vec3 place);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline arena

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 namespace {
 
 constexpr double close_to = 0.15;   ///< angle below which the eye has reached its aim (rad)
@@ -115,4 +115,4 @@ void turn_hand(Mind& mind, Tick ticks_left, input::DeviceSample& sample) {
     sample.counts[input::hand::look_up] = take_share(mind.up_left, ticks_left);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

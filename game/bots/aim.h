@@ -3,7 +3,7 @@
 #include "game/bots/mind.h"
 #include "game/context/aim.h"
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 
 inline constexpr double rad_per_count = 0.001;  ///< rotation per count of a bot's mouse
 
@@ -29,4 +29,4 @@ void choose_fire(const Self& self, const Seat& seat, Aim wanted, Mind& mind, Tic
 /// Takes the part of the planned turn for this tick. `ticks_left` ticks remain until the next gameplay tick.
 void turn_hand(Mind& mind, Tick ticks_left, input::DeviceSample& sample);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 namespace {
 
 using input::bit;
@@ -131,4 +131,4 @@ bool choose_wand(const BotTurn& turn) {
     return in_hand(self, mind);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

@@ -3,7 +3,7 @@
 #pragma once
 #include "game/bots/turn.h"
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 
 /// Selects mind.wand: if another wand is in hand, releases fire and presses the key of mind.wand. Returns
 /// true if mind.wand is in hand.
@@ -13,4 +13,4 @@ bool in_hand(const Self& self, Mind& mind);
 /// in hand.
 bool choose_wand(const BotTurn& turn);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

@@ -18,7 +18,7 @@
 
 // Bots act in every gameplay tick: a bot looks, chooses an aim and a way, and spreads its turn over the ticks
 // until the next gameplay tick.
-namespace thaum::game {
+namespace thaum::game::inline bots {
 namespace {
 
 using input::Button;
@@ -466,4 +466,4 @@ Expected<void> Bots::restore(std::span<const std::byte> snapshot) {
     return ecs::restore(inside_->minds, snapshot);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

@@ -12,7 +12,7 @@
 #include "core/config.h"
 #include "game/match/simulation.h"
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 
 /// Lowest and highest level.
 inline constexpr int easiest_bot = 0, hardest_bot = 3;
@@ -124,4 +124,4 @@ private:
     std::unique_ptr<Inside> inside_;
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

@@ -6,7 +6,7 @@
 #include "game/casting/casting.h"
 #include "game/stations/cauldron/potions.h"
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 namespace {
 
 namespace hand = input::hand;
@@ -187,4 +187,4 @@ void draw_hand(const Simulation& match, const Seat& seat, const StirPlan& plan, 
     sample.counts[hand::look_up] = static_cast<std::int32_t>(now.second - before.second);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

@@ -4,7 +4,7 @@
 #pragma once
 #include "game/bots/turn.h"
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 
 /// Chooses a recipe that a bot could brew now, from scratch; no_potion if there is none.
 std::uint32_t choose_recipe(const Simulation& match, const Seat& seat, Random& random);
@@ -31,4 +31,4 @@ Tick stroke_length(const Simulation& match, const Seat& seat, const StirPlan& pl
 void draw_hand(const Simulation& match, const Seat& seat, const StirPlan& plan, Tick tick,
                input::DeviceSample& sample);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

@@ -1,6 +1,6 @@
 #include "game/bots/duel.h"
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 
 input::InputFrame BotDuel::next_frame() {
     input::InputFrame frame;
@@ -27,4 +27,4 @@ Expected<BotDuel> make_bot_duel(const std::filesystem::path& assets, std::shared
     return duel;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

@@ -6,7 +6,7 @@
 
 #include "game/bots/bot.h"
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 
 struct BotDuel {
     std::unique_ptr<Simulation> match;
@@ -22,4 +22,4 @@ struct BotDuel {
 Expected<BotDuel> make_bot_duel(const std::filesystem::path& assets, std::shared_ptr<const MatchData> data,
                                 std::array<int, players> levels, std::uint64_t seed);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

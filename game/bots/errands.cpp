@@ -6,7 +6,7 @@
 // The worth of a power-up to a bot is the need for what it gives, divided by the time to get there. A bot
 // that sees the foe and can shoot multiplies the worth by `in_a_fight`. So it then goes only for a power-up
 // worth about twice as much.
-namespace thaum::game {
+namespace thaum::game::inline bots {
 namespace {
 
 constexpr Tick choice_period = 256;  ///< ticks between two choices; a multiple of gameplay_period
@@ -110,4 +110,4 @@ void choose_errand(const BotTurn& turn) {
     mind.errand_until = tick + hiding_time;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

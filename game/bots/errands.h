@@ -2,9 +2,9 @@
 #pragma once
 #include "game/bots/turn.h"
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 
 /// Chooses mind.errand and mind.goal every quarter of a second.
 void choose_errand(const BotTurn& turn);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

@@ -4,7 +4,7 @@
 
 #include "game/data/wand_slots.h"
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 namespace {
 
 void note_round_end(const Match& match, LeagueMatch& result) {
@@ -104,4 +104,4 @@ LeagueSummary summarise(std::span<const LeagueMatch> matches) {
     return summary;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

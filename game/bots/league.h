@@ -5,7 +5,7 @@
 #include "game/bots/duel.h"
 #include "game/match/result.h"
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 
 /// Largest number of rounds in a result; rules allow no more (rules.cpp).
 inline constexpr std::size_t max_rounds = 99;
@@ -62,4 +62,4 @@ struct LeagueSummary {
 /// Summarises matches. Pairs and levels are sorted.
 LeagueSummary summarise(std::span<const LeagueMatch> matches);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

@@ -8,7 +8,7 @@
 #include "game/match/bodies.h"
 
 // The worth of a thing is the harm that it would do, divided by the time to throw it.
-namespace thaum::game {
+namespace thaum::game::inline bots {
 namespace {
 
 using input::bit;
@@ -290,4 +290,4 @@ Aim handle_thing(const BotTurn& turn) {
     return turn.lift_plan.stage == LiftStage::take ? take_up(turn, *lifter) : hold_and_throw(turn, *lifter);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

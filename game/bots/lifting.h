@@ -3,7 +3,7 @@
 #include "game/bots/aim.h"
 #include "game/bots/turn.h"
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 
 /// Whether the wand that lifts is in use.
 inline bool hands_full(const LiftPlan& lift_plan) {
@@ -17,4 +17,4 @@ void plan_to_lift(const BotTurn& turn);
 /// Uses the wand while hands_full. Returns the wanted direction of view.
 Aim handle_thing(const BotTurn& turn);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

@@ -3,7 +3,7 @@
 #include "game/bots/bot.h"
 #include "game/components/potions.h"
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 
 inline constexpr std::size_t bot_memory = 128;    ///< number of glimpses; one second at 8 ms each
 inline constexpr std::size_t max_power_ups = 16;  ///< number of power-ups that a bot remembers
@@ -180,4 +180,4 @@ struct Self {
     bool alive = false;
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

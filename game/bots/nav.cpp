@@ -6,7 +6,7 @@
 
 #include "game/components/body.h"
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 namespace {
 
 constexpr double body_radius = 0.4;  ///< radius of the swept sphere (m), a little more than a wizard's
@@ -172,4 +172,4 @@ bool WalkGrid::straight(vec3 from, vec3 to) const {
     return true;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

@@ -7,7 +7,7 @@
 #include "game/arena/arena.h"
 #include "physics/physics.h"
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 
 /// Height of a fall that costs a wizard more than a few points of health (m).
 inline constexpr double hurtful_drop = 3.5;
@@ -68,4 +68,4 @@ private:
     std::vector<std::uint8_t> in_large_region_;  ///< 1: the cell is in one of the large connected regions
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

@@ -7,7 +7,7 @@
 #include "game/context/hand_forces.h"
 #include "game/data/wand_slots.h"
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 namespace {
 
 /// Gameplay ticks between the two glimpses that give the foe's velocity.
@@ -186,4 +186,4 @@ std::int32_t step_aside(const Simulation& match, const Self& self, const Seat& s
     return threat.step;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

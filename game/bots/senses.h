@@ -3,7 +3,7 @@
 #pragma once
 #include "game/bots/mind.h"
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 
 /// The bot's own wizard. `readiness` is the readiness to which the bot wants to ready the wand in hand.
 Self self_of(const Simulation& match, std::uint32_t player, double readiness = 0);
@@ -27,4 +27,4 @@ bool sees_a_shot_come(const Simulation& match, const Self& self, const Seat& sea
 /// enough count.
 std::int32_t step_aside(const Simulation& match, const Self& self, const Seat& seat, const Mind& mind);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

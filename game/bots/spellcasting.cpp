@@ -5,7 +5,7 @@
 
 #include "game/casting/casting.h"
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 namespace {
 
 using input::bit;
@@ -210,4 +210,4 @@ void draw_stroke(const Simulation& match, const Seat& seat, Tick tick, CastPlan&
     cast_plan.given_up = up;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

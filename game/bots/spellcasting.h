@@ -4,7 +4,7 @@
 #pragma once
 #include "game/bots/turn.h"
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 
 /// A style of drawing.
 DrawingStyle random_drawing_style(Random& random);
@@ -20,4 +20,4 @@ void plan_to_cast(const BotTurn& turn);
 void draw_stroke(const Simulation& match, const Seat& seat, Tick tick, CastPlan& cast_plan,
                  input::DeviceSample& sample);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

@@ -6,7 +6,7 @@
 
 #include "game/bots/duel.h"
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 namespace {
 
 constexpr double clearance = 0.05;  ///< height of the tested body above the place (m)
@@ -72,4 +72,4 @@ std::string_view StandingRoom::fault_at(vec3 feet) const {
     return {};
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

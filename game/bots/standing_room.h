@@ -4,7 +4,7 @@
 
 #include "game/match/simulation.h"
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 
 class StandingRoom {
 public:
@@ -25,4 +25,4 @@ private:
     std::shared_ptr<const Simulation> match_;  ///< before its first tick
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

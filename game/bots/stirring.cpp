@@ -6,7 +6,7 @@
 #include "game/stations/cauldron/ladle.h"
 #include "game/stations/cauldron/potions.h"
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 namespace {
 
 namespace hand = input::hand;
@@ -188,4 +188,4 @@ void brew_hand(const Simulation& match, const Seat& seat, const StirPlan& stir_p
     if (draws) draw_hand(match, seat, stir_plan, tick, sample);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

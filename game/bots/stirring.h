@@ -4,7 +4,7 @@
 #pragma once
 #include "game/bots/turn.h"
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 
 /// Plans the bot's actions at the cauldron. While the bot walks there, writes mind.errand and mind.goal.
 void plan_to_stir(const BotTurn& turn);
@@ -19,4 +19,4 @@ void stir_hand(Tick tick, input::DeviceSample& sample);
 void brew_hand(const Simulation& match, const Seat& seat, const StirPlan& stir_plan, Tick tick,
                input::DeviceSample& sample);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

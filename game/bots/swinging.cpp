@@ -5,7 +5,7 @@
 
 #include "game/bots/armoury.h"
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 namespace {
 
 using input::bit;
@@ -181,4 +181,4 @@ Aim aim_on_rope(const Self& self, const SwingPlan& swing_plan) {
     return aim_at(self.eye, self.eye + across(swing_plan));
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

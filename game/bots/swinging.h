@@ -3,7 +3,7 @@
 #include "game/bots/aim.h"
 #include "game/bots/turn.h"
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 
 /// Finds all crossings of the arena: anchors with ground of equal height on two opposite sides and a gap
 /// between.
@@ -24,4 +24,4 @@ vec3 swing_over(const BotTurn& turn);
 /// The wanted direction of view while hands_full.
 Aim aim_on_rope(const Self& self, const SwingPlan& swing_plan);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

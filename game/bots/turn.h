@@ -4,7 +4,7 @@
 #include "game/bots/mind.h"
 #include "game/bots/nav.h"
 
-namespace thaum::game {
+namespace thaum::game::inline bots {
 
 /// A gap that a wizard can swing over.
 struct Crossing {
@@ -35,4 +35,4 @@ struct BotTurn {
     BotWays& ways;
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline bots

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace thaum::game {
+namespace thaum::game::inline brew {
 
 Expected<Brew> make_brew(const CauldronRules& rules, const Basin& basin) {
     if (const auto sound = check_brew(rules, basin); !sound) return sound.error();
@@ -37,4 +37,4 @@ bool drop(Brew& brew, const CauldronRules& rules, std::uint32_t ingredient, vec3
     return fluid::pour(brew.fluid, *substance, place - brew.corner, radius, amount);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline brew

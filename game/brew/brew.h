@@ -15,7 +15,7 @@
 #include "game/components/ingredient.h"
 #include "game/data/cauldron_rules.h"
 
-namespace thaum::game {
+namespace thaum::game::inline brew {
 
 /// Number of the ingredient in each substance of the fluid.
 using Contents = std::array<std::uint32_t, fluid::max_substances>;
@@ -44,4 +44,4 @@ void assign(Brew& brew, const CauldronRules& rules, std::size_t substance, std::
 bool drop(Brew& brew, const CauldronRules& rules, std::uint32_t ingredient, vec3 place, double radius,
           double amount);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline brew

@@ -5,7 +5,7 @@
 #include "core/assert.h"
 #include "fluid/fields.h"
 
-namespace thaum::game {
+namespace thaum::game::inline brew {
 namespace {
 
 /// Calls `visit` with every array of a state, in one fixed order.
@@ -80,4 +80,4 @@ BrewFields fields_of(const ecs::World& world, std::size_t which, const fluid::Fl
     return fields;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline brew

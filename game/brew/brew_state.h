@@ -8,7 +8,7 @@
 #include "game/brew/brew.h"
 #include "game/components/cauldron.h"
 
-namespace thaum::game {
+namespace thaum::game::inline brew {
 
 /// Makes the blobs for this brew. All samples are 0.
 void make_brew_state(ecs::World& world, const Brew& brew);
@@ -34,4 +34,4 @@ struct BrewFields {
 BrewFields fields_of(const ecs::World& world, std::size_t which, const fluid::Fluid& fluid,
                      field::Kernel kernel);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline brew

@@ -11,7 +11,7 @@
 #include "game/data/reading.h"
 #include "game/stations/cauldron/potions.h"
 
-namespace thaum::game {
+namespace thaum::game::inline casting {
 namespace {
 
 using input::Button;
@@ -255,4 +255,4 @@ void add_casting_systems(MatchContext& context, ecs::Schedule& schedule) {
     for (const auto& spell : context.data.spells) spell.rules->add_systems({context, schedule});
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline casting

@@ -12,7 +12,7 @@
 #include "game/context/match_context.h"
 #include "game/data/reading.h"
 
-namespace thaum::game {
+namespace thaum::game::inline casting {
 
 /// Lets a wizard begin a stroke. Does nothing if a stroke has begun already or the match has no gestures.
 /// Reads HandState, writes DrawnStroke.
@@ -41,4 +41,4 @@ CastingAccess access_of_casting(const MatchContext& context);
 /// has no gestures.
 void add_casting_systems(MatchContext& context, ecs::Schedule& schedule);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline casting

@@ -9,7 +9,7 @@
 #include "game/context/arms.h"
 #include "game/context/stations.h"
 
-namespace thaum::game {
+namespace thaum::game::inline casting {
 namespace {
 
 using input::Button;
@@ -147,4 +147,4 @@ void add_free_casting_systems(MatchContext& context, ecs::Schedule& schedule) {
                   }});
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline casting

@@ -14,7 +14,7 @@
 #include "game/components/free_hand.h"
 #include "game/context/match_context.h"
 
-namespace thaum::game {
+namespace thaum::game::inline casting {
 
 /// Whether the device of a player has the option to cast without a button.
 bool casts_freely(const MatchContext& context, std::uint32_t player);
@@ -22,4 +22,4 @@ bool casts_freely(const MatchContext& context, std::uint32_t player);
 /// Adds the systems of free casting. Does nothing if no player casts freely.
 void add_free_casting_systems(MatchContext& context, ecs::Schedule& schedule);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline casting

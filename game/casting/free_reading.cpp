@@ -4,7 +4,7 @@
 
 #include "game/context/match_context.h"
 
-namespace thaum::game {
+namespace thaum::game::inline casting {
 namespace {
 
 using gesture::StrokePoint;
@@ -185,4 +185,4 @@ bool read_windows(const CastingRules& rules, const GestureSet& gestures, Reading
     return hand.rested == whole_rest;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline casting

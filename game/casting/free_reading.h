@@ -9,7 +9,7 @@
 #include "game/components/free_hand.h"
 #include "game/data/reading.h"
 
-namespace thaum::game {
+namespace thaum::game::inline casting {
 
 /// Adds the position of the hand in a gameplay tick (m), and counts how long the hand has rested.
 void add_place(const CastingRules& rules, vec3 place, Tick tick, FreeHand& hand);
@@ -21,4 +21,4 @@ void forget_motion(FreeHand& hand);
 /// enough: `best` and `odd` are then final.
 bool read_windows(const CastingRules& rules, const GestureSet& gestures, ReadingSpace& space, FreeHand& hand);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline casting

@@ -6,7 +6,7 @@
 #include "core/text.h"
 #include "core/write_rule.h"
 
-namespace thaum::app {
+namespace thaum::game::inline command_line {
 namespace {
 
 using Given = std::map<std::string, std::vector<std::string>>;
@@ -141,4 +141,4 @@ Expected<render::Size> parse_size(std::string_view word, std::string_view what) 
     return render::Size{static_cast<int>(*width), static_cast<int>(*height)};
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline command_line

@@ -13,7 +13,7 @@
 #include "core/parse.h"
 #include "render/context.h"
 
-namespace thaum::app {
+namespace thaum::game::inline command_line {
 
 struct Option {
     std::string_view name;   ///< name with its dashes: "--seed"
@@ -60,4 +60,4 @@ std::vector<std::string> parts_of(std::string_view word, char between = ',');
 /// Parses a size in pixels such as "1280x720".
 Expected<render::Size> parse_size(std::string_view word, std::string_view what);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline command_line

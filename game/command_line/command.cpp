@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace thaum::app {
+namespace thaum::game::inline command_line {
 namespace {
 
 std::vector<Command>& registered() {
@@ -24,4 +24,4 @@ bool asks_for_help(const std::vector<std::string>& words) {
     return std::ranges::any_of(words, [](const auto& word) { return word == "--help" || word == "-h"; });
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline command_line

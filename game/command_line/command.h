@@ -6,7 +6,7 @@
 
 #include "game/command_line/exit_code.h"
 
-namespace thaum::app {
+namespace thaum::game::inline command_line {
 
 struct Command {
     std::string_view name;
@@ -28,4 +28,4 @@ const std::vector<Command>& commands();
 /// Whether the words contain --help or -h.
 bool asks_for_help(const std::vector<std::string>& words);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline command_line

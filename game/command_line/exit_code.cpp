@@ -3,7 +3,7 @@
 #include "core/tell_user.h"
 #include "core/text.h"
 
-namespace thaum::app {
+namespace thaum::game::inline command_line {
 
 int refuse(const Error& error) {
     const auto more = error.more.size();
@@ -12,4 +12,4 @@ int refuse(const Error& error) {
     return wrong_use;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline command_line

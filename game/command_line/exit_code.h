@@ -2,7 +2,7 @@
 #pragma once
 #include "core/error.h"
 
-namespace thaum::app {
+namespace thaum::game::inline command_line {
 
 /// Exit codes of every command.
 inline constexpr int done = 0;
@@ -14,4 +14,4 @@ int refuse(const Error& error);
 /// Exit code of work that may have failed. Prints its error.
 inline int exit_code_of(const Expected<void>& work) { return work ? done : refuse(work.error()); }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline command_line

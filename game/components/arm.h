@@ -13,7 +13,7 @@ THAUM_FIELDS_OF(ArmState, servo, hand, offset, rest, position_um, rotation_urad,
 
 }  // namespace thaum::input
 
-namespace thaum::game {
+namespace thaum::game::inline components {
 
 /// A real arm held by one player.
 struct Arm {
@@ -47,4 +47,4 @@ struct PastModel {
     THAUM_COMPONENT(PastModel, bytes, offset, number, samples);
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline components

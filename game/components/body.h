@@ -6,7 +6,7 @@
 #include "game/components/match.h"
 #include "physics/physics.h"
 
-namespace thaum::game {
+namespace thaum::game::inline components {
 
 /// Description of a rigid body. To change it, remove the component and add a new one.
 struct Body : physics::BodyDesc {
@@ -79,4 +79,4 @@ struct Pad {
     THAUM_COMPONENT(Pad, feet, yaw, player, number);
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline components

@@ -6,7 +6,7 @@
 #include "core/units.h"
 #include "ecs/component.h"
 
-namespace thaum::game {
+namespace thaum::game::inline components {
 
 /// Focus of a wizard, spent on spells.
 struct Focus {
@@ -65,4 +65,4 @@ struct LastProp {
     THAUM_COMPONENT(LastProp, thing);
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline components

@@ -10,7 +10,7 @@
 #include "game/components/potions.h"
 #include "game/components/wizard.h"
 
-namespace thaum::game {
+namespace thaum::game::inline components {
 
 /// Momentum or an amount of one ingredient, queued for the next fluid step.
 struct Stroke {
@@ -160,4 +160,4 @@ struct Pouch {
     THAUM_COMPONENT(Pouch, ingredient, refused);
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline components

@@ -8,7 +8,7 @@
 #include "game/components/match.h"
 #include "game/components/wizard.h"
 
-namespace thaum::game {
+namespace thaum::game::inline components {
 
 /// A crystal of crystal_side^3 voxels. Its frame has its origin at `middle` and is turned about the vertical
 /// axis by `yaw`, which its carvers change.
@@ -81,4 +81,4 @@ struct GreatWork {
     THAUM_COMPONENT(GreatWork, since);
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline components

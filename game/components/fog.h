@@ -3,7 +3,7 @@
 #include "core/units.h"
 #include "ecs/component.h"
 
-namespace thaum::game {
+namespace thaum::game::inline components {
 
 /// A ball of fog. The position of its middle is in Motion.
 struct Fog {
@@ -16,4 +16,4 @@ struct Fog {
     THAUM_COMPONENT(Fog, radius, sight, began, until, player, spare);
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline components

@@ -7,7 +7,7 @@
 #include "core/units.h"
 #include "ecs/component.h"
 
-namespace thaum::game {
+namespace thaum::game::inline components {
 
 /// Capacity: 4 s of gameplay ticks.
 inline constexpr std::size_t free_points = 500;
@@ -63,4 +63,4 @@ struct NearMiss {
     THAUM_COMPONENT(NearMiss, at, probability, gesture, reason);
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline components

@@ -48,7 +48,7 @@ THAUM_FIELDS_OF(ServoState, safety, positions, pulses, proxy, next_position, sam
 
 }  // namespace thaum::haptics
 
-namespace thaum::game {
+namespace thaum::game::inline components {
 
 struct HandState {
     haptics::SimulatedState device{};
@@ -72,4 +72,4 @@ struct HandState {
                     frame_turn, probe_number, probing, panic_held, rearm);
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline components

@@ -2,8 +2,8 @@
 #pragma once
 #include <cstdint>
 
-namespace thaum::game {
+namespace thaum::game::inline components {
 
 inline constexpr std::uint32_t no_ingredient = 0xFFFF'FFFF;
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline components

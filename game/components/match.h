@@ -4,7 +4,7 @@
 #include "core/units.h"
 #include "ecs/component.h"
 
-namespace thaum::game {
+namespace thaum::game::inline components {
 
 inline constexpr std::uint32_t no_player = 2;
 
@@ -138,4 +138,4 @@ struct EventLog {
     THAUM_COMPONENT(EventLog, count, events, match_stats);
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline components

@@ -7,7 +7,7 @@
 #include "game/components/wizard.h"
 #include "input/frame.h"
 
-namespace thaum::game {
+namespace thaum::game::inline components {
 
 struct MovedFaders {
     /// Value for a fader that has not been moved.
@@ -23,4 +23,4 @@ struct MovedFaders {
     THAUM_COMPONENT(MovedFaders, percent, settling);
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline components

@@ -14,7 +14,7 @@ THAUM_FIELDS_OF(TransferFunction, points, count)
 
 }  // namespace thaum::field
 
-namespace thaum::game {
+namespace thaum::game::inline components {
 
 /// The orb. Its flow is field::make_vortex_flow(2 radius, seed) about `middle`, with the axes of the world.
 /// The hidden core is the axis of the flow's first vortex.
@@ -56,4 +56,4 @@ struct Scrying {
     THAUM_COMPONENT(Scrying, place, force, distance, near_since, pen, pen_down, drawing);
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline components

@@ -7,7 +7,7 @@
 #include "ecs/component.h"
 #include "game/components/wizard.h"
 
-namespace thaum::game {
+namespace thaum::game::inline components {
 
 inline constexpr std::uint32_t no_potion = 0xFFFF'FFFF;
 inline constexpr std::size_t max_potions = 8;
@@ -33,4 +33,4 @@ struct DrawnOrders {
     THAUM_COMPONENT(DrawnOrders, order);
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline components

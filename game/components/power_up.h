@@ -3,7 +3,7 @@
 #include "core/units.h"
 #include "ecs/component.h"
 
-namespace thaum::game {
+namespace thaum::game::inline components {
 
 enum class PowerUpKind : std::uint32_t { vial, heart, spark };
 inline constexpr std::array<std::string_view, 3> power_up_names{"vial", "heart", "spark"};
@@ -16,4 +16,4 @@ struct PowerUp {
     THAUM_COMPONENT(PowerUp, back_at, kind, number);
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline components

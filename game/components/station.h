@@ -3,7 +3,7 @@
 #include "core/maths.h"
 #include "ecs/component.h"
 
-namespace thaum::game {
+namespace thaum::game::inline components {
 
 enum class StationKind : std::uint32_t { cauldron, orb, crystal };
 
@@ -18,4 +18,4 @@ struct AtStation {
     THAUM_COMPONENT(AtStation, middle, yaw, kind, number);
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline components

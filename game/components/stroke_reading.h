@@ -2,7 +2,7 @@
 #pragma once
 #include <cstdint>
 
-namespace thaum::game {
+namespace thaum::game::inline components {
 
 inline constexpr std::uint32_t no_gesture = 0xFFFF'FFFF;
 
@@ -17,4 +17,4 @@ struct StrokeReading {
     double turns{};
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline components

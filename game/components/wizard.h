@@ -6,7 +6,7 @@
 #include "input/frame.h"
 #include "physics/mover.h"
 
-namespace thaum::game {
+namespace thaum::game::inline components {
 
 inline constexpr std::size_t players = 2;
 inline constexpr std::size_t wand_slots = input::max_wands;
@@ -108,4 +108,4 @@ struct Score {
     THAUM_COMPONENT(Score, kills, deaths);
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline components

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace thaum::game {
+namespace thaum::game::inline context {
 
 Aim aim_at(vec3 eye, vec3 target) {
     const vec3 d = target - eye;
@@ -16,4 +16,4 @@ double angle_between(double from, double to) {
     return d;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline context

@@ -2,7 +2,7 @@
 #pragma once
 #include "core/maths.h"
 
-namespace thaum::game {
+namespace thaum::game::inline context {
 
 /// Direction of view.
 struct Aim {
@@ -15,4 +15,4 @@ Aim aim_at(vec3 eye, vec3 target);
 /// Signed angle from the first direction to the second, the shorter way round (rad).
 double angle_between(double from, double to);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline context

@@ -8,7 +8,7 @@
 #include "game/context/fog.h"
 #include "game/data/wand_slots.h"
 
-namespace thaum::game {
+namespace thaum::game::inline context {
 namespace {
 
 /// Angle from the foe within which the view turns more slowly (rad)
@@ -135,4 +135,4 @@ vec3 helped_aim(const MatchContext& context, ecs::Entity wizard, vec3 from, vec3
     return turned_towards(aim, glm::normalize(target.point - from), std::min(pull, target.off));
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline context

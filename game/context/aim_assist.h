@@ -12,7 +12,7 @@
 #pragma once
 #include "game/context/match_context.h"
 
-namespace thaum::game {
+namespace thaum::game::inline context {
 
 /// Angle from the foe within which the view is drawn towards it, and largest turn of a shot at full strength
 /// (rad).
@@ -31,4 +31,4 @@ ViewHelp view_help(const MatchContext& context, ecs::Entity wizard);
 /// world), `speed` its speed (m/s). Reads Wizard, Dead, Arm and resource::Physics.
 vec3 helped_aim(const MatchContext& context, ecs::Entity wizard, vec3 from, vec3 aim, double speed);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline context

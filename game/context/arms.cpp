@@ -1,6 +1,6 @@
 #include "game/context/arms.h"
 
-namespace thaum::game {
+namespace thaum::game::inline context {
 namespace {
 
 /// Ticks without a sample after which the arm counts as gone, so that the simulated hand takes over.
@@ -39,4 +39,4 @@ bool plays_by_arm(const ecs::World& world, std::uint32_t player) {
     return arm != nullptr && !is_gone(*arm);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline context

@@ -3,7 +3,7 @@
 #include "ecs/world.h"
 #include "game/components/arm.h"
 
-namespace thaum::game {
+namespace thaum::game::inline context {
 
 /// Condition of a player's real arm. While the arm is gone, a simulated hand takes over, moved by mouse or
 /// gamepad. An arm that has come back gives forces again only after it was held still.
@@ -22,4 +22,4 @@ const Arm* arm_of(const ecs::World& world, std::uint32_t player);
 /// Whether the arm has sent no sample for so long that the simulated hand has taken over.
 bool is_gone(const Arm& arm);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline context

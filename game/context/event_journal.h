@@ -10,7 +10,7 @@
 #include "core/units.h"
 #include "game/components/match.h"
 
-namespace thaum::game {
+namespace thaum::game::inline context {
 
 class EventJournal {
 public:
@@ -69,4 +69,4 @@ private:
     std::uint64_t first_ = 0, count_ = 0;
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline context

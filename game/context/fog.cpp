@@ -6,7 +6,7 @@
 #include "game/components/body.h"
 #include "game/components/fog.h"
 
-namespace thaum::game {
+namespace thaum::game::inline context {
 namespace {
 
 /// Length of the part of a straight line that lies in a ball (m).
@@ -32,4 +32,4 @@ bool hidden_by_fog(const ecs::World& world, vec3 from, vec3 to) {
     return hidden >= 1;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline context

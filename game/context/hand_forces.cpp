@@ -1,6 +1,6 @@
 #include "game/context/hand_forces.h"
 
-namespace thaum::game {
+namespace thaum::game::inline context {
 namespace {
 
 /// Peak force of the device for which the forces in the wands' files are given (N).
@@ -65,4 +65,4 @@ vec3 wand_tip_of(double wand_per_hand, const HandState& hand_state) {
                           (touches ? servo.surface.proxy : hand_state.device.position + servo.contact_offset);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline context

@@ -4,7 +4,7 @@
 #include "game/components/hand_state.h"
 #include "game/context/match_context.h"
 
-namespace thaum::game {
+namespace thaum::game::inline context {
 
 /// Initial hand state, with the device at rest.
 HandState empty_hand_state();
@@ -35,4 +35,4 @@ void let_go(MatchContext& context, ecs::Entity wizard);
 /// touches.
 vec3 wand_tip_of(double wand_per_hand, const HandState& hand_state);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline context

@@ -15,7 +15,7 @@
 #include "game/components/station.h"
 #include "game/data/event_kinds.h"
 
-namespace thaum::game {
+namespace thaum::game::inline context {
 namespace {
 
 void add_up(const Event& event, std::array<std::array<MatchStats, max_causes>, players>& match_stats) {
@@ -141,4 +141,4 @@ void hurt(MatchContext& context, ecs::Entity wizard, Tick tick, const Hurt& hurt
                      .place = hurt.place});
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline context

@@ -15,7 +15,7 @@
 #include "haptics/simulated.h"
 #include "input/frame.h"
 
-namespace thaum::game {
+namespace thaum::game::inline context {
 
 /// Haptic setup of a match: the simulated device, and the limits and settings of each player. The state of
 /// simulated devices and servo steps is in the component HandState.
@@ -114,4 +114,4 @@ struct Hurt {
 /// resource::Journal, reads Wizard and Dead.
 void hurt(MatchContext& context, ecs::Entity wizard, Tick tick, const Hurt& hurt);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline context

@@ -13,7 +13,7 @@
 #include "haptics/servo.h"
 #include "physics/physics.h"
 
-namespace thaum::game {
+namespace thaum::game::inline context {
 
 /// Force magnitudes of the last ticks (N): a ring buffer indexed by tick.
 using ForceTrace = std::array<float, 2048>;
@@ -31,7 +31,9 @@ struct EndedStroke {
     std::uint32_t chord_slot{};  ///< slot of the last key chord's wand key, which is the spell's slot
 };
 
-namespace resource {
+}  // namespace thaum::game::inline context
+
+namespace thaum::game::inline context::resource {
 
 /// Resource: bodies and contacts of Bullet.
 struct Physics {
@@ -63,5 +65,6 @@ struct Strokes {
     static constexpr std::string_view name = "ended strokes";
 };
 
-}  // namespace resource
-}  // namespace thaum::game
+}  // namespace thaum::game::inline context::resource
+
+namespace thaum::game::inline context {}  // namespace thaum::game::inline context

@@ -10,7 +10,7 @@
 #include "game/context/shove.h"
 #include "game/context/strikes.h"
 
-namespace thaum::game {
+namespace thaum::game::inline context {
 namespace {
 
 /// Distance of the point aimed at if nothing nearer is under the crosshair (m)
@@ -158,4 +158,4 @@ void burst(MatchContext& context, const Burst& burst, Tick tick) {
         });
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline context

@@ -3,7 +3,7 @@
 #include "game/context/match_context.h"
 #include "game/data/wand.h"
 
-namespace thaum::game {
+namespace thaum::game::inline context {
 
 /// A number that grows linearly from its least to its greatest value while the charge or draw of a wand grows
 /// from 0 to 1.
@@ -70,4 +70,4 @@ struct Burst {
 /// EventLog, Prop, resource::Journal and resource::Physics.
 void burst(MatchContext& context, const Burst& burst, Tick tick);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline context

@@ -1,6 +1,6 @@
 #include "game/context/shove.h"
 
-namespace thaum::game {
+namespace thaum::game::inline context {
 
 void shove(MatchContext& context, ecs::Entity body, vec3 impulse, vec3 point, std::uint32_t player,
            Tick tick) {
@@ -10,4 +10,4 @@ void shove(MatchContext& context, ecs::Entity body, vec3 impulse, vec3 point, st
     if (world.has<Wizard>(body)) world.get<Stance>(body).loose_until = tick + context.data.wizard.loose;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline context

@@ -2,7 +2,7 @@
 #pragma once
 #include "game/context/match_context.h"
 
-namespace thaum::game {
+namespace thaum::game::inline context {
 
 /// Gives a body an impulse (N s, world) at one of its points (m, world). Later hits by a loose thing count
 /// for the player. The feet of a wizard slip for a moment, because otherwise friction would stop the wizard
@@ -10,4 +10,4 @@ namespace thaum::game {
 void shove(MatchContext& context, ecs::Entity body, vec3 impulse, vec3 point, std::uint32_t player,
            Tick tick);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline context

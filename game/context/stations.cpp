@@ -9,7 +9,7 @@
 #include "game/components/orb.h"
 #include "game/components/wizard.h"
 
-namespace thaum::game {
+namespace thaum::game::inline context {
 namespace {
 
 /// Time constant with which a wizard's view turns to a station (s): after this time, 1/e of the angle is
@@ -61,4 +61,4 @@ void add_station_gaze_system(MatchContext& context, ecs::Schedule& schedule) {
                   }});
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline context

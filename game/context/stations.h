@@ -3,7 +3,7 @@
 #include "game/components/station.h"
 #include "game/context/match_context.h"
 
-namespace thaum::game {
+namespace thaum::game::inline context {
 
 /// Whether a wizard works at a station. Reads AtStation.
 bool at_station(const ecs::World& world, ecs::Entity wizard);
@@ -21,4 +21,4 @@ void leave_station(ecs::World& world, ecs::Entity wizard);
 /// Adds the system that turns the view of wizards to their stations, every tick.
 void add_station_gaze_system(MatchContext& context, ecs::Schedule& schedule);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline context

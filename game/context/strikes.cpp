@@ -2,7 +2,7 @@
 
 #include "game/components/crystal.h"
 
-namespace thaum::game {
+namespace thaum::game::inline context {
 namespace {
 
 /// Distance of a position from the surface of a crystal's box (m); 0 inside.
@@ -41,4 +41,4 @@ void strike_by_thing(MatchContext& context, ecs::Entity crystal, const physics::
         CrystalStrike{.crystal = crystal, .place = contact.point, .way = {}, .player = player});
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline context

@@ -4,7 +4,7 @@
 #pragma once
 #include "game/context/match_context.h"
 
-namespace thaum::game {
+namespace thaum::game::inline context {
 
 /// Records that a player's shot has struck a body, if that body is a crystal. `place` is on the body's
 /// surface. The shot flew in the direction `way` (world). Reads Crystal.
@@ -18,4 +18,4 @@ void strike_by_burst(MatchContext& context, vec3 place, double size, std::uint32
 void strike_by_thing(MatchContext& context, ecs::Entity crystal, const physics::Contact& contact,
                      std::uint32_t player, Tick tick);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline context

@@ -5,7 +5,7 @@
 
 #include "core/units.h"
 
-namespace thaum::game {
+namespace thaum::game::inline context {
 namespace {
 
 using haptics::SurfaceKind;
@@ -104,4 +104,4 @@ haptics::FrameMotion frame_motion_of(const HandFrame& frame, const HandFrame& be
     return {frame.to_device(before.to_world(vec3(0))) / tick_seconds, spin_of(frame, before)};
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline context

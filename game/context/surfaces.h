@@ -4,7 +4,7 @@
 #include "haptics/servo.h"
 #include "physics/physics.h"
 
-namespace thaum::game {
+namespace thaum::game::inline context {
 
 /// Pose and scale of the device frame in the world: world position = origin + turn * (scale * device
 /// position).
@@ -48,4 +48,4 @@ void fill_patch(haptics::SurfacePatch& patch, const physics::Physics& physics, c
 /// Motion of the resting world relative to the moving device frame.
 haptics::FrameMotion frame_motion_of(const HandFrame& frame, const HandFrame& before);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline context

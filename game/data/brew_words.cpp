@@ -5,7 +5,7 @@
 #include "core/text.h"
 #include "game/data/match_data.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 namespace {
 
 struct FaultWords {
@@ -62,4 +62,4 @@ std::string words_of_order(const BrewWords& words, std::uint32_t detail) {
     return all;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

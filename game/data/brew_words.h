@@ -6,7 +6,7 @@
 
 #include "game/components/cauldron.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 
 struct MatchData;
 
@@ -38,4 +38,4 @@ std::vector<std::string_view> names_of_order(const BrewWords& words, std::uint32
 /// Names of the ingredients in the revealed order, in one text: "moss, salt, mist".
 std::string words_of_order(const BrewWords& words, std::uint32_t detail);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

@@ -1,6 +1,6 @@
 #include "game/data/casting_rules.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 
 CastingRules read_casting_rules(const Config& file) {
     const auto root = file.root();
@@ -38,4 +38,4 @@ CastingRules read_casting_rules(const Config& file) {
     return rules;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

@@ -3,7 +3,7 @@
 #include "core/config.h"
 #include "core/units.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 
 struct CastingRules {
     double focus_cap{};     ///< largest focus, which a new wizard has
@@ -42,4 +42,4 @@ struct CastingRules {
 
 CastingRules read_casting_rules(const Config& file);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

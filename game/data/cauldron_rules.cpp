@@ -7,7 +7,7 @@
 #include "core/colour.h"
 #include "core/text.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 namespace {
 
 constexpr Range viscosity{0, fluid::max_viscosity};
@@ -151,4 +151,4 @@ Expected<void> check_brew(const CauldronRules& rules, const Basin& basin) {
     return {};
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

@@ -9,7 +9,7 @@
 #include "fluid/spring_surface.h"
 #include "game/arena/basin.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 
 /// How an ingredient lies in its niche and in a hand. Each shape is different, so that ingredients are
 /// recognised without their colour.
@@ -102,4 +102,4 @@ vec3 brew_corner(const fluid::Settings& settings);
 /// Checks that make_brew would succeed, without doing its work. The error names the setting that the solver
 /// rejects.
 Expected<void> check_brew(const CauldronRules& rules, const Basin& basin);
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

@@ -6,7 +6,7 @@
 #include "core/text.h"
 #include "game/data/control_words.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 namespace {
 
 /// Name of a control in brackets.
@@ -72,4 +72,4 @@ std::string with_controls(std::string_view words, const ControlNames& controls, 
     return filled;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

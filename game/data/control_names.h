@@ -8,7 +8,7 @@
 #include "game/data/presentation.h"
 #include "input/frame.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 
 /// Names of one player's controls for prompts and the strip of wands: "E", "Left mouse", "RT". An empty name
 /// means that no control is bound.
@@ -35,4 +35,4 @@ std::string with_controls(std::string_view words, const ControlNames& controls, 
 enum class PromptWish : std::uint8_t { until_learnt, always, never };
 inline constexpr std::array<std::string_view, 3> prompt_wishes{"until_learnt", "always", "never"};
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

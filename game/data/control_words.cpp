@@ -6,7 +6,7 @@
 #include "core/text.h"
 #include "game/data/words_pattern.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 namespace {
 
 /// Names of all controls except the wands', in the order of ControlWord.
@@ -58,4 +58,4 @@ std::string read_control_words(const ConfigTable& table, std::string_view key,
     return words;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

@@ -8,7 +8,7 @@
 
 #include "core/config.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 
 /// Controls that words may name.
 enum class ControlWord : std::uint8_t { move, look, jump, fire, stir, throw_, next_wand, pause, trace, wand };
@@ -26,4 +26,4 @@ std::vector<ControlPiece> control_pieces_of(std::string_view pattern);
 std::string read_control_words(const ConfigTable& table, std::string_view key,
                                const std::vector<std::string_view>& wands);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

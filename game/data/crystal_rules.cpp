@@ -5,7 +5,7 @@
 #include "core/text.h"
 #include "game/components/wizard.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 namespace {
 
 CarvingHandRules read_hand(const ConfigTable& table) {
@@ -71,4 +71,4 @@ void check_crystal_tools(const ConfigTable& root, const CrystalRules& rules) {
     }
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

@@ -7,7 +7,7 @@
 #include "core/units.h"
 #include "field/carving_tools.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 
 /// Coupling of a carver's hand to the tool in the crystal.
 struct CarvingHandRules {
@@ -51,4 +51,4 @@ CrystalRules read_crystal_rules(const Config& file);
 /// crystal.toml.
 void check_crystal_tools(const ConfigTable& root, const CrystalRules& rules);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

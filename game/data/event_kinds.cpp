@@ -6,7 +6,7 @@
 #include "core/text.h"
 #include "game/data/wand.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 namespace {
 
 /// One kind of event that the rules define.
@@ -220,4 +220,4 @@ std::span<const std::string_view> causes() { return event_kinds().causes; }
 
 std::size_t cause_of(EventKind kind) { return info_of(kind).cause_number; }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

@@ -14,7 +14,7 @@
 #include "core/error.h"
 #include "game/components/match.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 
 /// What the column `with` of an events table contains.
 enum class EventWith : std::uint8_t {
@@ -103,4 +103,4 @@ std::span<const std::string_view> causes();
 /// Number of the cause of harm; max_causes if the kind takes no health.
 std::size_t cause_of(EventKind kind);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

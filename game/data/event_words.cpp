@@ -7,7 +7,7 @@
 #include "game/data/presentation.h"
 #include "game/data/spell.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 namespace {
 
 /// Name of the cause of harm. A thing that a player moved is "thrown".
@@ -76,4 +76,4 @@ std::string event_words(const std::string& pattern, const Event& event, const Pl
     return out;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

@@ -7,7 +7,7 @@
 #include "game/data/presentation.h"
 #include "game/data/teams.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 
 /// Replaces names in braces in a text (game/data/presentation.h), such as {by} and {cause}. `thing` is the
 /// thing that caused the event, such as "barrel"; empty: no thing. `brew` names potions and ingredients.
@@ -20,4 +20,4 @@ bool is_alone(const Event& event);
 /// player, by no one, and by a mere fall.
 const std::string& feed_pattern(const EventRow& row, const Event& event);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

@@ -4,7 +4,7 @@
 
 #include "core/assert.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 namespace {
 
 /// Returns the reader of the gestures, which is made when it is first asked for.
@@ -44,4 +44,4 @@ std::optional<std::string> fault_of(std::span<const gesture::Gesture> gestures) 
     return made.error().message;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

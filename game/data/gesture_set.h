@@ -9,7 +9,7 @@
 #include "gesture/prefix.h"
 #include "gesture/recogniser.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 
 /// Shared by all matches with the same data. The recogniser is made when it is first needed, in any thread.
 class GestureSet {
@@ -36,4 +36,4 @@ private:
 /// Tells in words why no recogniser can be made of these gestures; std::nullopt if one can.
 std::optional<std::string> fault_of(std::span<const gesture::Gesture> gestures);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

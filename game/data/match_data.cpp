@@ -12,7 +12,7 @@
 #include "game/data/name_finder.h"
 #include "gesture/gesture_file.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 namespace {
 
 constexpr std::size_t max_data_file = 1U << 20U;
@@ -571,4 +571,4 @@ std::filesystem::path find_assets() {
     return given ? std::filesystem::path(*given) : shipped_assets();
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

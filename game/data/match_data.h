@@ -21,7 +21,7 @@
 #include "haptics/device.h"
 #include "input/log.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 
 /// Names that select the data of a match.
 struct DataChoice {
@@ -87,4 +87,4 @@ std::filesystem::path find_assets();
 /// "assets".
 std::filesystem::path shipped_assets();
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

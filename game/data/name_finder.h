@@ -13,7 +13,7 @@
 #include "core/text.h"
 #include "game/data/presentation.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 
 /// Whether a bank has left out the file of this name because of its faults. Those faults are reported
 /// elsewhere.
@@ -64,4 +64,4 @@ private:
     std::string_view kind_, folder_;
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

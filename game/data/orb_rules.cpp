@@ -7,7 +7,7 @@
 #include "game/components/orb.h"
 #include "haptics/modes.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 namespace {
 
 constexpr Range any{-1e6, 1e6};
@@ -78,4 +78,4 @@ OrbRules read_orb_rules(const Config& file) {
     return rules;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

@@ -8,7 +8,7 @@
 #include "field/filters.h"
 #include "field/transfer.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 
 /// A haptic mode that a wizard can choose at the orb. Its number is its index in OrbRules::modes.
 struct OrbMode {
@@ -43,4 +43,4 @@ struct OrbRules {
 
 OrbRules read_orb_rules(const Config& file);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

@@ -2,7 +2,7 @@
 #pragma once
 #include "core/units.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 
 /// Periods of physics and gameplay systems, in ticks (engine/ARCHITECTURE.md, "The tick").
 inline constexpr Tick physics_period = 1;
@@ -10,4 +10,4 @@ inline constexpr Tick gameplay_period = 8;
 inline constexpr double physics_dt = seconds(physics_period);
 inline constexpr double gameplay_dt = seconds(gameplay_period);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

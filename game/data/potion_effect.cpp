@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 namespace {
 
 std::vector<PotionEffectKind>& registered_effects() {
@@ -28,4 +28,4 @@ std::vector<std::shared_ptr<const PotionEffect>> read_potion_effects(const Confi
     return effects;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

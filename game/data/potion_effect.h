@@ -10,9 +10,11 @@
 #include "core/config.h"
 #include "ecs/schedule.h"
 
-namespace thaum::game {
-
+namespace thaum::game::inline context {
 struct MatchContext;
+}
+
+namespace thaum::game::inline data {
 
 /// Arguments of an effect's functions.
 struct PotionUse {
@@ -69,4 +71,4 @@ const std::vector<PotionEffectKind>& potion_effect_kinds();
 /// The effects that a potion has, in the order of their names.
 std::vector<std::shared_ptr<const PotionEffect>> read_potion_effects(const ConfigTable& wizard);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

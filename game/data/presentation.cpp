@@ -9,7 +9,7 @@
 #include "game/data/wand.h"
 #include "game/data/words_pattern.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 namespace {
 
 /// Names that a data file may define, and the words that reject any other name.
@@ -171,4 +171,4 @@ const EventRow& row_of(const EventRows& rows, EventKind kind) {
     return number < rows.size() ? rows[number] : none;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

@@ -27,7 +27,7 @@
 #include "game/data/event_kinds.h"
 #include "game/data/wand_look.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 
 /// Mark of an event on the HUD of the players concerned.
 enum class HudMark : std::uint8_t {
@@ -161,4 +161,4 @@ void read_hit_rows(const ConfigTable& wand, const std::vector<HitKind>& hits, Ev
 /// Row of a kind; an empty row for a number without a kind.
 const EventRow& row_of(const EventRows& rows, EventKind kind);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

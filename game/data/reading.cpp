@@ -5,7 +5,7 @@
 
 #include "game/data/periods.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 namespace {
 
 using gesture::Points;
@@ -182,4 +182,4 @@ Reading read_drawn(const GestureSet& gestures, const DrawnStroke& trace, Reading
     return reading;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

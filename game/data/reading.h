@@ -8,7 +8,7 @@
 #include "game/data/casting_rules.h"
 #include "game/data/gesture_set.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 
 /// Working memory of the reader. It is no state: the reading of a stroke does not depend on earlier ones.
 struct ReadingSpace {
@@ -61,4 +61,4 @@ gesture::Recognition recognise_drawn(const gesture::Recogniser& recogniser, gest
 /// gesture.
 Reading read_drawn(const GestureSet& gestures, const DrawnStroke& trace, ReadingSpace& space);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

@@ -7,7 +7,7 @@
 #include "core/text.h"
 #include "game/components/potions.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 namespace {
 
 constexpr Range part{0, 1};  // range of a share, 0 to 1
@@ -103,4 +103,4 @@ Recipe read_recipe(const Config& file, std::string name, const RecipeNames& name
     return recipe;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

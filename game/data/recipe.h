@@ -16,7 +16,7 @@
 #include "game/data/cauldron_rules.h"
 #include "game/data/potion_effect.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 
 /// One ingredient of a recipe, and the window of Cauldron::reached in which the next step must come.
 struct RecipeIngredient {
@@ -82,4 +82,4 @@ struct RecipeNames {
 /// Reads one recipe. Reports unknown ingredients and gestures.
 Recipe read_recipe(const Config& file, std::string name, const RecipeNames& names);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

@@ -5,7 +5,7 @@
 #include "core/config.h"
 #include "ecs/world.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 
 /// Declares components in this order.
 template <class... Components>
@@ -19,4 +19,4 @@ std::shared_ptr<const Rules> read_rules(const ConfigTable& root) {
     return std::make_shared<OfKind>(root);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 
 RoundRules read_round_rules(const Config& file) {
     const auto root = file.root();
@@ -88,4 +88,4 @@ HapticRules read_haptic_rules(const Config& file) {
     return rules;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

@@ -9,7 +9,7 @@
 #include "game/components/power_up.h"
 #include "physics/mover.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 
 /// Length of a match: assets/rules/quick.toml, standard.toml.
 struct RoundRules {
@@ -85,4 +85,4 @@ RuleSet read_rule_set(const Config& file);
 WizardRules read_wizard_rules(const Config& file);
 HapticRules read_haptic_rules(const Config& file);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

@@ -6,7 +6,7 @@
 #include "core/text.h"
 #include "core/utf8.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 namespace {
 
 /// First and last character of each range that words may use: Latin, Greek and Cyrillic. Left out are control
@@ -34,4 +34,4 @@ Expected<void> check_shown(std::string_view words) {
                      " cannot be shown; use Latin, Greek or Cyrillic letters, digits and signs"));
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

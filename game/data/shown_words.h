@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 
 /// Whether shown text may contain the character.
 bool can_be_shown(char32_t character);
@@ -14,4 +14,4 @@ bool can_be_shown(char32_t character);
 /// Checks a text in UTF-8. The error names the first character that cannot be shown.
 Expected<void> check_shown(std::string_view words);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 namespace {
 
 std::vector<SpellKind>& known_spells() {
@@ -37,4 +37,4 @@ LoadedSpell read_spell(const SpellKind& kind, const Config& file) {
     return spell;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

@@ -22,9 +22,11 @@
 #include "game/components/wizard.h"
 #include "game/data/registration.h"
 
-namespace thaum::game {
-
+namespace thaum::game::inline context {
 struct MatchContext;
+}
+
+namespace thaum::game::inline data {
 
 /// Numbers that every spell has in its data file.
 struct SpellStats {
@@ -115,4 +117,4 @@ struct LoadedSpell {
 
 LoadedSpell read_spell(const SpellKind& kind, const Config& file);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

@@ -2,7 +2,7 @@
 
 #include "core/colour.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 namespace {
 
 fvec3 colour(std::uint32_t hex) { return fvec3(linear_colour(hex)); }
@@ -22,4 +22,4 @@ std::string_view name_of(const PlayerNames& names, std::uint32_t player) {
     return names[player].empty() ? team_name(player) : std::string_view(names[player]);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

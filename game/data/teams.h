@@ -8,7 +8,7 @@
 #include "core/maths.h"
 #include "game/components/wizard.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 
 /// Colours of a team: 0 is ember, 1 is tide.
 struct TeamColours {
@@ -25,4 +25,4 @@ using PlayerNames = std::array<std::string, players>;
 /// Returns a player's name on the screen.
 std::string_view name_of(const PlayerNames& names, std::uint32_t player);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 namespace {
 
 std::vector<WandKind>& kinds() {
@@ -51,4 +51,4 @@ bool spend(WandBelt& belt, const WandStats& stats, double amount) {
 
 bool spend(WandBelt& belt, const WandStats& stats) { return spend(belt, stats, stats.energy_cost); }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

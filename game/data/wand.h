@@ -14,9 +14,11 @@
 #include "game/data/registration.h"
 #include "game/data/wand_look.h"
 
-namespace thaum::game {
-
+namespace thaum::game::inline context {
 struct MatchContext;
+}
+
+namespace thaum::game::inline data {
 
 /// Numbers that every wand has in its data file.
 struct WandStats {
@@ -185,4 +187,4 @@ double throw_speed(const GraspKind& grasp, double mass, double energy);
 bool spend(WandBelt& belt, const WandStats& stats, double amount);
 bool spend(WandBelt& belt, const WandStats& stats);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

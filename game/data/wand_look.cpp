@@ -4,7 +4,7 @@
 
 #include "core/text.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 namespace {
 
 constexpr Range size{0, 10};        // m
@@ -90,4 +90,4 @@ WandLook read_wand_look(const ConfigTable& look) {
     return read;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

@@ -5,7 +5,7 @@
 
 #include "core/config.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 
 /// Shapes of the parts of a look.
 enum class LookShape : std::uint8_t {
@@ -57,4 +57,4 @@ WandLook read_wand_look(const ConfigTable& look);
 /// Parses a colour "#RRGGBB" as sRGB 0xRRGGBB; std::nullopt for any other text.
 std::optional<std::uint32_t> hex_colour(std::string_view words);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 
 const LoadedWand* wand_in_slot(const MatchData& data, std::uint32_t slot) {
     const auto found = std::find_if(data.wands.begin(), data.wands.end(),
@@ -35,4 +35,4 @@ WandBelt full_belt(const MatchData& data) {
     return belt;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

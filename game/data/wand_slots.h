@@ -3,7 +3,7 @@
 #include "game/components/wizard.h"
 #include "game/data/match_data.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 
 /// The wand in a slot; null if the slot is empty.
 const LoadedWand* wand_in_slot(const MatchData& data, std::uint32_t slot);
@@ -20,4 +20,4 @@ double energy_in_hand(const MatchData& data, const WandBelt& belt);
 /// A belt with full energy and the first wand selected.
 WandBelt full_belt(const MatchData& data);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

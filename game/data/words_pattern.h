@@ -9,7 +9,7 @@
 #include "core/one_line.h"
 #include "core/text.h"
 
-namespace thaum::game {
+namespace thaum::game::inline data {
 
 /// Splits a pattern at its known {names}. A Piece has the text before the name in `plain`; the last one has
 /// no name. `fill(piece, name)` stores the name's meaning in the piece and returns whether the name is known.
@@ -41,4 +41,4 @@ inline std::string words_on_braces(std::string_view plain, std::span<const std::
     return text("; '{", printable(name, 40), "}' is none of them", did_you_mean(name, known));
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline data

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 
 using render::Align;
 using render::ArcItem;
@@ -38,4 +38,4 @@ void add_figure(render::Overlay& out, const Panel& panel, const std::array<float
     }
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

@@ -7,7 +7,7 @@
 #include "game/hud/panel.h"
 #include "game/picture/picture.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 
 /// Size of the figure if there is room (HUD units): front and back with a gap between them.
 inline constexpr float figure_wide = 90, figure_high = 62;
@@ -15,4 +15,4 @@ inline constexpr float figure_wide = 90, figure_high = 62;
 /// Adds the figure. `felt` has a strength of 0 to 1 for each cell. Nothing is added to an empty panel.
 void add_figure(render::Overlay& out, const Panel& panel, const std::array<float, figure_cells>& felt);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

@@ -11,7 +11,7 @@
 #include "game/hud/wand_icon.h"
 #include "game/picture/stroke_pieces.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 namespace {
 
 using render::Align;
@@ -338,4 +338,4 @@ void add_spell_strip(Overlay& out, const Picture& picture, const ControlNames& c
                 paints.soft, Align::right);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

@@ -3,7 +3,7 @@
 #include "game/hud/layout.h"
 #include "render/scene.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 
 /// Adds the recent path of a hand that may cast without a button, faintly. The path ends at the crosshair and
 /// fades towards its older end.
@@ -36,4 +36,4 @@ void add_focus(render::Overlay& out, const CastingPicture& casting, fvec2 centre
 void add_spell_strip(render::Overlay& out, const Picture& picture, const ControlNames& controls,
                      std::uint32_t player, const ViewLayout& l);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

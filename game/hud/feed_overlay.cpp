@@ -7,7 +7,7 @@
 #include "game/data/teams.h"
 #include "game/hud/overlay.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 
 using render::Align;
 using render::Overlay;
@@ -42,4 +42,4 @@ void add_feed(Overlay& out, const Picture& picture, const PlayerNames& names, st
     }
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

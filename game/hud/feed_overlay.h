@@ -3,11 +3,11 @@
 #include "game/hud/layout.h"
 #include "render/scene.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 
 /// Adds the newest lines of the feed, as many as fit. If room is short, lines about the foe's recipes are
 /// dropped first, since the player needs those about the player's own.
 void add_feed(render::Overlay& out, const Picture& picture, const PlayerNames& names, std::uint32_t player,
               const ViewLayout& l);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

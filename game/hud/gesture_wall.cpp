@@ -7,7 +7,7 @@
 #include "game/hud/overlay.h"
 #include "game/hud/stroke_lines.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 namespace {
 
 // Sizes in HUD units.
@@ -116,4 +116,4 @@ void add_gesture_wall(render::Overlay& out, const GestureWallPicture& wall,
     add_wall_lines(out, lines, {{l.box.low.x, l.lines_top + wall_inset * unit}, l.box.high}, unit);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 namespace {
 
 /// Zooms a view in while its player carves, and out afterwards, within some tenths of a second. If the
@@ -155,4 +155,4 @@ const render::Frame& make_frame(const ArenaScene& arena_scene, const Picture& pi
     return frame;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

@@ -11,7 +11,7 @@
 #include "game/senses/sound/heard.h"
 #include "render/context.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 
 /// Which players' views the window shows.
 enum class Watch : std::uint8_t { both, first, second };
@@ -96,4 +96,4 @@ double field_of_view(double fov_degrees, double aspect);
 double field_of_player(const Picture& picture, std::uint32_t player, double usual, double aspect,
                        NearView& near_view);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 namespace {
 
 // Sizes in HUD units.
@@ -430,4 +430,4 @@ FittedWords fit(std::string_view words, float size, fvec2 room) {
     return out;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

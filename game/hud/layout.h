@@ -17,7 +17,7 @@
 
 #include "game/hud/hud.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 
 /// The panels of one player's view.
 struct ViewLayout {
@@ -98,4 +98,4 @@ float width_of(std::string_view line, float size);
 /// `room` (px). The text size is `size` (px), or smaller if the text needs it.
 FittedWords fit(std::string_view words, float size, fvec2 room);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

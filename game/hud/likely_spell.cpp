@@ -5,7 +5,7 @@
 
 #include "gesture/prefix.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 namespace {
 
 constexpr double check_s = 0.024;  // drawing time between two recognitions of an unfinished stroke (s)
@@ -96,4 +96,4 @@ const SpellPresentation* likely_spell(const CastingPicture& casting, const Prese
     return found == shown.spells.end() ? nullptr : &*found;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

@@ -9,7 +9,7 @@
 #include "game/hud/layout.h"
 #include "game/hud/overlay.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 namespace {
 
 using render::Align;
@@ -315,4 +315,4 @@ const render::Frame& make_arena_frame(const ArenaScene& arena_scene, const Pictu
     return frame;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

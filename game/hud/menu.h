@@ -9,7 +9,7 @@
 #include "game/hud/hud.h"
 #include "game/picture/picture.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 
 struct MenuRow {
     std::string label{};
@@ -62,4 +62,4 @@ void add_menu(render::Overlay& out, const MenuPicture& menu, render::Size size, 
 const render::Frame& make_arena_frame(const ArenaScene& arena_scene, const Picture& picture, double angle,
                                       const HudSettings& settings, render::Size size, FrameMemory& memory);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

@@ -5,7 +5,7 @@
 
 #include "game/data/teams.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 
 using render::Align;
 using render::Overlay;
@@ -84,4 +84,4 @@ void add_veil(Overlay& out, const render::Rect& r, fvec4 paint) {
     out.items.emplace_back(render::RectItem{low, low + size, paint, 0});
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

@@ -6,7 +6,7 @@
 #include "render/colour.h"
 #include "render/scene.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 
 /// Colours of the HUD.
 struct HudPaints {
@@ -51,4 +51,4 @@ void add_veil(render::Overlay& out, const render::Rect& r, fvec4 paint);
 
 inline fvec4 opaque(fvec3 c, float alpha = 1) { return {c, alpha}; }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

@@ -2,7 +2,7 @@
 #pragma once
 #include "core/maths.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 
 /// A rectangle given by its top left and bottom right corners (px).
 struct Panel {
@@ -10,4 +10,4 @@ struct Panel {
     bool operator==(const Panel&) const = default;
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

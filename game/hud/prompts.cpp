@@ -2,7 +2,7 @@
 
 #include "core/text.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 namespace {
 
 struct Offer {
@@ -151,4 +151,4 @@ void count_uses(const Picture& before, const Picture& now, PromptUses& uses) {
     }
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

@@ -9,7 +9,7 @@
 #include "game/data/control_names.h"
 #include "game/picture/picture.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 
 enum class PromptKind : std::uint8_t {
     stir,
@@ -68,4 +68,4 @@ float strength_of(const Prompt& prompt, std::uint32_t player, PromptWish wish, c
 /// Counts the actions of players between two pictures of a match.
 void count_uses(const Picture& before, const Picture& now, PromptUses& uses);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

@@ -6,7 +6,7 @@
 #include "core/text.h"
 #include "game/hud/overlay.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 namespace {
 
 using render::ArcItem;
@@ -176,4 +176,4 @@ void add_stroke_row(Overlay& out, const RecipePicture& recipe, const Panel& row,
                        u);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

@@ -8,7 +8,7 @@
 #include "game/picture/picture.h"
 #include "render/scene.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 
 /// The next step in words: "Haste: stir until ember is mixed 20 %". Empty if there is none. Alternatives are
 /// separated by three spaces.
@@ -26,4 +26,4 @@ float stroke_row_wide(const RecipePicture& recipe, float u);
 /// current force.
 void add_stroke_row(render::Overlay& out, const RecipePicture& recipe, const Panel& row, float u);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

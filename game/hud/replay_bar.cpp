@@ -7,7 +7,7 @@
 #include "game/data/teams.h"
 #include "game/hud/overlay.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 namespace {
 
 using render::Align;
@@ -146,4 +146,4 @@ void add_replay_bar(Overlay& out, const ReplayBar& bar, Tick now, const ReplayBa
     add_text_in(out, l.keys, bar.keys, key_words * l.unit, paints.soft, Align::centre);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

@@ -13,7 +13,7 @@
 #include "render/context.h"
 #include "render/scene.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 
 /// Contents of the bar, except the time of the picture.
 struct ReplayBar {
@@ -48,4 +48,4 @@ Tick tick_at(const ReplayBarLayout& layout, float x, Tick length);
 /// Adds the bar to the overlay. `now`: tick of the picture.
 void add_replay_bar(render::Overlay& out, const ReplayBar& bar, Tick now, const ReplayBarLayout& layout);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

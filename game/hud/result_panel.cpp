@@ -8,7 +8,7 @@
 #include "game/data/teams.h"
 #include "game/hud/overlay.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 namespace {
 
 using render::Align;
@@ -214,4 +214,4 @@ void add_pause_panel(Overlay& out, const Picture& picture, const HudSettings& se
     add_panel(out, pause_of(picture, settings), {}, settings.names, window, wanted_unit(settings, window));
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

@@ -3,7 +3,7 @@
 #pragma once
 #include "game/hud/hud.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 
 /// Adds the panel, as large as the text size asks for and the window allows. It covers what is below it.
 void add_result_panel(render::Overlay& out, const Picture& picture, const HudSettings& settings,
@@ -13,4 +13,4 @@ void add_result_panel(render::Overlay& out, const Picture& picture, const HudSet
 void add_pause_panel(render::Overlay& out, const Picture& picture, const HudSettings& settings,
                      render::Rect window);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

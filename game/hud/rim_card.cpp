@@ -8,7 +8,7 @@
 #include "game/hud/overlay.h"
 #include "game/hud/recipe_panel.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 namespace {
 
 using render::LineItem;
@@ -290,4 +290,4 @@ void add_rim_card(Overlay& out, const RimCard& card, const FittedCard& fitted, f
     add_gauge(out, card.gauge, corner, wide, u);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

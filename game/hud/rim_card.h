@@ -14,7 +14,7 @@
 #include "game/picture/picture.h"
 #include "render/scene.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 
 /// Bars at the bottom of the card: how well the brew is mixed, and the time until it boils over (shares of
 /// the whole).
@@ -71,4 +71,4 @@ bool holds_line(const Panel& box);
 void add_rim_card(render::Overlay& out, const RimCard& card, const FittedCard& fitted, fvec2 low,
                   double seconds);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

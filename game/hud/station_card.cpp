@@ -7,7 +7,7 @@
 #include "game/data/teams.h"
 #include "game/hud/overlay.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 namespace {
 
 std::string share_in_percent(double share) {
@@ -161,4 +161,4 @@ RimCard card_of(const Picture& picture, const HudSettings& settings, std::uint32
     return rim_card_of(picture, settings, player);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

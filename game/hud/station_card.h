@@ -9,7 +9,7 @@
 #pragma once
 #include "game/hud/rim_card.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 
 /// Whether a player is at a station, so that a card is shown.
 bool has_card(const PlayerPicture& p);
@@ -17,4 +17,4 @@ bool has_card(const PlayerPicture& p);
 /// The card of a player who is at a station.
 RimCard card_of(const Picture& picture, const HudSettings& settings, std::uint32_t player);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

@@ -7,7 +7,7 @@
 #include "game/hud/overlay.h"
 #include "game/hud/wand_icon.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 namespace {
 
 using render::Align;
@@ -77,4 +77,4 @@ bool add_station_strip(Overlay& out, const Picture& picture, const ControlNames&
     return true;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

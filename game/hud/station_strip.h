@@ -4,7 +4,7 @@
 #include "game/hud/layout.h"
 #include "render/scene.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 
 /// Adds the strip of a player who works at the orb or at a crystal, instead of the strip of wands: each mode
 /// or tool with the key that chooses it, on a plate if it is active. Returns false and adds nothing for other
@@ -12,4 +12,4 @@ namespace thaum::game {
 bool add_station_strip(render::Overlay& out, const Picture& picture, const ControlNames& controls,
                        std::uint32_t player, const ViewLayout& l);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

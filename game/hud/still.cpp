@@ -7,7 +7,7 @@
 #include "render/context.h"
 #include "render/renderer.h"
 
-namespace thaum::app {
+namespace thaum::game::inline hud {
 
 struct Still::State {
     render::Offscreen context;
@@ -65,4 +65,4 @@ Expected<void> Still::save(const game::Simulation& match, const game::HudSetting
     return render::write_png(file, draw(match, settings, senses));
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline hud

@@ -8,7 +8,7 @@
 #include "game/senses/senses.h"
 #include "render/image.h"
 
-namespace thaum::app {
+namespace thaum::game::inline hud {
 
 class Still {
 public:
@@ -33,4 +33,4 @@ private:
     std::unique_ptr<State> state_;
 };
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline hud

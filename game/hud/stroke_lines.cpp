@@ -7,7 +7,7 @@
 #include "game/picture/stroke_pieces.h"
 #include "gesture/generated_users.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 namespace {
 
 constexpr std::size_t max_stroke_lines = 160;  // maximum number of lines that one stroke is drawn with
@@ -64,4 +64,4 @@ void add_ghost(render::Overlay& out, gesture::Points stroke, const Panel& box, f
     add_arrow(out, on_screen(fit, stroke[after - 1].at), on_screen(fit, stroke[after].at), 3 * width, colour);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

@@ -5,7 +5,7 @@
 #include "gesture/stroke.h"
 #include "render/scene.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 
 /// Maps hand positions to the screen.
 struct StrokeFit {
@@ -28,4 +28,4 @@ void add_stroke(render::Overlay& out, gesture::Points stroke, const StrokeFit& f
 /// Adds the path of a stroke with an arrow at its start: the ghost (faint shape) of a gesture.
 void add_ghost(render::Overlay& out, gesture::Points stroke, const Panel& box, fvec4 colour, float width);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

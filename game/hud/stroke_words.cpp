@@ -8,7 +8,7 @@
 #include "game/data/reading.h"
 #include "game/data/spell.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 namespace {
 
 std::string gesture_and_percent(const CastingPicture& casting, std::uint32_t gesture) {
@@ -137,4 +137,4 @@ StrokeCaption stroke_caption(const CastingPicture& casting, const Presentation& 
     return {};
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

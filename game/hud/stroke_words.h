@@ -10,7 +10,7 @@
 #include "game/data/presentation.h"
 #include "game/picture/casting_picture.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 
 /// Word for the force of a stroke: "gentle", "normal" or "harsh".
 std::string_view force_word(const CastingRules& rules, double force);
@@ -26,4 +26,4 @@ struct StrokeCaption {
 StrokeCaption stroke_caption(const CastingPicture& casting, const Presentation& shown,
                              const ControlNames& controls = {});
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

@@ -17,7 +17,7 @@
 #include "game/hud/wand_icon.h"
 #include "game/picture/force_colour.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 namespace {
 
 using render::Align;
@@ -528,4 +528,4 @@ void add_view_overlay(Overlay& out, const Picture& picture, const HudSettings& s
         add_force_word(out, p.senses.force, l);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

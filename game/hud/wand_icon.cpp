@@ -8,7 +8,7 @@
 #include "game/hud/overlay.h"
 #include "render/colour.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 namespace {
 
 using render::ArcItem;
@@ -173,4 +173,4 @@ void add_wand_strip(render::Overlay& out, const WandStrip& strip, fvec2 upper_le
     }
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

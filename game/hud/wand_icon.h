@@ -7,7 +7,7 @@
 #include "game/data/presentation.h"
 #include "render/scene.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 
 /// Adds the outline of a wand, from its handle at the lower left to its tip at the upper right. `size` is the
 /// edge of the square that holds it (px).
@@ -33,4 +33,4 @@ struct WandStrip {
 /// The bar of a wand with less than a fifth of its energy is amber, and that of an empty one is a red line.
 void add_wand_strip(render::Overlay& out, const WandStrip& strip, fvec2 upper_left, float unit);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

@@ -10,7 +10,7 @@
 #include "game/hud/station_card.h"
 #include "game/hud/view_overlay.h"
 
-namespace thaum::game {
+namespace thaum::game::inline hud {
 namespace {
 
 using render::Align;
@@ -244,4 +244,4 @@ void make_overlay(const Picture& picture, const HudSettings& settings, render::S
     gather(out, panel);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline hud

@@ -7,7 +7,7 @@
 #include "core/json.h"
 #include "core/text.h"
 
-namespace thaum::app {
+namespace thaum::game::inline jackets {
 namespace {
 
 constexpr std::size_t motors_of_side = 20;
@@ -75,4 +75,4 @@ Expected<BhapticsReply> read_bhaptics_reply(std::string_view json) {
     return read;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline jackets

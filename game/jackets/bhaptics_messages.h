@@ -13,7 +13,7 @@
 #include "core/error.h"
 #include "tactile/frame.h"
 
-namespace thaum::app {
+namespace thaum::game::inline jackets {
 
 /// Address of the Player on this machine.
 inline constexpr std::string_view bhaptics_place = "127.0.0.1:15881";
@@ -33,4 +33,4 @@ struct BhapticsReply {
 /// Reads a reply of at most max_reply_bytes. Unknown keys are ignored. The error says why it is none.
 Expected<BhapticsReply> read_bhaptics_reply(std::string_view json);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline jackets

@@ -2,7 +2,7 @@
 
 #include "core/text.h"
 
-namespace thaum::app {
+namespace thaum::game::inline jackets {
 namespace {
 
 /// Rows and columns of cells on each side of the body, front and back.
@@ -28,4 +28,4 @@ void append_felt(std::string& rows, std::uint32_t player, const tactile::Tactile
     rows += "\n";
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline jackets

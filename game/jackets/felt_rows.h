@@ -7,11 +7,11 @@
 
 #include "tactile/frame.h"
 
-namespace thaum::app {
+namespace thaum::game::inline jackets {
 
 /// Names of the columns, with the end of the line.
 std::string felt_header();
 /// Appends the row of one frame.
 void append_felt(std::string& rows, std::uint32_t player, const tactile::TactileFrame& frame);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline jackets

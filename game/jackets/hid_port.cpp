@@ -10,7 +10,7 @@
 
 #include "core/text.h"
 
-namespace thaum::app {
+namespace thaum::game::inline jackets {
 namespace {
 
 /// Pages of usage from here on are of a maker's own kind (HID Usage Tables, 3.1).
@@ -118,4 +118,4 @@ Expected<std::unique_ptr<HidPort>> open_hid_port(const HidId& id) {
     return std::make_unique<LibraryPort>(device);
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline jackets

@@ -12,7 +12,7 @@
 
 #include "core/error.h"
 
-namespace thaum::app {
+namespace thaum::game::inline jackets {
 
 /// The numbers by which USB names a kind of device.
 struct HidId {
@@ -45,4 +45,4 @@ Expected<std::unique_ptr<HidPort>> open_hid_port(const HidId& id);
 /// Devices that have an interface with reports of their maker's own kind, with their names.
 std::vector<std::pair<HidId, std::string>> hid_devices();
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline jackets

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace thaum::app {
+namespace thaum::game::inline jackets {
 namespace {
 
 /// Actuator of the layout x40 (rows from the top, each from the wearer's left) at a place of the report.
@@ -36,4 +36,4 @@ HidReport hid_report(const tactile::TactileFrame& frame) {
     return report;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline jackets

@@ -5,7 +5,7 @@
 #include "core/one_line.h"
 #include "core/text.h"
 
-namespace thaum::app {
+namespace thaum::game::inline jackets {
 namespace {
 
 constexpr std::size_t max_words_shown = 60;
@@ -82,4 +82,4 @@ std::unique_ptr<input::TactileOutput> jacket_output(const Jacket& jacket, std::u
     return jacket ? jacket.maker->make(jacket, player) : nullptr;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline jackets

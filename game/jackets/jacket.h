@@ -11,7 +11,7 @@
 #include "game/jackets/jacket_maker.h"
 #include "tactile/layout.h"
 
-namespace thaum::app {
+namespace thaum::game::inline jackets {
 
 /// The picture of a jacket: 4 x 5 cells in front, then as many at the back.
 inline constexpr JacketLayout figure_layout{"abstract_4x5", 40};
@@ -49,4 +49,4 @@ bool is_same_device(const Jacket& a, const Jacket& b);
 /// The jacket as an output, not opened yet; null for none. `player`: 0 or 1.
 std::unique_ptr<input::TactileOutput> jacket_output(const Jacket& jacket, std::uint32_t player);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline jackets

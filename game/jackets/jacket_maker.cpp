@@ -5,7 +5,7 @@
 
 #include "core/text.h"
 
-namespace thaum::app {
+namespace thaum::game::inline jackets {
 namespace {
 
 std::vector<JacketMaker>& registered() {
@@ -33,4 +33,4 @@ JacketCheck check_by_opening(const Jacket&, input::TactileOutput& output) {
     return {true, " can be used", ""};
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline jackets

@@ -12,7 +12,7 @@
 #include "core/error.h"
 #include "input/tactile_output.h"
 
-namespace thaum::app {
+namespace thaum::game::inline jackets {
 
 struct Jacket;
 
@@ -71,4 +71,4 @@ struct JacketRegistration {
 /// All makers, in the order of lists.
 const std::vector<JacketMaker>& jacket_makers();
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline jackets

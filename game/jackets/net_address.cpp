@@ -6,7 +6,7 @@
 #include "core/one_line.h"
 #include "core/text.h"
 
-namespace thaum::app {
+namespace thaum::game::inline jackets {
 namespace {
 
 constexpr std::size_t longest_host = 253;      ///< characters, as in the domain name system
@@ -63,4 +63,4 @@ Expected<std::string> read_net_place(std::string_view word, std::string_view pla
         text("write \"", word, ":HOST:PORT\", with a port of 1 to 65535 and an IPv6 address in brackets"));
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline jackets

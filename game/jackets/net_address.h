@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 
-namespace thaum::app {
+namespace thaum::game::inline jackets {
 
 struct NetAddress {
     std::string host{};  ///< name, or IPv4 or IPv6 address without brackets
@@ -25,4 +25,4 @@ std::string words_of(const NetAddress& address);
 /// Reads the place of a setting "WORD:HOST:PORT" (JacketMaker::read).
 Expected<std::string> read_net_place(std::string_view word, std::string_view place);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline jackets

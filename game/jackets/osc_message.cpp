@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace thaum::app {
+namespace thaum::game::inline jackets {
 namespace {
 
 constexpr float strongest = 0xFFFF;
@@ -46,4 +46,4 @@ std::string osc_ping(std::uint16_t port) {
     return message;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline jackets

@@ -6,7 +6,7 @@
 
 #include "tactile/frame.h"
 
-namespace thaum::app {
+namespace thaum::game::inline jackets {
 
 /// OSC message to "/h" with one string: four hexadecimal digits for each motor, 0000 (off) to ffff.
 /// Amplitudes may have any value; motors without an actuator in the frame are off.
@@ -15,4 +15,4 @@ std::string osc_message(const tactile::TactileFrame& frame, std::size_t motors);
 /// OSC message to "/ping" with one whole number: the port to which a jacket may send its heartbeats.
 std::string osc_ping(std::uint16_t port);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline jackets

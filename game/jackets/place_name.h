@@ -2,7 +2,7 @@
 #pragma once
 #include "core/one_line.h"
 
-namespace thaum::app {
+namespace thaum::game::inline jackets {
 
 /// Whether words may be a device's name or a path: one printable line of a sensible length.
 inline bool fits_name(std::string_view words) {
@@ -10,4 +10,4 @@ inline bool fits_name(std::string_view words) {
     return !words.empty() && words.size() <= longest_name && printable(words, words.size()) == words;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline jackets

@@ -5,7 +5,7 @@
 
 #include "core/text.h"
 
-namespace thaum::game {
+namespace thaum::game::inline lab {
 namespace {
 
 constexpr double max_number = 1e6;
@@ -141,4 +141,4 @@ std::uint8_t BodyMaterials::material(vec3 place) const {
     return at < indices.size() ? indices[at] : std::uint8_t{0};
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline lab

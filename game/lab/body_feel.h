@@ -19,7 +19,7 @@
 #include "field/voxels.h"
 #include "haptics/volume/volume_feel.h"
 
-namespace thaum::game {
+namespace thaum::game::inline lab {
 
 enum class FeelKind : std::uint32_t { opacity, attract, shell, wall, gravity, plane };
 
@@ -64,4 +64,4 @@ struct BodyMaterials {
     std::uint8_t material(vec3 place) const;
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline lab

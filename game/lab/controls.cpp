@@ -4,7 +4,7 @@
 
 #include "core/text.h"
 
-namespace thaum::game {
+namespace thaum::game::inline lab {
 namespace {
 
 using Rules = CauldronRules;
@@ -144,4 +144,4 @@ bool turn_control(std::string_view key, LabHands& hands, const CauldronRules& ru
     return false;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline lab

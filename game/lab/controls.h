@@ -7,7 +7,7 @@
 
 #include "game/lab/lab.h"
 
-namespace thaum::game {
+namespace thaum::game::inline lab {
 
 /// Settings and choices of the person who uses the lab.
 struct LabHands {
@@ -31,4 +31,4 @@ std::span<const LabControl> lab_controls();
 /// Changes the setting of this key. Returns false if no control has the key.
 bool turn_control(std::string_view key, LabHands& hands, const CauldronRules& rules);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline lab

@@ -10,7 +10,7 @@
 #include "core/text.h"
 #include "core/units.h"
 
-namespace thaum::game {
+namespace thaum::game::inline lab {
 namespace {
 
 constexpr double round_s = 4;
@@ -110,4 +110,4 @@ vec3 place_before(vec3 to_viewer, vec3 workspace) {
     return 0.98 * most * to_viewer;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline lab

@@ -5,7 +5,7 @@
 
 #include "game/lab/stir_path.h"
 
-namespace thaum::game {
+namespace thaum::game::inline lab {
 
 enum class HandWay : std::uint8_t { rest, press, circle, file };
 
@@ -45,4 +45,4 @@ vec3 wanted_place(const HandPath& path, vec3 workspace, double seconds);
 /// slightly inside. `to_viewer`: direction from the middle to the viewer, not zero.
 vec3 place_before(vec3 to_viewer, vec3 workspace);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline lab

@@ -9,7 +9,7 @@
 #include "fluid/resample.h"
 #include "game/data/match_data.h"
 
-namespace thaum::game {
+namespace thaum::game::inline lab {
 namespace {
 
 constexpr double max_gravity = 100;  // largest gravity (m/s^2)
@@ -205,4 +205,4 @@ LabFigures step_lab(LabState& lab, const LabInput& input, Jobs& jobs) {
     return figures;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline lab

@@ -16,7 +16,7 @@
 #include "core/jobs.h"
 #include "game/brew/brew.h"
 
-namespace thaum::game {
+namespace thaum::game::inline lab {
 
 inline constexpr double lab_dt = 0.016;  ///< duration of a step (s)
 /// Choices for the number of cells from wall to wall.
@@ -106,4 +106,4 @@ LabFigures step_lab(LabState& lab, const LabInput& input, Jobs& jobs);
 /// Figures of the present state; those of a step, such as forces, are zero.
 LabFigures figures_of(const LabState& lab);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline lab

@@ -6,7 +6,7 @@
 #include "core/text.h"
 #include "fluid/saved.h"
 
-namespace thaum::game {
+namespace thaum::game::inline lab {
 namespace {
 
 // Maximum file size (bytes); a grid 64 cells wide needs 5 million.
@@ -173,4 +173,4 @@ Expected<LabState> load_lab(const std::filesystem::path& file, const CauldronRul
     return with_name(file, restore_lab(*bytes, rules));
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline lab

@@ -6,7 +6,7 @@
 #include "core/bytes.h"
 #include "game/lab/lab.h"
 
-namespace thaum::game {
+namespace thaum::game::inline lab {
 
 Bytes save_lab(const LabState& lab);
 
@@ -18,4 +18,4 @@ Expected<LabState> restore_lab(std::span<const std::byte> bytes, const CauldronR
 Expected<void> save_lab(const LabState& lab, const std::filesystem::path& file);
 Expected<LabState> load_lab(const std::filesystem::path& file, const CauldronRules& rules);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline lab

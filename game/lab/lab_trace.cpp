@@ -2,7 +2,7 @@
 
 #include "core/text.h"
 
-namespace thaum::game {
+namespace thaum::game::inline lab {
 
 std::string lab_trace_header(bool times) {
     std::string header =
@@ -26,4 +26,4 @@ void append_lab_row(const LabState& lab, const LabFigures& f, bool times, std::s
     rows += '\n';
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline lab

@@ -12,7 +12,7 @@
 #include "field/volume_file.h"
 #include "field/voxel_volume.h"
 
-namespace thaum::game {
+namespace thaum::game::inline lab {
 namespace {
 
 namespace fs = std::filesystem;
@@ -103,4 +103,4 @@ Expected<void> take_saved_properties(VolumeLab& lab, const fs::path& file) {
                          [](auto& body, const auto& volume) { return field::set_materials(body, volume); });
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline lab

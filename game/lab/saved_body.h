@@ -9,7 +9,7 @@
 
 #include "game/lab/volume_lab.h"
 
-namespace thaum::game {
+namespace thaum::game::inline lab {
 
 /// Paths of the files of colours and materials that belong to a file of densities.
 std::array<std::filesystem::path, 2> companions_of(const std::filesystem::path& file);
@@ -21,4 +21,4 @@ Expected<void> save_volume(const VolumeLab& lab, const std::filesystem::path& fi
 /// Loads the colours and materials in the files beside that of the lab's volume. Missing files are no error.
 Expected<void> take_saved_properties(VolumeLab& lab, const std::filesystem::path& file);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline lab

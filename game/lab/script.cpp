@@ -1,6 +1,6 @@
 #include "game/lab/script.h"
 
-namespace thaum::game {
+namespace thaum::game::inline lab {
 
 vec3 place_to_pour(const LabState& lab, const std::optional<vec3>& ladle) {
     return ladle.value_or(vec3(0.3, -0.3, 0) * lab.basin.radius);
@@ -15,4 +15,4 @@ LabInput scripted_input(const LabScript& script, const LabState& lab) {
     return input;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline lab

@@ -3,7 +3,7 @@
 #include "game/lab/lab.h"
 #include "game/lab/stir_path.h"
 
-namespace thaum::game {
+namespace thaum::game::inline lab {
 
 struct LabScript {
     struct Pour {
@@ -21,4 +21,4 @@ LabInput scripted_input(const LabScript& script, const LabState& lab);
 /// Position at which a substance is poured (m, brew frame).
 vec3 place_to_pour(const LabState& lab, const std::optional<vec3>& ladle);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline lab

@@ -7,7 +7,7 @@
 #include "core/file.h"
 #include "core/text.h"
 
-namespace thaum::game {
+namespace thaum::game::inline lab {
 namespace {
 
 constexpr double turn_s = 2.5;
@@ -77,4 +77,4 @@ std::optional<vec3> ladle_at(const StirPath& path, const Basin& basin, double se
     return vec3(across * det::cos(turn), y, across * z);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline lab

@@ -8,7 +8,7 @@
 #include "core/table.h"
 #include "game/brew/brew.h"
 
-namespace thaum::game {
+namespace thaum::game::inline lab {
 
 enum class Stirring : std::uint8_t { none, circle, figure8, file };
 
@@ -39,4 +39,4 @@ Expected<StirPath> read_stir_path(TableReader& table);
 /// after an entry from above of half a second.
 std::optional<vec3> ladle_at(const StirPath& path, const Basin& basin, double seconds);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline lab

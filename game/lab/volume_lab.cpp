@@ -14,7 +14,7 @@
 #include "field/voxel_state.h"
 #include "field/voxel_volume.h"
 
-namespace thaum::game {
+namespace thaum::game::inline lab {
 namespace {
 
 /// Share of the device's workspace that the volume fills.
@@ -535,4 +535,4 @@ std::uint64_t lab_hash(const VolumeLab& lab) {
     return hash_value(field::voxel_hash(body.view(), fresh), hash);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline lab

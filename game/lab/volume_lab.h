@@ -33,7 +33,7 @@
 #include "haptics/simulated.h"
 #include "haptics/volume/smooth_grid.h"
 
-namespace thaum::game {
+namespace thaum::game::inline lab {
 
 /// Largest number of servo steps in a tick: 0.2 ms each.
 inline constexpr int max_steps_per_tick = 5;
@@ -226,4 +226,4 @@ field::Volume volume_now(const VolumeLab& lab);
 /// Hash of the state: body, hand and servo.
 std::uint64_t lab_hash(const VolumeLab& lab);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline lab

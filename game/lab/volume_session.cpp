@@ -6,7 +6,7 @@
 #include "core/text.h"
 #include "field/field_config.h"
 
-namespace thaum::game {
+namespace thaum::game::inline lab {
 namespace {
 
 constexpr std::int64_t session_version = 1;
@@ -166,4 +166,4 @@ Expected<VolumeSession> load_session(const std::filesystem::path& file) {
     return session;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline lab

@@ -38,7 +38,7 @@
 #include "field/transfer.h"
 #include "game/lab/volume_lab.h"
 
-namespace thaum::game {
+namespace thaum::game::inline lab {
 
 /// A volume and its placement.
 struct SessionVolume {
@@ -78,4 +78,4 @@ Expected<void> save_session(const VolumeSession& session, const std::filesystem:
 /// Reads a session from a file; a relative path of a volume becomes relative to the working directory.
 Expected<VolumeSession> load_session(const std::filesystem::path& file);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline lab

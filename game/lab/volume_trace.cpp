@@ -2,7 +2,7 @@
 
 #include "core/text.h"
 
-namespace thaum::game {
+namespace thaum::game::inline lab {
 
 std::string volume_trace_header() {
     return "time_s,tip_x_m,tip_y_m,tip_z_m,proxy_x_m,proxy_y_m,proxy_z_m,force_x_n,force_y_n,force_z_n,value,"
@@ -18,4 +18,4 @@ void append_volume_row(const VolumeLab& lab, const VolumeLabInput& input, const 
                  input.history, '\n');
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline lab

@@ -5,7 +5,7 @@
 
 #include "game/lab/volume_lab.h"
 
-namespace thaum::game {
+namespace thaum::game::inline lab {
 
 /// Column titles. The columns from hand_x_m on are the input of the step: target of the hand, tool and undo.
 /// hand_path reads them, so a trace can be played again. tool: index of the held tool in the sorted list,
@@ -15,4 +15,4 @@ std::string volume_trace_header();
 void append_volume_row(const VolumeLab& lab, const VolumeLabInput& input, const VolumeLabFigures& figures,
                        std::string& rows);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline lab

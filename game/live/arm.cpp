@@ -8,7 +8,7 @@
 #include "core/threads.h"
 #include "game/live/end_watch.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 namespace {
 
 constexpr int look_ms = 50, try_again_ms = 1000;
@@ -216,4 +216,4 @@ void follow_arms(LiveArms& arms) {
     }
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

@@ -15,7 +15,7 @@
 #include "input/arm_servo.h"
 #include "input/open_arm.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 class ArmKeeper {
 public:
@@ -111,4 +111,4 @@ std::vector<input::DeviceSpec> arms_of(const LiveArms& arms);
 /// All devices of a match: the hands of both players, then the arms.
 std::vector<input::DeviceSpec> devices_of(const TakenSeats& seats, const LiveArms& arms);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

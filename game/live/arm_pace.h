@@ -5,7 +5,7 @@
 
 #include "core/units.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 /// Correction of the match's clock for one tick (ns), added to the time at which the match began. The arm
 /// ticks by a clock of its own, and each tick of the match takes one of its samples. Without a correction the
@@ -20,4 +20,4 @@ inline std::int64_t arm_pace_correction(std::int64_t waiting, Tick behind) {
     return -step_ns * std::clamp(ahead, -most, most);
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

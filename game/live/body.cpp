@@ -5,7 +5,7 @@
 #include "core/tell_user.h"
 #include "core/text.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 namespace {
 
 /// Numbers of layouts in a scene.
@@ -161,4 +161,4 @@ void MatchBody::show(game::Picture& picture) const {
     }
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

@@ -14,7 +14,7 @@
 #include "game/picture/picture.h"
 #include "game/senses/tactile/tactile_scene.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 /// Effects and layouts of the program.
 struct LiveBody {
@@ -81,4 +81,4 @@ private:
     bool still_ = true;  ///< no frame was made since the last jump
 };
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

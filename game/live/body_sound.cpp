@@ -1,6 +1,6 @@
 #include "game/live/body_sound.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 Expected<game::FeltCourses> load_felt_courses(const audio::SoundBank& bank,
                                               const std::filesystem::path& assets) {
@@ -18,4 +18,4 @@ void BodySound::take(const game::Simulation& match) {
     felt_.follow(frame_);
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

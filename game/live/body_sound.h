@@ -5,7 +5,7 @@
 #include "game/senses/sound/sound_scene.h"
 #include "game/senses/tactile/felt_sound.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 /// The bands of assets/tactile/sound.toml, and the courses of a bank's sounds. The error is one line.
 Expected<game::FeltCourses> load_felt_courses(const audio::SoundBank& bank,
@@ -30,4 +30,4 @@ private:
     audio::AudioFrame frame_{};
 };
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 namespace {
 
 constexpr std::int64_t trial_tick_ns = 1'000'000;
@@ -52,4 +52,4 @@ void BodyTrial::step(std::int64_t now_ns) {
     figure_.fill(0);
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

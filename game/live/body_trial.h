@@ -6,7 +6,7 @@
 
 #include "game/live/body.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 class BodyTrial {
 public:
@@ -42,4 +42,4 @@ private:
     Figure figure_{};
 };
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

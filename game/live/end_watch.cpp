@@ -3,7 +3,7 @@
 #include "core/tell_user.h"
 #include "input/arm_silence.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 namespace {
 
 std::atomic<bool> end_asked{false};
@@ -37,4 +37,4 @@ void tell_end_by_signal() {
     if (end_asked) tell_user("ended by a signal");
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

@@ -6,7 +6,7 @@
 #include <atomic>
 #include <csignal>
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 class EndWatch {
 public:
@@ -26,4 +26,4 @@ private:
 /// Says that a signal has ended the command, if one has.
 void tell_end_by_signal();
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

@@ -6,7 +6,7 @@
 
 #include "input/frame.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 class FaderInput {
 public:
@@ -42,4 +42,4 @@ private:
     Values given_{};  ///< values that the match has
 };
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

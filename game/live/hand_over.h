@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 template <class T>
 class HandOver {
@@ -30,4 +30,4 @@ private:
     std::optional<T> value_{};
 };
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

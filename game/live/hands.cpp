@@ -5,7 +5,7 @@
 
 #include "game/settings/bindings.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 using input::Action;
 using input::DeviceKind;
@@ -175,4 +175,4 @@ bool PlayerHands::any_mouse() const {
     });
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

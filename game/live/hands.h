@@ -4,7 +4,7 @@
 #pragma once
 #include "game/live/seats.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 /// Words that tell a player how to bring a lost pad back, and one that is plugged in again.
 inline constexpr std::string_view how_to_rejoin = "plug it in and press a button on it or on a free pad",
@@ -91,4 +91,4 @@ private:
     Settings seated_{};  ///< settings that the seats' DeviceSpecs were made from
 };
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

@@ -12,7 +12,7 @@
 #include "game/live/window.h"
 #include "game/settings/own_pads.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 // Shared ----------------------------------------------------------------------------------------------------
 
@@ -231,4 +231,4 @@ Expected<void> run_live(const LivePlan& plan) {
     return {};
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

@@ -22,7 +22,7 @@
 #include "game/settings/settings.h"
 #include "input/tick_times.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 enum class SeatKind : std::uint8_t {
     keyboard_mouse,
@@ -130,4 +130,4 @@ struct LivePlan {
 /// Plays until the window is closed or the players quit. The error says why it could not go on.
 Expected<void> run_live(const LivePlan& plan);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

@@ -13,7 +13,7 @@
 #include "game/live/hand_over.h"
 #include "game/range/practice.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 /// What a request can act on.
 struct RequestTarget {
@@ -75,4 +75,4 @@ private:
     SpscQueue<MatchRequest, 64> queue_{};
 };
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

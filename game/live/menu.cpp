@@ -7,7 +7,7 @@
 #include "core/text.h"
 #include "game/menu/menu_input.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 using input::Control;
 using input::DeviceKind;
@@ -60,7 +60,7 @@ void LiveMenu::step(const MenuEvent& event) {
     const auto row_before = chosen_row(state_);
     const auto depth_before = state_.pages.size();
     const auto seats_before = state_.seats;
-    state_ = app::step(std::move(state_), event, context_);
+    state_ = game::step(std::move(state_), event, context_);
     if (state_.request != MenuRequest::none) request_ = state_.request;
     if (state_.saves) save_profile(std::move(*state_.saves));
     if (state_.tries) trial_ = state_.tries;
@@ -292,4 +292,4 @@ void LiveMenu::turn_split() {
     split = split == render::Split::top_bottom ? render::Split::side_by_side : render::Split::top_bottom;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

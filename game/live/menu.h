@@ -8,7 +8,7 @@
 #include "game/live/seats.h"
 #include "game/live/sound.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 class LiveMenu {
 public:
@@ -149,4 +149,4 @@ private:
     MenuSound sound_{};
 };
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

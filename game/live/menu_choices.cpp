@@ -7,7 +7,7 @@
 #include "core/text.h"
 #include "game/bots/bot.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 namespace {
 
 constexpr std::size_t max_data_file = 1U << 20U;
@@ -109,4 +109,4 @@ MenuContext find_menu_context(const LivePlan& plan) {
     return context;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

@@ -4,7 +4,7 @@
 #include "game/live/live.h"
 #include "game/menu/menu.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 /// Choices of the menu. A match of the command line, and its arena, are among them.
 MenuContext find_menu_context(const LivePlan& plan);
@@ -16,4 +16,4 @@ std::vector<MenuContext::Named> arena_choices(const std::filesystem::path& asset
 /// Index of a name in a list of the menu; 0 if it is missing.
 std::size_t index_of(const std::vector<MenuContext::Named>& list, const std::string& name);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

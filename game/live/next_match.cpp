@@ -1,6 +1,6 @@
 #include "game/live/next_match.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 Expected<void> NextMatch::choose(const std::string& match, const std::string& arena) {
     auto choice = data_->choice;
@@ -31,4 +31,4 @@ Expected<void> NextMatch::open_apprentice() {
     return {};
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

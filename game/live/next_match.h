@@ -9,7 +9,7 @@
 #include "game/range/apprentice.h"
 #include "game/range/range_files.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 class NextMatch {
 public:
@@ -44,4 +44,4 @@ private:
     std::optional<game::Lessons> lessons_{};
 };
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

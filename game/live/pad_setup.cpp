@@ -9,7 +9,7 @@
 #include "core/text.h"
 #include "game/settings/own_pads.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 namespace {
 
 constexpr std::size_t max_of_name_shown = 28;  // the rows of the menu hold no more
@@ -160,4 +160,4 @@ void PadSetup::end(const PadChange& change, const Expected<void>& taken, LiveMen
                              : text(words_of_end(change), ", for this run only: ", saved.error().message));
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

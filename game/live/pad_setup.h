@@ -7,7 +7,7 @@
 #include "input/locked_sticks.h"
 #include "input/pad_assignment.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 /// Joysticks that do not play, and pads that play by a set-up.
 struct IdleSticks {
@@ -67,4 +67,4 @@ private:
     std::set<std::string> told_{};    ///< faults that the terminal has shown
 };
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

@@ -3,7 +3,7 @@
 #include "core/text.h"
 #include "game/live/hands.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 namespace {
 
@@ -40,4 +40,4 @@ PauseWords pause_words(const PauseFacts& facts) {
     return {"Paused", known ? text("by ", game::name_of(facts.names, facts.paused_by)) : std::string()};
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

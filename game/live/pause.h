@@ -9,7 +9,7 @@
 #include "game/components/match.h"
 #include "game/data/teams.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 enum class PlayState : std::uint8_t { playing, paused, over };
 
@@ -69,4 +69,4 @@ struct PauseFacts {
 
 PauseWords pause_words(const PauseFacts& facts);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

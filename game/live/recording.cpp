@@ -3,7 +3,7 @@
 #include "core/text.h"
 #include "game/settings/settings.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 namespace {
 
 /// Path with a number before the extension: "match.thaumlog" -> "match-2.thaumlog".
@@ -47,4 +47,4 @@ Expected<Recording> record_match(const LogPlace& place, std::uint64_t number,
     return Recording(std::move(*log));
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

@@ -6,7 +6,7 @@
 #include "game/range/range_files.h"
 #include "input/log.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 /// Record of the session's match: none, a log, or the data files of the range. The range's data may change
 /// during the match, so a range is never logged: a log's header must stay true.
@@ -23,4 +23,4 @@ struct LogPlace {
 /// user gave, or opening it is an error. Later logs lie beside it, with the next free number.
 Expected<Recording> record_match(const LogPlace& place, std::uint64_t number, const input::LogHeader& header);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

@@ -5,7 +5,7 @@
 #include "render/pace.h"
 #include "render/priority.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 using game::Picture;
 
@@ -227,4 +227,4 @@ void run_render(const LivePlan& plan, LiveShared& shared, render::Window& window
     window.release_current();
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

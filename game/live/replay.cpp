@@ -5,7 +5,7 @@
 
 #include "core/text.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 namespace {
 
 using game::Playback;
@@ -143,4 +143,4 @@ void run_replay(const LivePlan& plan, LiveShared& shared, const std::function<vo
     wake();
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

@@ -2,10 +2,10 @@
 #pragma once
 #include "game/live/shared.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 /// Plays the plan's replay as shared.replay asks, until shared.stop. At the log's end it waits. Calls `wake`
 /// when it has gone to a place, so that the main thread looks.
 void run_replay(const LivePlan& plan, LiveShared& shared, const std::function<void()>& wake);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

@@ -7,7 +7,7 @@
 #include "game/data/teams.h"
 #include "game/settings/settings.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 namespace {
 
 using game::Kill;
@@ -166,4 +166,4 @@ game::ReplayBar ReplayViewer::bar() const {
             .kills = index_.kills()};
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

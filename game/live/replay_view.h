@@ -8,7 +8,7 @@
 
 #include "game/hud/hud.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 enum class ReplayDeed : std::uint8_t {
     pause,  ///< pauses or goes on; at the end starts again
@@ -87,4 +87,4 @@ private:
     bool drags_ = false;  ///< the mouse button went down on the bar and is held
 };
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

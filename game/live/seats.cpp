@@ -8,7 +8,7 @@
 #include "game/bots/bot.h"
 #include "game/range/range.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 using input::DeviceKind;
 
@@ -169,4 +169,4 @@ std::optional<std::uint32_t> first_person(const TakenSeats& seats) {
     return {};
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

@@ -6,7 +6,7 @@
 #include "game/menu/menu.h"
 #include "input/collector.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 using input::Pads;
 
@@ -35,4 +35,4 @@ bool has_pad(const TakenSeat& seat);
 /// The first player who is a person.
 std::optional<std::uint32_t> first_person(const TakenSeats& seats);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

@@ -13,7 +13,7 @@
 #include "game/settings/own_pads.h"
 #include "game/settings/recorded_names.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 namespace {
 
@@ -160,7 +160,7 @@ void LiveSession::take_seats(const Pads& pads) {
     if (plan_.replay != nullptr) return;  // a replay has no players at the devices
     const auto seats = plan_.start_screen ? joined_seats(menu_.state(), menu_.context(), next_.is_practice())
                                           : planned_seats(plan_.seats, pads);
-    shared_.seats = app::take_seats(menu_.settings(), seats);
+    shared_.seats = game::take_seats(menu_.settings(), seats);
     want_faders(menu_.settings(), shared_.seats);
     bind_arms(shared_.arms, shared_.seats, plan_.start_screen);
     load_profile();
@@ -580,4 +580,4 @@ bool LiveSession::out_of_time(std::int64_t now_ns) const {
     return plan_.seconds && now_ns > *began_ns_ + static_cast<std::int64_t>(*plan_.seconds * 1e9);
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

@@ -19,7 +19,7 @@
 #include "game/live/pad_setup.h"
 #include "game/live/shared.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 class LiveSession {
 public:
@@ -134,4 +134,4 @@ private:
     std::optional<std::int64_t> began_ns_{};     ///< time when the start screen first opened (ns)
 };
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

@@ -20,7 +20,7 @@
 #include "game/live/tactile.h"
 #include "render/context.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 inline constexpr std::int64_t ns_per_tick = 1'000'000;
 inline constexpr Tick mark_shown = 1500;  ///< time for which the screen shows a bookmark (ticks)
@@ -152,4 +152,4 @@ void run_simulation(const LivePlan& plan, LiveShared& shared, MatchStart start,
 /// Body of the render thread: draws until shared.stop.
 void run_render(const LivePlan& plan, LiveShared& shared, render::Window& window);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

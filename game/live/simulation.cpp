@@ -12,7 +12,7 @@
 #include "game/match/record.h"
 #include "game/range/practice.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 using game::Simulation;
 using input::Button;
@@ -462,4 +462,4 @@ void run_simulation(const LivePlan& plan, LiveShared& shared, MatchStart start,
     wake();
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

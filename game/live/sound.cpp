@@ -8,7 +8,7 @@
 #include "core/text.h"
 #include "game/live/body_sound.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 namespace {
 
 std::unique_ptr<LiveSound> silent(const Error& error) {
@@ -134,4 +134,4 @@ void MatchSound::show(game::Picture& picture) const {
     }
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

@@ -19,7 +19,7 @@
 #include "game/senses/tactile/felt_sound.h"
 #include "game/settings/settings.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 /// Sounds of a menu.
 enum class MenuSound : std::uint8_t { none, move, choose, back, refused };
@@ -111,4 +111,4 @@ private:
 /// Settings of the mixer.
 audio::MixSettings mix_settings(const Settings& settings);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

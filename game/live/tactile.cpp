@@ -4,7 +4,7 @@
 
 #include "core/text.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 LiveTactile::LiveTactile(MakeOutput make, MakeJacket make_jacket)
     : make_(std::move(make)), make_jacket_(std::move(make_jacket)) {
@@ -142,4 +142,4 @@ void LiveTactile::feel_jacket(std::uint32_t player, const tactile::TactileFrame&
     if (seat.jacket.plays && frame.count == motors_of_seat(seat)) seat.jacket.player.load()->feel(frame);
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

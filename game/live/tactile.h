@@ -19,7 +19,7 @@
 #include "input/rumble.h"
 #include "input/tactile_player.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 /// A layout that a player has written. Its motors are counted for each player.
 inline constexpr JacketLayout own_layout{"own", 0};
@@ -109,4 +109,4 @@ private:
     std::array<Seat, game::players> seats_{};
 };
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

@@ -3,7 +3,7 @@
 #include "core/tell_user.h"
 #include "core/text.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 void ToldState::tell(const std::string& whose, std::string state, std::uint64_t times_opened) {
     if (state.empty() || state == told_) return;
@@ -11,4 +11,4 @@ void ToldState::tell(const std::string& whose, std::string state, std::uint64_t 
     told_ = std::move(state);
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 class ToldState {
 public:
@@ -25,4 +25,4 @@ private:
     std::string told_{};
 };
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

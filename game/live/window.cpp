@@ -3,7 +3,7 @@
 #include "core/clock.h"
 #include "game/live/end_watch.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 namespace {
 
 render::WindowEvents events_of(LiveSession& session, const render::Window& window) {
@@ -115,4 +115,4 @@ void run_match(LiveSession& session, LiveShared& shared, LiveWindow& window) {
     view.capture_cursor(false);
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

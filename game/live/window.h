@@ -4,7 +4,7 @@
 #include "game/live/session.h"
 #include "input/pads.h"
 
-namespace thaum::app {
+namespace thaum::game::inline live {
 
 /// Window of a session, with the mode that was set last.
 struct LiveWindow {
@@ -23,4 +23,4 @@ bool run_start_screen(LiveSession& session, LiveShared& shared, LiveWindow& wind
 /// Handles input until the match of the simulation thread has ended.
 void run_match(LiveSession& session, LiveShared& shared, LiveWindow& window);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline live

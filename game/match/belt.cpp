@@ -8,7 +8,7 @@
 #include "game/components/fog.h"
 #include "game/components/station.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 namespace {
 
 using input::Button;
@@ -89,4 +89,4 @@ void add_missile_systems(MatchContext& context, ecs::Schedule& schedule) {
     for (const auto& wand : context.data.wands) wand.rules->add_missiles({context, schedule});
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

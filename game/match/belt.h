@@ -2,7 +2,7 @@
 #pragma once
 #include "game/context/match_context.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 
 /// Adds the system that selects the wand in hand, restores energy and uses the wand.
 void add_belt_system(MatchContext& context, ecs::Schedule& schedule);
@@ -16,4 +16,4 @@ void add_missile_systems(MatchContext& context, ecs::Schedule& schedule);
 /// Ends the use of the wand in hand, such as a charge or a hold. Writes all components that wands may write.
 void put_away_wand(MatchContext& context, ecs::Entity wizard, Tick tick);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

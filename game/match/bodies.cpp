@@ -3,7 +3,7 @@
 #include "game/components/crystal.h"
 #include "game/context/strikes.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 namespace {
 
 /// Ticks over which the impulses of one blow are summed. Bullet spreads a blow over a few steps.
@@ -151,4 +151,4 @@ void add_body_systems(MatchContext& context, ecs::Schedule& schedule) {
                   }});
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

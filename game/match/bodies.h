@@ -3,7 +3,7 @@
 #pragma once
 #include "game/context/match_context.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 
 /// Installs hooks: adding a Body to an entity with Motion adds the body to the physics; removing the Body
 /// removes it there.
@@ -21,4 +21,4 @@ void copy_places(MatchContext& context);
 /// Replaces the physics by a new one with exactly the bodies of the World, in canonical order.
 void rebuild_physics(MatchContext& context);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

@@ -16,7 +16,7 @@
 #include "game/match/player/walk.h"
 #include "game/stations/orb/worn_modes.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 namespace {
 
 /// WandBelt for the new data: each wand keeps its energy, the selected wand stays selected, and added wands
@@ -132,4 +132,4 @@ void carry_over(const MatchContext& from, MatchContext& to) {
     to.physics.write().rebuild();
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

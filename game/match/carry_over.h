@@ -8,10 +8,10 @@
 #pragma once
 #include "game/context/match_context.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 
 /// Copies state and outputs of `from` into `to`, a match with the new data that has not run yet. The brew
 /// must be rebuilt afterwards.
 void carry_over(const MatchContext& from, MatchContext& to);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

@@ -1,6 +1,6 @@
 #include "game/match/follower.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 
 bool MatchFollower::goes_on(const Simulation& match) const {
     // Longest interval between two looks; a longer one counts as a jump of the clock (ticks)
@@ -14,4 +14,4 @@ void MatchFollower::look(const Simulation& match) {
     tick_ = match.now();
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

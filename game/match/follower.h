@@ -4,7 +4,7 @@
 
 #include "game/match/simulation.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 
 /// Share of full health below which players hear and feel their own heart.
 inline constexpr double loud_heart_health = 0.25;
@@ -49,4 +49,4 @@ struct Stride {
     }
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

@@ -5,7 +5,7 @@
 #include "game/components/crystal.h"
 #include "game/components/potions.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 namespace {
 
 /// Starts or ends the time for which one player holds both halves, and records the event.
@@ -53,4 +53,4 @@ void add_great_work_system(MatchContext& context, ecs::Schedule& schedule) {
          }});
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

@@ -4,7 +4,7 @@
 #pragma once
 #include "game/context/match_context.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 
 /// Player who completes the Great Work at this tick; no_player: none. Reads GreatWork.
 std::uint32_t great_worker(const MatchContext& context, Tick tick);
@@ -15,4 +15,4 @@ Tick held_both_for(const ecs::World& world, std::uint32_t player, Tick tick);
 /// Adds the system that tracks who holds both halves, every gameplay tick.
 void add_great_work_system(MatchContext& context, ecs::Schedule& schedule);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

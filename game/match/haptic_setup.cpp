@@ -4,7 +4,7 @@
 
 #include "game/components/hand_state.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 namespace {
 
 using input::HandFader;
@@ -157,4 +157,4 @@ void apply_moved_faders(const MatchData& data, const ecs::World& world, HapticSe
     }
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

@@ -6,7 +6,7 @@
 #include "game/components/moved_faders.h"
 #include "game/context/match_context.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 
 /// Setup at the beginning of a match.
 HapticSetup haptic_setup_of(const MatchData& data, const std::vector<input::DeviceSpec>& devices);
@@ -25,4 +25,4 @@ std::optional<MovedFaders> moved_faders_in(const ecs::World& world);
 /// After a restore, applies all moved faders recorded in the World to the setup.
 void apply_moved_faders(const MatchData& data, const ecs::World& world, HapticSetup& setup);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

@@ -3,7 +3,7 @@
 #include "core/one_line.h"
 #include "core/text.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 namespace {
 
 std::string shown(const std::string& outside) {
@@ -84,4 +84,4 @@ std::string header_text(const input::LogReader& log) {
     return lines;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

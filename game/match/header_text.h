@@ -4,10 +4,10 @@
 
 #include "input/log.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 
 /// One line for the file itself, then one for each value of the header. Each line begins with the name of its
 /// value.
 std::string header_text(const input::LogReader& log);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

@@ -1,6 +1,6 @@
 #include "game/match/highlight.h"
 
-namespace thaum::app {
+namespace thaum::game::inline match {
 namespace {
 
 constexpr Tick opening = 2000;   ///< length of the opening, in which nothing interesting happens (ticks)
@@ -42,4 +42,4 @@ void watch_for_highlight(const game::Simulation& match, Highlight& best) {
         best = {distance, match.now()};
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline match

@@ -2,7 +2,7 @@
 #pragma once
 #include "game/match/simulation.h"
 
-namespace thaum::app {
+namespace thaum::game::inline match {
 
 /// Tick at which the two wizards were closest, among ticks when both lived, each saw the other and a missile
 /// flew.
@@ -17,4 +17,4 @@ inline constexpr Tick highlight_interval = 50;
 /// Updates `best` from the match; call this after every tick.
 void watch_for_highlight(const game::Simulation& match, Highlight& best);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline match

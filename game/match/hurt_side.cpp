@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 
 bool strikes_body(EventKind kind) {
     return !info_of(kind).cause.empty() || kind == EventKind::held_off || kind == EventKind::pushed;
@@ -32,4 +32,4 @@ std::optional<vec3> way_to_source(const Simulation& match, const Event& event, s
     return way_to_cause(match, at_body, player);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

@@ -5,7 +5,7 @@
 
 #include "game/match/simulation.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 
 /// Whether events of this kind hit their subject's body from a side, with or without harm.
 bool strikes_body(EventKind kind);
@@ -19,4 +19,4 @@ std::optional<vec3> way_to_cause(const Simulation& match, const Event& event, st
 /// who caused it, wherever on the body it hit. A burst beside the body comes from its own place.
 std::optional<vec3> way_to_source(const Simulation& match, const Event& event, std::uint32_t player);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

@@ -8,7 +8,7 @@
 #include "game/components/power_up.h"
 #include "game/data/event_kinds.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 namespace {
 
 using input::Kind;
@@ -78,4 +78,4 @@ std::string kind_difference(const std::vector<KindTable>& recorded, const std::v
     return {};
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

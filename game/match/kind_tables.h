@@ -5,7 +5,7 @@
 #include "game/data/match_data.h"
 #include "input/log.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 
 /// Tables "cause", "event", "ingredient", "potion", "power_up", "spell" and "wand"; no "potion" if the data
 /// have no recipes, and no "spell" if they have no gestures. A wand's number is the number of its key, as in
@@ -17,4 +17,4 @@ std::vector<input::KindTable> kind_tables(const MatchData& data);
 std::string kind_difference(const std::vector<input::KindTable>& recorded,
                             const std::vector<input::KindTable>& here);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

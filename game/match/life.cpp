@@ -8,7 +8,7 @@
 #include "game/stations/cauldron/potions.h"
 #include "game/stations/crystal/chisel.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 namespace {
 
 /// Counts a kill for the killer. A death without a killer, or caused by the victim, reduces the victim's
@@ -122,4 +122,4 @@ void add_life_systems(MatchContext& context, ecs::Schedule& schedule) {
          }});
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

@@ -2,11 +2,11 @@
 #pragma once
 #include "game/context/match_context.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 
 void add_life_systems(MatchContext& context, ecs::Schedule& schedule);
 
 /// The pad farthest from a position; the first one if two are equally far.
 Pad farthest_pad(const ecs::World& world, vec3 from);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

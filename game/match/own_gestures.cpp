@@ -7,7 +7,7 @@
 #include "core/text.h"
 #include "gesture/gesture_file.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 namespace {
 
 /// Maximum size of a gesture file (bytes). Three strokes of some seconds need a tenth of it.
@@ -81,4 +81,4 @@ Expected<void> use_profile(const MatchData& data, std::vector<input::ProfileData
     return {};
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

@@ -7,7 +7,7 @@
 #include "game/data/match_data.h"
 #include "game/match/simulation.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 
 /// Value of input::ProfileData::kind for gestures.
 inline constexpr std::string_view gesture_kind = "gesture";
@@ -20,4 +20,4 @@ input::ProfileData profile_of(const gesture::Gesture& gesture, std::uint32_t pla
 /// name, or too many points.
 Expected<void> use_profile(const MatchData& data, std::vector<input::ProfileData> profile, MatchSetup& setup);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

@@ -3,7 +3,7 @@
 #include "core/one_line.h"
 #include "core/text.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 
 Expected<Playback> Playback::open(const std::filesystem::path& log, const std::filesystem::path& assets) {
     auto reader = input::LogReader::open(log);
@@ -85,4 +85,4 @@ std::string Playback::wrong_result() const {
                 result_line(*match_), "\"");
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

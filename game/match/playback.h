@@ -9,7 +9,7 @@
 
 #include "game/match/record.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 
 /// A recorded hash and the hashes that the replay computed at the same tick, at least one of which differs.
 struct Divergence {
@@ -67,4 +67,4 @@ private:
     std::optional<Divergence> divergence_;
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 namespace {
 
 /// The wand with the smallest share of its energy cap; null if no wand has a cap.
@@ -86,4 +86,4 @@ void add_power_up_system(MatchContext& context, ecs::Schedule& schedule) {
                   }});
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

@@ -2,7 +2,7 @@
 #pragma once
 #include "game/context/match_context.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 
 void add_power_up_system(MatchContext& context, ecs::Schedule& schedule);
 
@@ -18,4 +18,4 @@ Gift gift_of(const MatchData& data, PowerUpKind kind, const Health& health, cons
 /// Minimum gain (HP or energy). A power-up that would give less is not picked up.
 inline constexpr double min_gift = 1;
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

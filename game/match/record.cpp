@@ -7,7 +7,7 @@
 #include "physics/bullet_build.h"
 #include "physics/bullet_maths.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 namespace {
 
 constexpr std::string_view match_parameter = "match=";
@@ -140,4 +140,4 @@ std::string build_warning(const input::LogHeader& header) {
                 here.precision, "): the replay may differ");
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

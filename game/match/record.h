@@ -6,7 +6,7 @@
 #include "game/match/simulation.h"
 #include "input/log.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 
 /// Number of ticks recorded after the end of a match, so that a replay shows how it ends.
 inline constexpr Tick log_after_end = 500;
@@ -36,4 +36,4 @@ Expected<std::unique_ptr<Simulation>> match_of_log(const input::LogHeader& heade
 /// some bits, or with another version of Bullet; else empty.
 std::string build_warning(const input::LogHeader& header);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

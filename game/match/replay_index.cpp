@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 namespace {
 
 /// Compression level of zstd. Higher levels take longer and save little, because most bytes of a state are
@@ -130,4 +130,4 @@ std::optional<Divergence> earlier(const std::optional<Divergence>& a, const std:
     return a->recorded.tick <= b->recorded.tick ? a : b;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

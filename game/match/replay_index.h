@@ -15,7 +15,7 @@
 
 #include "game/match/playback.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 
 /// A death in a match.
 struct Kill {
@@ -88,4 +88,4 @@ Expected<void> seek(Playback& playback, const ReplayIndex& index, Tick target, c
 /// The earlier one of two divergences.
 std::optional<Divergence> earlier(const std::optional<Divergence>& a, const std::optional<Divergence>& b);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

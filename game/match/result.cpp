@@ -2,7 +2,7 @@
 
 #include "core/text.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 namespace {
 
 void add_part(std::string& words, const std::string& part) { words += text(words.empty() ? "" : ", ", part); }
@@ -52,4 +52,4 @@ std::string result_table(const Simulation& match) {
     return lines;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

@@ -2,7 +2,7 @@
 #pragma once
 #include "game/match/simulation.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 
 /// What one player achieved by one cause over the whole match, as "12 of 64 hit (19 %), 72 HP, 1 kill".
 struct ResultRow {
@@ -19,4 +19,4 @@ std::vector<ResultRow> result_rows(const AllMatchStats& match_stats);
 /// Table with one line for each player, followed by the player's rows.
 std::string result_table(const Simulation& match);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

@@ -13,7 +13,7 @@
 #include "game/stations/cauldron/brewing.h"
 #include "game/stations/orb/orb.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 namespace {
 
 /// Ticks before a player can request the next round, so that a player who is still shooting does not start it
@@ -167,4 +167,4 @@ void begin_next_round(MatchContext& context, BrewSolver& solver, CrystalBodies& 
     context.physics.write().rebuild();
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

@@ -3,7 +3,7 @@
 #include "game/stations/cauldron/cauldron.h"
 #include "game/stations/crystal/crystal.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 
 /// Replaces the scene by that of a new round: the arena as its file describes it, both wizards on their pads.
 void open_round(MatchContext& context, BrewSolver& solver, CrystalBodies& crystals);
@@ -17,4 +17,4 @@ void add_interval_system(MatchContext& context, ecs::Schedule& schedule);
 bool next_round_is_due(const MatchContext& context);
 void begin_next_round(MatchContext& context, BrewSolver& solver, CrystalBodies& crystals);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

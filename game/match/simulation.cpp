@@ -27,7 +27,7 @@
 #include "game/stations/orb/orb.h"
 #include "game/stations/orb/scrying.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 namespace {
 
 void spawn_match(ecs::World& world, std::uint64_t seed) {
@@ -204,4 +204,4 @@ const EventJournal& Simulation::events() const { return context_.output.journal.
 physics::Physics& Simulation::physics() { return context_.physics.write(); }
 const physics::Physics& Simulation::physics() const { return context_.physics.read(); }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

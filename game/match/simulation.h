@@ -14,7 +14,7 @@
 #include "game/stations/cauldron/cauldron.h"
 #include "game/stations/crystal/crystal.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 
 /// Version of the rules. It changes whenever the same input would lead to another state. CHANGELOG.md
 /// gives the reasons.
@@ -108,4 +108,4 @@ private:
     std::uint64_t force_hash_ = 0;
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

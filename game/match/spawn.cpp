@@ -1,6 +1,6 @@
 #include "game/match/spawn.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 namespace {
 
 constexpr double anchor_radius = 0.2;
@@ -40,4 +40,4 @@ void spawn_arena(ecs::World& world, const Arena& arena) {
     }
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

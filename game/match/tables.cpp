@@ -10,7 +10,7 @@
 #include "game/data/wand_slots.h"
 #include "game/match/haptic_setup.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 namespace {
 
 /// Time in seconds. A single division rounds only once, so 9 ticks are 0.009 and not 0.009000000000000001.
@@ -309,4 +309,4 @@ void append_forces(const Simulation& match, std::string& out) {
     out += '\n';
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

@@ -13,7 +13,7 @@
 
 #include "game/match/playback.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 
 /// The events of a replay. Columns:
 ///
@@ -77,4 +77,4 @@ std::string forces_header();
 /// Appends one row about the tick that was just played.
 void append_forces(const Simulation& match, std::string& out);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

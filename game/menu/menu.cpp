@@ -7,7 +7,7 @@
 #include "game/menu/page.h"
 #include "game/settings/player_name.h"
 
-namespace thaum::app {
+namespace thaum::game::inline menu {
 
 using Kind = MenuEvent::Kind;
 
@@ -180,4 +180,4 @@ MenuState step(MenuState state, const MenuEvent& event, const MenuContext& conte
     return state;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline menu

@@ -12,7 +12,7 @@
 #include "game/settings/bindings.h"
 #include "game/settings/feel_profile.h"
 
-namespace thaum::app {
+namespace thaum::game::inline menu {
 
 /// Device that a player uses: the keyboard and mouse, half of the keyboard, or one of the window's pads.
 struct Device {
@@ -182,4 +182,4 @@ MenuState on_same_rows(MenuState state, const MenuContext& before, const MenuCon
 /// Name of a device: "Mouse and keyboard", "Keypad and arrows", "Pad 2 (Xbox 360 Controller)".
 std::string name_of(const Device& device, const MenuContext& context);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline menu

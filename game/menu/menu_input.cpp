@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace thaum::app {
+namespace thaum::game::inline menu {
 
 using input::Control;
 using input::DeviceKind;
@@ -124,4 +124,4 @@ std::optional<Kind> menu_event_of(const Control& control, bool start_page) {
     }
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline menu

@@ -7,7 +7,7 @@
 #include "game/menu/menu.h"
 #include "input/pad_state.h"
 
-namespace thaum::app {
+namespace thaum::game::inline menu {
 
 /// Deflection from which a stick or trigger of a pad counts as pressed in a menu.
 inline constexpr double menu_stick_press = 0.6;
@@ -27,4 +27,4 @@ std::vector<input::Control> pressed_controls(const input::PadState& before, cons
 /// Event of a pad's control; std::nullopt for controls that point in a direction (menu_direction_of).
 std::optional<MenuEvent::Kind> menu_event_of(const input::Control& control, bool start_page);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline menu

@@ -4,7 +4,7 @@
 #include "core/text.h"
 #include "game/menu/page.h"
 
-namespace thaum::app {
+namespace thaum::game::inline menu {
 
 using input::DeviceKind;
 
@@ -98,4 +98,4 @@ std::string window_title(const MenuState& s, const MenuContext& context) {
                 row.value.empty() ? "" : ": ", row.value);
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline menu

@@ -6,7 +6,7 @@
 #include "core/text.h"
 #include "game/hud/layout.h"
 
-namespace thaum::app {
+namespace thaum::game::inline menu {
 namespace {
 
 std::vector<Page>& pages() {
@@ -234,4 +234,4 @@ std::string label_of_restart(const MenuContext& context) {
     return text("Restart the ", name_of_play(context));
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline menu

@@ -6,7 +6,7 @@
 #pragma once
 #include "game/menu/menu.h"
 
-namespace thaum::app {
+namespace thaum::game::inline menu {
 
 struct Row;
 
@@ -134,4 +134,4 @@ std::string label_of_restart(const MenuContext& context);
 /// Calls what the pause belongs to: "match", "range" or "Apprentice".
 std::string_view name_of_play(const MenuContext& context);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline menu

@@ -11,7 +11,7 @@
 #include "game/stations/cauldron/cauldron.h"
 #include "game/stations/cauldron/potions.h"
 
-namespace thaum::game {
+namespace thaum::game::inline picture {
 namespace {
 
 /// Spoiling time from which on a brew counts as one that never spoils, as on the range.
@@ -107,6 +107,22 @@ void take_boon(const BoonRules& rules, const Cauldron& cauldron, Tick played, Ca
 
 }  // namespace
 
+void take_brew(const Brew& brew, const CauldronRules& rules, std::uint64_t state, BrewPicture& out) {
+    const auto& fluid = brew.fluid;
+    out.state = state;
+    out.lattice = fluid.lattice;
+    out.velocity = fluid.now.velocity;
+    for (std::size_t axis = 0; axis < 3; ++axis) out.velocity_places[axis] = fluid.place(axis);
+    out.colours.base = fvec3(rules.colour);
+    for (std::size_t s = 0; s < out.densities.size(); ++s) {
+        out.densities[s].clear();
+        if (brew.contents[s] >= rules.ingredients.size()) continue;
+        out.densities[s] = fluid.now.substances[s];
+        out.colours.substances[s] = fvec3(rules.ingredients[brew.contents[s]].colour);
+    }
+    out.surface = brew.surface;
+}
+
 void take_cauldron(const Simulation& match, CauldronPicture& out) {
     out.there = match.data().cauldron && match.world().count<Cauldron>() > 0;
     if (!out.there) return;
@@ -135,4 +151,4 @@ void take_cauldron(const Simulation& match, CauldronPicture& out) {
     out.lifts = is_light(rules.aura, cauldron);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline picture

@@ -10,9 +10,11 @@
 #include "game/components/match.h"
 #include "game/components/wizard.h"
 
-namespace thaum::game {
-
+namespace thaum::game::inline match {
 class Simulation;
+}
+
+namespace thaum::game::inline picture {
 
 /// Colours of the base fluid and the substances (linear light).
 struct BrewColours {
@@ -70,4 +72,4 @@ struct CauldronPicture {
 };
 void take_cauldron(const Simulation& match, CauldronPicture& out);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline picture

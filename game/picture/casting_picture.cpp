@@ -11,7 +11,7 @@
 #include "game/match/simulation.h"
 #include "game/stations/cauldron/ladle.h"
 
-namespace thaum::game {
+namespace thaum::game::inline picture {
 namespace {
 
 void take_points(const DrawnStroke& stroke, StrokePicture& out) {
@@ -223,4 +223,4 @@ std::string shown_gesture(const CastingPicture& casting, std::uint32_t gesture) 
     return capitalised(casting.gestures->gestures()[gesture].name);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline picture

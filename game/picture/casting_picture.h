@@ -14,9 +14,11 @@
 #include "game/data/reading.h"
 #include "game/data/spell.h"
 
-namespace thaum::game {
-
+namespace thaum::game::inline match {
 class Simulation;
+}
+
+namespace thaum::game::inline picture {
 
 /// Time for which a finished stroke fades (s).
 inline constexpr double stroke_fade_seconds = 1.2;
@@ -102,4 +104,4 @@ void take_casting(const Simulation& match, ecs::Entity wizard, std::uint32_t pla
 /// Display name of a gesture: "Circle"; empty for an unknown number.
 std::string shown_gesture(const CastingPicture& casting, std::uint32_t gesture);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline picture

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace thaum::game {
+namespace thaum::game::inline picture {
 
 fvec3 force_colour(double share) {
     const fvec3 green(0.25F, 0.85F, 0.35F), yellow(0.95F, 0.85F, 0.25F), crimson(1.0F, 0.29F, 0.23F);
@@ -10,4 +10,4 @@ fvec3 force_colour(double share) {
     return s < 0.5F ? glm::mix(green, yellow, 2 * s) : glm::mix(yellow, crimson, 2 * s - 1);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline picture

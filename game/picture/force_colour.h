@@ -2,9 +2,9 @@
 #pragma once
 #include "core/maths.h"
 
-namespace thaum::game {
+namespace thaum::game::inline picture {
 
 /// Colour of a force by its share of the strongest force: green, yellow, red.
 fvec3 force_colour(double share);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline picture

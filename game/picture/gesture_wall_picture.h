@@ -7,7 +7,7 @@
 
 #include "gesture/stroke.h"
 
-namespace thaum::game {
+namespace thaum::game::inline picture {
 
 /// A gesture on the wall.
 struct WallGesture {
@@ -29,4 +29,4 @@ struct GestureWallPicture {
     std::vector<std::string> lines{};
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline picture

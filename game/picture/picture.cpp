@@ -13,7 +13,7 @@
 #include "game/stations/cauldron/brewing.h"
 #include "game/stations/cauldron/ladle.h"
 
-namespace thaum::game {
+namespace thaum::game::inline picture {
 namespace {
 
 constexpr double feed_seconds = 5;
@@ -457,4 +457,4 @@ void interpolate(const Picture& from, const Picture& to, double alpha, Picture& 
     for (std::size_t p = 0; p < players; ++p) interpolate_wizard(from.wizards[p], alpha, dt, out.wizards[p]);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline picture

@@ -19,7 +19,7 @@
 #include "game/picture/vitals_picture.h"
 #include "game/picture/wand_picture.h"
 
-namespace thaum::game {
+namespace thaum::game::inline picture {
 
 /// Key of a shape: things with equal keys look the same.
 struct ShapeKey {
@@ -183,4 +183,4 @@ int seconds_to_start(const Picture& picture);
 /// interpolated.
 void interpolate(const Picture& from, const Picture& to, double alpha, Picture& out);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline picture

@@ -9,7 +9,7 @@
 #include "game/match/simulation.h"
 #include "game/stations/cauldron/potions.h"
 
-namespace thaum::game {
+namespace thaum::game::inline picture {
 namespace {
 
 /// Signed area of a closed stroke; positive: counterclockwise, with y up (m^2).
@@ -154,4 +154,4 @@ void take_recipe(const Simulation& match, std::uint32_t player, ecs::Entity wiza
     take_choices(match, brewer, open, &recipe, before, out);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline picture

@@ -6,9 +6,11 @@
 #include "ecs/world.h"
 #include "game/data/recipe.h"
 
-namespace thaum::game {
-
+namespace thaum::game::inline match {
 class Simulation;
+}
+
+namespace thaum::game::inline picture {
 
 /// Kind of the next step of a recipe.
 enum class RecipeStep : std::uint8_t {
@@ -58,4 +60,4 @@ struct RecipePicture {
 void take_recipe(const Simulation& match, std::uint32_t player, ecs::Entity wizard, std::uint32_t carried,
                  RecipePicture& out);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline picture

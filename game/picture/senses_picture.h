@@ -10,7 +10,7 @@
 #include "game/senses/sound/heard.h"
 #include "haptics/safety.h"
 
-namespace thaum::game {
+namespace thaum::game::inline picture {
 
 /// Cells of the figure that shows what a body feels: 4 x 5 in front from the top
 /// left of the wearer, then the back.
@@ -59,4 +59,4 @@ struct SensesPicture {
     std::array<HurtMark, 6> marks{};
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline picture

@@ -13,7 +13,7 @@
 #include "game/stations/orb/scrying.h"
 #include "game/stations/orb/worn_modes.h"
 
-namespace thaum::game {
+namespace thaum::game::inline picture {
 namespace {
 
 /// Largest half edge of the box that a tool changes (m), for a given voxel edge (m).
@@ -262,4 +262,4 @@ void take_work(const Simulation& match, ecs::Entity wizard, std::uint32_t player
     out.left_s = world.single<GreatWork>().since.at(player) != 0 ? std::max(out.whole_s - held_s, 0.0) : 0;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline picture

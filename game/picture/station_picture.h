@@ -16,9 +16,11 @@
 #include "game/components/wizard.h"
 #include "game/stations/crystal/grain.h"
 
-namespace thaum::game {
-
+namespace thaum::game::inline match {
 class Simulation;
+}
+
+namespace thaum::game::inline picture {
 
 /// A probe in the orb or a tool in a crystal, which the hand of a wizard moves.
 struct TipPicture {
@@ -119,4 +121,4 @@ void take_scrying(const Simulation& match, ecs::Entity wizard, std::uint32_t pla
 void take_carving(const Simulation& match, ecs::Entity wizard, std::uint32_t player, CarvingPicture& out);
 void take_work(const Simulation& match, ecs::Entity wizard, std::uint32_t player, WorkPicture& out);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline picture

@@ -6,7 +6,7 @@
 #include "game/picture/recipe_picture.h"
 #include "game/picture/station_picture.h"
 
-namespace thaum::game {
+namespace thaum::game::inline picture {
 
 struct StationsPicture {
     std::string_view carries{};  ///< name of the carried ingredient; empty: none
@@ -26,4 +26,4 @@ struct StationsPicture {
     bool works() const { return stirs || scrying.scries || carving.carves; }
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline picture

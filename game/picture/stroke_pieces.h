@@ -4,7 +4,7 @@
 
 #include "core/maths.h"
 
-namespace thaum::game {
+namespace thaum::game::inline picture {
 
 /// Calls `take(from, to)` with the numbers of two points for each piece of a stroke. A piece is one step of
 /// the hand or, if there are more than `most` steps, a part of the path; all parts have about the same
@@ -24,4 +24,4 @@ void each_piece(std::size_t count, std::size_t most, At&& at, Take&& take) {
     }
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline picture

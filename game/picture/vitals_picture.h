@@ -7,7 +7,7 @@
 #include "core/units.h"
 #include "game/components/potions.h"
 
-namespace thaum::game {
+namespace thaum::game::inline picture {
 
 struct VitalsPicture {
     vec3 centre{};          ///< middle of the body (m, world)
@@ -25,4 +25,4 @@ struct VitalsPicture {
     double poisoned_s{};  ///< time for which poison will hurt the wizard; 0: none does
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline picture

@@ -9,7 +9,7 @@
 #include "game/data/wand.h"
 #include "input/frame.h"
 
-namespace thaum::game {
+namespace thaum::game::inline picture {
 
 struct WandPicture {
     std::string_view name;   ///< kind of the wand in hand; empty: none
@@ -32,4 +32,4 @@ struct WandPicture {
     std::optional<vec3> held{};  ///< place that the wand holds or hangs on (m, world)
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline picture

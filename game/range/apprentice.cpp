@@ -7,7 +7,7 @@
 #include "game/components/cauldron.h"
 #include "game/data/wand_slots.h"
 
-namespace thaum::game {
+namespace thaum::game::inline range {
 namespace {
 
 constexpr Tick praise = ticks(1.5);  ///< time between a completed step and the next one (ticks)
@@ -214,4 +214,4 @@ int Apprentice::percent() const {
     return std::min(static_cast<int>(100 * share()), is_over() || done_ ? 100 : 99);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline range

@@ -13,7 +13,7 @@
 
 #include "game/range/dummy.h"
 
-namespace thaum::game {
+namespace thaum::game::inline range {
 
 /// Player numbers of the learner and of the dummy.
 inline constexpr std::uint32_t practising = 0, dummys = 1;
@@ -131,4 +131,4 @@ private:
     double last_yaw_{}, last_pitch_{};
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline range

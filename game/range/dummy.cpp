@@ -5,7 +5,7 @@
 #include "game/bots/aim.h"
 #include "game/bots/senses.h"
 
-namespace thaum::game {
+namespace thaum::game::inline range {
 namespace {
 
 constexpr double step_ahead = 1.2;  ///< distance ahead of the feet that must be safe to walk on (m)
@@ -101,4 +101,4 @@ input::DeviceSample Dummy::sample(const Simulation& match) {
     return sample;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline range

@@ -4,7 +4,7 @@
 #include "game/bots/mind.h"
 #include "game/bots/nav.h"
 
-namespace thaum::game {
+namespace thaum::game::inline range {
 
 enum class DummyKind : std::uint8_t {
     still,
@@ -54,4 +54,4 @@ private:
     Tick turned_at_{};
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline range

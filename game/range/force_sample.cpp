@@ -4,7 +4,7 @@
 
 #include "game/context/hand_forces.h"
 
-namespace thaum::app {
+namespace thaum::game::inline range {
 namespace {
 
 using input::HandFader;
@@ -60,4 +60,4 @@ std::string_view ForceSample::words() const {
     }
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline range

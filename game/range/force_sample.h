@@ -4,7 +4,7 @@
 
 #include "game/match/simulation.h"
 
-namespace thaum::app {
+namespace thaum::game::inline range {
 
 class ForceSample {
 public:
@@ -24,4 +24,4 @@ private:
     Tick left_{};  ///< ticks until the end; 0: no sample is playing
 };
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline range

@@ -3,7 +3,7 @@
 #include "core/text.h"
 #include "game/context/hand_forces.h"
 
-namespace thaum::app {
+namespace thaum::game::inline range {
 
 using input::Button;
 
@@ -51,4 +51,4 @@ std::string ForceTrial::words() const {
     return text("kick of ", percent_, " %: press fire if it is as strong as you want");
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline range

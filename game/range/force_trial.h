@@ -8,7 +8,7 @@
 
 #include "game/match/simulation.h"
 
-namespace thaum::app {
+namespace thaum::game::inline range {
 
 /// Removes presses of fire from a player's samples. Returns whether fire was down.
 bool take_fire(const std::vector<input::DeviceSpec>& devices, std::uint32_t player, input::InputFrame& frame);
@@ -41,4 +41,4 @@ private:
     std::uint32_t percent_{};
 };
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline range

@@ -11,7 +11,7 @@
 #include "game/range/apprentice.h"
 #include "gesture/comparison.h"
 
-namespace thaum::app {
+namespace thaum::game::inline range {
 namespace {
 
 using game::practising;
@@ -245,4 +245,4 @@ void GestureWall::show(const game::Simulation& match, game::GestureWallPicture& 
     picture.lines = lines_;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline range

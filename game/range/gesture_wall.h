@@ -8,7 +8,7 @@
 #include "game/match/simulation.h"
 #include "game/picture/gesture_wall_picture.h"
 
-namespace thaum::app {
+namespace thaum::game::inline range {
 
 class GestureWall {
 public:
@@ -65,4 +65,4 @@ private:
     std::optional<gesture::Gesture> recorded_{};
 };
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline range

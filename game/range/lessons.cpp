@@ -12,7 +12,7 @@
 #include "game/data/shown_words.h"
 #include "game/range/apprentice.h"
 
-namespace thaum::game {
+namespace thaum::game::inline range {
 namespace {
 
 constexpr auto lessons_file = "apprentice.toml";
@@ -227,4 +227,4 @@ Expected<Lessons> load_lessons(const std::filesystem::path& assets) {
     return parse_lessons(*source, shown_path(assets, lessons_file), assets);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline range

@@ -7,7 +7,7 @@
 #include "core/text.h"
 #include "core/threads.h"
 
-namespace thaum::app {
+namespace thaum::game::inline range {
 namespace {
 
 constexpr auto look_period = std::chrono::milliseconds(200);
@@ -199,4 +199,4 @@ void Practice::show(game::Picture& picture) {
         picture.caption = {};
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline range

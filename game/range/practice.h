@@ -15,7 +15,7 @@
 #include "game/range/range_request.h"
 #include "game/settings/own_gestures.h"
 
-namespace thaum::app {
+namespace thaum::game::inline range {
 
 /// Watches the data files in a thread of its own, so that neither match nor window waits for the disk.
 class DataWatcher {
@@ -150,4 +150,4 @@ struct StopDrawing {
     void carry_out(Practice& practice) const { practice.wall().give_up(practice.match()); }
 };
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline range

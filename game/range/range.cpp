@@ -10,7 +10,7 @@
 #include "game/match/own_gestures.h"
 #include "game/match/player/walk.h"
 
-namespace thaum::game {
+namespace thaum::game::inline range {
 namespace {
 
 constexpr auto range_file = "range.toml";
@@ -166,4 +166,4 @@ std::string words_of(const RangeScore& score) {
                 std::llround(score.damage_per_minute()), " HP a minute");
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline range

@@ -6,7 +6,7 @@
 
 #include "game/range/apprentice.h"
 
-namespace thaum::game {
+namespace thaum::game::inline range {
 
 /// Data of a range.
 struct RangeData {
@@ -86,4 +86,4 @@ private:
 /// Text of a score: "12 of 64 hit (19 %), 72 HP, 1 kill, 188 HP a minute".
 std::string words_of(const RangeScore& score);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline range

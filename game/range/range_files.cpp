@@ -5,7 +5,7 @@
 #include "core/one_line.h"
 #include "core/text.h"
 
-namespace thaum::game {
+namespace thaum::game::inline range {
 namespace {
 
 std::vector<std::filesystem::path> paths_of(const std::filesystem::path& assets, const MatchData& data) {
@@ -48,4 +48,4 @@ std::optional<Reload> RangeFiles::look() {
     return Reload{std::make_shared<const RangeData>(std::move(*data)), text("read ", names)};
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline range

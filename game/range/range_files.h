@@ -4,7 +4,7 @@
 #include "core/file_watch.h"
 #include "game/range/range.h"
 
-namespace thaum::game {
+namespace thaum::game::inline range {
 
 /// Result of reading changed data files.
 struct Reload {
@@ -33,4 +33,4 @@ private:
     std::vector<std::string> unread_{};  ///< changed files that have not been read successfully yet
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline range

@@ -7,7 +7,7 @@
 #include <optional>
 #include <type_traits>
 
-namespace thaum::app {
+namespace thaum::game::inline range {
 
 class Practice;
 
@@ -51,4 +51,4 @@ private:
     void (*carry_out_)(const RangeRequest&, Practice&) = nullptr;  ///< null: the request asks for nothing
 };
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline range

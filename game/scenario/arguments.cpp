@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace thaum::game::arguments {
+namespace thaum::game::inline scenario::arguments {
 
 double number(lua_State* lua, int index, std::string_view name, Range range) {
     if (lua_type(lua, index) != LUA_TNUMBER) {
@@ -109,4 +109,4 @@ void Options::need(const char* name) const {
     if (!has(name)) fault("'", std::string_view(name), "' is missing");
 }
 
-}  // namespace thaum::game::arguments
+}  // namespace thaum::game::inline scenario::arguments

@@ -15,7 +15,7 @@
 #include "game/scenario/play.h"
 #include "game/scenario/play_senses.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scenario {
 namespace {
 
 std::string describe(const Bytes& a, const Bytes& b) {
@@ -197,4 +197,4 @@ std::string check_senses(const Play& play, const std::vector<std::string>& layou
                       reached(other));
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

@@ -8,7 +8,7 @@
 #include "core/text.h"
 #include "physics/bullet_maths.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scenario {
 namespace {
 
 constexpr std::uint64_t block_ticks = 128;
@@ -83,4 +83,4 @@ std::string difference_of_forces(const std::string& kept, const std::string& now
     return text("forces differ: kept ", a[0], ", now ", b[0]);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

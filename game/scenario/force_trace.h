@@ -17,7 +17,7 @@
 #include "core/units.h"
 #include "game/components/wizard.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scenario {
 
 class ForceRecord {
 public:
@@ -44,4 +44,4 @@ private:
 /// difference, or says that the files were made with other rules or other mathematical functions (sin, exp).
 std::string difference_of_forces(const std::string& kept, const std::string& now);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

@@ -10,7 +10,7 @@
 #include "core/text.h"
 #include "game/scenario/detail/sandbox_state.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scenario {
 namespace {
 
 // ---- errors that no pcall may keep ------------------------------------------------------------------------
@@ -550,4 +550,4 @@ std::optional<int> line_of_power(std::string_view source) {
     return std::nullopt;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

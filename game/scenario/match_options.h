@@ -2,7 +2,7 @@
 #pragma once
 #include "game/data/match_data.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scenario {
 
 struct MatchOptions {
     DataChoice data;
@@ -20,4 +20,4 @@ struct MatchOptions {
     std::vector<input::ProfileData> profile{};  ///< recorded gestures of the players
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

@@ -20,7 +20,7 @@
 #include "game/scenario/script_arm.h"
 #include "game/stations/orb/orb.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scenario {
 namespace {
 
 /// Largest turn of a scripted player's view per tick: 400 degrees a second, as fast as a quick player.
@@ -404,4 +404,4 @@ void trace_now(const Play& play, Trace& trace) {
     trace.csv += '\n';
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

@@ -27,14 +27,19 @@ namespace thaum::physics {
 class Physics;
 }
 
-namespace thaum::game {
-
+namespace thaum::game::inline bots {
 class Bots;
-class PlaySenses;
+}
+namespace thaum::game::inline data {
 struct MatchData;
-struct MatchOptions;
 struct OrbRules;
 struct Presentation;
+}  // namespace thaum::game::inline data
+
+namespace thaum::game::inline scenario {
+
+class PlaySenses;
+struct MatchOptions;
 struct ScriptArm;
 using ScriptArms = std::array<std::unique_ptr<ScriptArm>, players>;
 
@@ -226,4 +231,4 @@ std::string check_threads(const Play& play, unsigned workers);
 /// the tick `quit`. Compares states and forces.
 std::string check_senses(const Play& play, const std::vector<std::string>& layouts, Tick quit);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

@@ -10,7 +10,7 @@
 #include "game/match/simulation.h"
 #include "game/senses/senses.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scenario {
 namespace {
 
 constexpr std::size_t max_mixed = 120 * audio::sample_rate;  // samples
@@ -122,4 +122,4 @@ std::size_t PlaySenses::nearest(const std::vector<float>& samples) {
         std::min_element(inside_->known.begin(), inside_->known.end(), is_nearer) - inside_->known.begin());
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

@@ -18,11 +18,17 @@ struct MixerCounts;
 struct TactileFrame;
 }  // namespace thaum::tactile
 
-namespace thaum::game {
-
-class Simulation;
-struct HeardLine;
+namespace thaum::game::inline data {
 struct Presentation;
+}
+namespace thaum::game::inline match {
+class Simulation;
+}
+namespace thaum::game::inline senses {
+struct HeardLine;
+}
+
+namespace thaum::game::inline scenario {
 
 /// Layouts, captions and mixed sound of one run.
 class PlaySenses {
@@ -64,4 +70,4 @@ private:
     std::unique_ptr<Inside> inside_;
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

@@ -1,6 +1,6 @@
 #include "game/scenario/detail/prelude.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scenario {
 
 // Errors in prelude functions are reported at the script's line that called them, so all checks use fail().
 // The names that begin with raw_ are removed before a script starts.
@@ -529,4 +529,4 @@ function Picture:colour(x, y) return raw.picture_mean(self.number, x, y, x, y) e
 function Picture:colours(x0, y0, x1, y1) return raw.picture_colours(self.number, x0, y0, x1, y1) end
 )lua";
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

@@ -13,7 +13,7 @@
 #include "game/scenario/play.h"
 #include "game/scenario/verbs.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scenario {
 namespace {
 
 constexpr std::size_t max_source = 1U << 20U;
@@ -326,4 +326,4 @@ std::filesystem::path scenarios_beside(const std::filesystem::path& assets) {
     return assets / "scenarios";
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

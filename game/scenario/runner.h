@@ -25,9 +25,11 @@
 #include "core/units.h"
 #include "game/scenario/sandbox.h"
 
-namespace thaum::game {
-
+namespace thaum::game::inline match {
 class Simulation;
+}
+
+namespace thaum::game::inline scenario {
 
 enum class Split : std::uint32_t { side_by_side, top_bottom };
 
@@ -104,4 +106,4 @@ std::string scenario_report(const std::vector<ScenarioResult>& results);
 /// Folder of the scenarios that belong to these assets.
 std::filesystem::path scenarios_beside(const std::filesystem::path& assets);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

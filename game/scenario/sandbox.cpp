@@ -9,7 +9,7 @@
 #include "core/text.h"
 #include "game/scenario/detail/sandbox_state.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scenario {
 namespace {
 
 constexpr int resume_steps = 100;
@@ -233,4 +233,4 @@ std::uint64_t Sandbox::steps() const { return state_->steps; }
 std::size_t Sandbox::memory() const { return state_->memory; }
 bool Sandbox::exhausted() const { return state_->exhausted; }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

@@ -24,7 +24,7 @@
 
 struct lua_State;
 
-namespace thaum::game {
+namespace thaum::game::inline scenario {
 
 struct SandboxLimits {
     std::size_t memory = 64U << 20U;    ///< limit of the script's total memory (bytes)
@@ -80,4 +80,4 @@ private:
     std::unique_ptr<State> state_;
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

@@ -1,6 +1,6 @@
 #include "game/scenario/script_arm.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scenario {
 namespace {
 
 constexpr double micrometres_per_metre = 1e6;
@@ -40,4 +40,4 @@ std::uint64_t differing_forces(const ScriptArms& arms) {
     return count;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

@@ -10,7 +10,7 @@
 #include "input/arm_servo.h"
 #include "input/frame.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scenario {
 
 struct ScriptArm {
     input::ArmServo servo{};
@@ -29,4 +29,4 @@ void take_samples(ScriptArms& arms, input::InputFrame& frame);
 /// Number of ticks in which the match computed another force than the arm's thread. It must be 0.
 std::uint64_t differing_forces(const ScriptArms& arms);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

@@ -20,7 +20,7 @@
 #include "game/scenario/match_options.h"
 #include "game/scenario/script_arm.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scenario {
 namespace {
 
 namespace arg = arguments;
@@ -586,4 +586,4 @@ Expected<void> add_verbs(Sandbox& sandbox, Play& play) {
     return sandbox.run_prelude(prelude);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

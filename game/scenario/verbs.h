@@ -99,11 +99,11 @@
 #pragma once
 #include "game/scenario/sandbox.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scenario {
 
 struct Play;
 
 /// Adds all verbs to the sandbox. `play` must outlive the sandbox.
 Expected<void> add_verbs(Sandbox& sandbox, Play& play);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

@@ -3,7 +3,7 @@
 #include "game/scenario/detail/part.h"
 #include "game/scenario/detail/verb.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scenario {
 namespace {
 
 namespace arg = arguments;
@@ -68,4 +68,4 @@ constexpr VerbName names[] = {
 
 std::span<const VerbName> brew_verbs() { return names; }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

@@ -5,7 +5,7 @@
 #include "game/scenario/detail/verb.h"
 #include "gesture/generated_users.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scenario {
 namespace {
 
 namespace arg = arguments;
@@ -76,4 +76,4 @@ constexpr VerbName casting_list[] = {
 
 std::span<const VerbName> casting_verbs() { return casting_list; }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

@@ -10,7 +10,7 @@
 #include "game/stations/crystal/crystal.h"
 #include "game/stations/crystal/crystal_shape.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scenario {
 namespace {
 
 namespace arg = arguments;
@@ -164,4 +164,4 @@ constexpr VerbName crystal_names[] = {
 
 std::span<const VerbName> crystal_verbs() { return crystal_names; }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

@@ -4,7 +4,7 @@
 #include "game/scenario/detail/part.h"
 #include "game/scenario/detail/verb.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scenario {
 namespace {
 
 namespace arg = arguments;
@@ -78,4 +78,4 @@ constexpr VerbName orb_list[] = {
 
 std::span<const VerbName> orb_verbs() { return orb_list; }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

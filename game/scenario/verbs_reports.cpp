@@ -11,7 +11,7 @@
 #include "game/scenario/detail/part.h"
 #include "game/scenario/detail/verb.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scenario {
 namespace {
 
 namespace arg = arguments;
@@ -416,4 +416,4 @@ constexpr VerbName report_list[] = {
 
 std::span<const VerbName> report_verbs() { return report_list; }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

@@ -11,7 +11,7 @@
 #include "tactile/layout.h"
 #include "tactile/mixer.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scenario {
 namespace {
 
 namespace arg = arguments;
@@ -225,4 +225,4 @@ constexpr VerbName sense_list[] = {
 
 std::span<const VerbName> sense_verbs() { return sense_list; }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

@@ -5,7 +5,7 @@
 #include "game/scenario/detail/part.h"
 #include "game/scenario/detail/verb.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scenario {
 namespace {
 
 namespace arg = arguments;
@@ -155,4 +155,4 @@ constexpr VerbName thing_list[] = {
 
 std::span<const VerbName> thing_verbs() { return thing_list; }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

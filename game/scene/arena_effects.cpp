@@ -5,7 +5,7 @@
 #include "game/data/teams.h"
 #include "game/scene/arena_parts.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 
 using render::colour;
 using render::Instance;
@@ -211,4 +211,4 @@ const render::Volume* visible_brew(const ArenaScene& arena_scene, const Picture&
     return shown && is_near_brew(arena_scene, eye) ? &arena_scene.brew->volume : nullptr;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

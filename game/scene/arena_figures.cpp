@@ -7,7 +7,7 @@
 #include "game/scene/arena_parts.h"
 #include "game/scene/figures.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 
 using render::Instance;
 
@@ -194,4 +194,4 @@ void add_forces(const ArenaScene& arena_scene, const PlayerPicture& p, bool own,
     out.push_back(bead_at(arena_scene, tip, 0.02F, tint, 0.7F));
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

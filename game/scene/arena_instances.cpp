@@ -7,7 +7,7 @@
 #include "game/scene/arena_parts.h"
 #include "game/scene/furniture.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 
 using render::Instance;
 using render::PointLight;
@@ -268,4 +268,4 @@ void choose_lights(const ArenaScene& arena_scene, const Picture& picture, vec3 e
     if (out.size() > render::max_lights) out.resize(render::max_lights);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

@@ -3,7 +3,7 @@
 #pragma once
 #include "game/scene/arena_scene.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 
 /// Share of their own light that surfaces emit if they both shine and are lit.
 inline constexpr float glow_share = 0.85F;
@@ -88,4 +88,4 @@ void add_tool_mists(const ArenaScene& arena_scene, const Picture& picture,
 void add_cauldron(const ArenaScene& arena_scene, const Picture& picture, std::uint32_t viewer,
                   std::vector<render::Instance>& out);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

@@ -9,7 +9,7 @@
 #include "game/scene/ingredient_shapes.h"
 #include "game/scene/masonry.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 namespace {
 
 using render::colour;
@@ -236,4 +236,4 @@ ArenaScene make_arena_scene(render::Renderer& renderer, const MatchData& data) {
     return arena_scene;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

@@ -15,7 +15,7 @@
 #include "render/renderer.h"
 #include "render/scene.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 
 struct ArenaScene {
     struct Meshes {
@@ -125,4 +125,4 @@ void add_casters(const ArenaScene& arena_scene, const Picture& picture, std::vec
 void choose_lights(const ArenaScene& arena_scene, const Picture& picture, vec3 eye,
                    std::vector<render::PointLight>& out);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

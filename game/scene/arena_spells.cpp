@@ -8,7 +8,7 @@
 #include "game/picture/stroke_pieces.h"
 #include "game/scene/arena_parts.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 
 using render::colour;
 using render::Instance;
@@ -171,4 +171,4 @@ void add_spell_mists(const ArenaScene& arena_scene, const Picture& picture, std:
     add_tool_mists(arena_scene, picture, out);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 namespace {
 
 constexpr double corner_reach = 2;  // distance beyond which stone does not darken a point (m)
@@ -110,4 +110,4 @@ void bake(const Shade& shade, vec3 position, render::MeshData& mesh) {
     }
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

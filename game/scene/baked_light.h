@@ -9,7 +9,7 @@
 #include "render/mesh.h"
 #include "render/occlusion.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 
 /// Everything that blocks light: the fixed boxes of the arena.
 struct Shade {
@@ -40,4 +40,4 @@ bool sees_sun(const Shade& shade, vec3 point);
 /// Bakes the light into all vertices of a mesh at `position`.
 void bake(const Shade& shade, vec3 position, render::MeshData& mesh);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

@@ -8,7 +8,7 @@
 #include "game/scene/brew_texels.h"
 #include "render/colour.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 namespace {
 
 constexpr double still = 1e-3;                         // speed below which flow is not drawn (m/s)
@@ -121,4 +121,4 @@ void add_streamlines(const BrewPicture& picture, const BrewPlace& place, const B
     }
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

@@ -2,7 +2,7 @@
 #pragma once
 #include "game/scene/brew_look.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 
 /// Traces a streamline from a place over `length` with equal steps of about `step` arc length, by the
 /// classical Runge-Kutta method. The streamline ends early where the fluid is at rest. The first point is
@@ -16,4 +16,4 @@ void add_arrows(const BrewPicture& picture, const BrewPlace& place, const BrewMe
 void add_streamlines(const BrewPicture& picture, const BrewPlace& place, const BrewMeshes& meshes,
                      std::vector<render::Instance>& out);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

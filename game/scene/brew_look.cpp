@@ -8,7 +8,7 @@
 #include "game/scene/brew_flow.h"
 #include "game/scene/brew_texels.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 namespace {
 
 using render::MeshData;
@@ -64,22 +64,6 @@ float smooth_step(double from, double to, double x) {
 }
 
 }  // namespace
-
-void take_brew(const Brew& brew, const CauldronRules& rules, std::uint64_t state, BrewPicture& out) {
-    const auto& fluid = brew.fluid;
-    out.state = state;
-    out.lattice = fluid.lattice;
-    out.velocity = fluid.now.velocity;
-    for (std::size_t axis = 0; axis < 3; ++axis) out.velocity_places[axis] = fluid.place(axis);
-    out.colours.base = fvec3(rules.colour);
-    for (std::size_t s = 0; s < out.densities.size(); ++s) {
-        out.densities[s].clear();
-        if (brew.contents[s] >= rules.ingredients.size()) continue;
-        out.densities[s] = fluid.now.substances[s];
-        out.colours.substances[s] = fvec3(rules.ingredients[brew.contents[s]].colour);
-    }
-    out.surface = brew.surface;
-}
 
 BrewPlace brew_place(const BowlPlace& bowl, const CauldronRules& rules) {
     return {.middle = bowl.centre + vec3(0, level_of(bowl.size, rules.filled), 0),
@@ -154,4 +138,4 @@ void add_ladle(const BrewMeshes& meshes, const LadlePicture& ladle, std::vector<
                    .glow = 0.3F});
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

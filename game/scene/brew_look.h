@@ -27,7 +27,7 @@
 #include "render/renderer.h"
 #include "render/scene.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 
 /// Place of a brew in the world.
 struct BrewPlace {
@@ -79,4 +79,4 @@ void add_ladle(const BrewMeshes& meshes, const LadlePicture& ladle, std::vector<
 /// Colour of a ladle: green up to a third of the device's peak force, yellow up to two thirds, red above.
 fvec3 ladle_colour(double force_share);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 namespace {
 
 // Light of the brew, strongest in the middle and on sides of clouds that face the light: of the base fluid,
@@ -330,4 +330,4 @@ void make_skin(const fluid::SpringSurface& surface, const BrewPlace& place,
     }
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

@@ -2,7 +2,7 @@
 #pragma once
 #include "game/scene/brew_look.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 
 /// Origin of the box of cells (m, brew's frame). The box fills the basin's width, and its top is at the level
 /// of the brew.
@@ -30,4 +30,4 @@ void make_skin_indices(std::vector<std::uint32_t>& out);
 void make_skin(const fluid::SpringSurface& surface, const BrewPlace& place,
                std::vector<render::SkinVertex>& out);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

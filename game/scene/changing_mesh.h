@@ -2,7 +2,7 @@
 #pragma once
 #include "render/scene.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 
 struct ChangingMesh {
     render::MeshId mesh{};
@@ -12,4 +12,4 @@ struct ChangingMesh {
     render::MeshChange change() const { return {mesh, version, &triangles}; }
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

@@ -7,7 +7,7 @@
 #include "game/stations/crystal/crystal_shape.h"
 #include "render/colour.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 namespace {
 
 constexpr int side = crystal_side;
@@ -161,4 +161,4 @@ void add_crystal(const CrystalPicture& crystal, const CrystalLook& look, std::ve
                    .sun = look.body.sun});
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

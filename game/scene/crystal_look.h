@@ -15,7 +15,7 @@
 #include "render/renderer.h"
 #include "render/scan.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 
 /// Everything drawn for a crystal. It can be moved but not copied, because the scans point into it.
 struct CrystalLook {
@@ -48,4 +48,4 @@ std::size_t show_crystal(const CrystalPicture& crystal, CrystalLook& look);
 /// Adds the coarse mesh of a crystal.
 void add_crystal(const CrystalPicture& crystal, const CrystalLook& look, std::vector<render::Instance>& out);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

@@ -7,7 +7,7 @@
 // Surface nets (Gibson 1998, "Constrained elastic surface nets"): each cell of samples through which the
 // surface passes has one vertex, in the middle of the places where the surface cuts the cell's edges. Each
 // edge between samples that is cut has a quad between the four cells around it.
-namespace thaum::game {
+namespace thaum::game::inline scene {
 namespace {
 
 using ivec3 = glm::ivec3;
@@ -149,4 +149,4 @@ render::MeshData crystal_mesh(std::span<const float> density, std::span<const fi
     return std::move(net.mesh);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

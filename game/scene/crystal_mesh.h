@@ -6,7 +6,7 @@
 #include "field/voxels.h"
 #include "render/mesh.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 
 /// Mesh of the surface at density 0.5 of a cube of voxels, with half as many samples along each axis. Its
 /// origin is the middle of the cube. `colours`: the square root of each voxel's light, as render::Scan has
@@ -14,4 +14,4 @@ namespace thaum::game {
 render::MeshData crystal_mesh(std::span<const float> density, std::span<const field::Rgb8> colours, int side,
                               float spacing);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

@@ -7,7 +7,7 @@
 #include "game/scene/masonry.h"
 #include "render/colour.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 namespace {
 
 using render::colour;
@@ -158,4 +158,4 @@ render::Patchwork lamps(const Shade& shade, const ArenaLook& look) {
     return out;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

@@ -3,7 +3,7 @@
 #pragma once
 #include "game/scene/baked_light.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 
 /// Adds merlons on the walls, pilasters and banners to `out`.
 void add_decoration(const Shade& shade, const ArenaLook& look, render::Patchwork& out);
@@ -13,4 +13,4 @@ render::Patchwork skyline(const ArenaLook& look);
 /// The self-lit parts of the lamps and the towers.
 render::Patchwork lamps(const Shade& shade, const ArenaLook& look);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

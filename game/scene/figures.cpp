@@ -8,7 +8,7 @@
 #include "game/data/wand.h"
 #include "render/colour.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 namespace {
 
 using render::append;
@@ -304,4 +304,4 @@ MeshData shield_rings(std::uint32_t number) {
     return mesh;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

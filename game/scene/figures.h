@@ -6,7 +6,7 @@
 #include "game/data/wand_look.h"
 #include "render/mesh.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 
 /// Robe, head and hat. The feet are at the origin, the face looks along -z, and the hat's brim is at 1.8 m.
 render::MeshData wizard_figure(std::uint32_t team);
@@ -42,4 +42,4 @@ render::MeshData beam_of_light();
 /// The shield of a protected wizard: rings or triangles around the body's middle.
 render::MeshData shield_rings(std::uint32_t team);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

@@ -6,7 +6,7 @@
 #include "game/data/teams.h"
 #include "render/colour.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 namespace {
 
 using physics::Shape;
@@ -357,4 +357,4 @@ MeshData contact_shade(float darkest) {
     return mesh;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

@@ -4,7 +4,7 @@
 #include "game/picture/picture.h"
 #include "render/mesh.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 
 /// A thing in two meshes: a lit part and a self-lit part. The second may be empty.
 struct FurnitureMesh {
@@ -30,4 +30,4 @@ render::MeshData rune_circle(float radius);
 /// at the rim.
 render::MeshData contact_shade(float darkest);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

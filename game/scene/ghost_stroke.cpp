@@ -5,7 +5,7 @@
 #include "game/data/teams.h"
 #include "game/scene/arena_parts.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 namespace {
 
 constexpr double above = 0.06;  ///< height above the level of the brew (m)
@@ -35,4 +35,4 @@ void add_ghost_stroke(const ArenaScene& arena_scene, const Picture& picture, std
     out.push_back(bead_at(arena_scene, at(runner), 0.07F, fvec3(1, 0.75F, 0.3F), 0.9F));
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

@@ -5,7 +5,7 @@
 
 #include "game/scene/arena_parts.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 
 using render::append;
 using render::MeshData;
@@ -157,4 +157,4 @@ void add_ingredient(const ArenaScene& arena_scene, const fmat4& place, float sca
                    .glow = ingredient_glow(shape)});
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

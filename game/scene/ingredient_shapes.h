@@ -4,7 +4,7 @@
 #include "game/data/cauldron_rules.h"
 #include "render/mesh.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 
 /// Mesh of an ingredient around its position, within 0.5 m: white, to be tinted with the ingredient's colour.
 render::MeshData ingredient_mesh(IngredientShape shape);
@@ -13,4 +13,4 @@ render::MeshData ingredient_mesh(IngredientShape shape);
 /// visible.
 float ingredient_glow(IngredientShape shape);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

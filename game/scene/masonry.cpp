@@ -7,7 +7,7 @@
 #include "core/random.h"
 #include "render/colour.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 namespace {
 
 using render::colour;
@@ -479,4 +479,4 @@ void add_masonry_ramp(const Shade& shade, const Thing& thing, const physics::Tri
               {top, 0, length});
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

@@ -3,7 +3,7 @@
 #pragma once
 #include "game/scene/baked_light.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 
 // The functions below make fixed stone in the world frame and append it to `out`. A render::Patch is one
 // block or one piece of decoration.
@@ -18,4 +18,4 @@ void add_masonry_ramp(const Shade& shade, const Thing& thing, const physics::Tri
 /// Bakes the light of a patch at its position and adds the patch.
 void add_lit_patch(const Shade& shade, vec3 position, render::Patch patch, render::Patchwork& out);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

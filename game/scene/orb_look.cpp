@@ -11,7 +11,7 @@
 #include "render/colour.h"
 #include "render/ribbons.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 namespace {
 
 using render::colour;
@@ -216,4 +216,4 @@ void add_force(const OrbLook& look, const TipPicture& tip, std::vector<Instance>
                    .glow = 0.8F});
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

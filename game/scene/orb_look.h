@@ -16,7 +16,7 @@
 #include "render/renderer.h"
 #include "render/scene.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 
 /// Everything drawn for an orb. It can be moved but not copied, because `changes` points into it.
 struct OrbLook {
@@ -59,4 +59,4 @@ void add_tip(const OrbLook& look, const TipPicture& tip, std::uint32_t player,
 /// Adds only the arrow of the force.
 void add_force(const OrbLook& look, const TipPicture& tip, std::vector<render::Instance>& out);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 namespace {
 
 using render::append;
@@ -108,4 +108,4 @@ void add_power_ups(const PowerUpMeshes& meshes, const Picture& picture, vec3 eye
     }
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

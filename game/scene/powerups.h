@@ -8,7 +8,7 @@
 #include "game/picture/picture.h"
 #include "render/renderer.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 
 /// A mesh centred at the origin with its front along +z (m).
 render::MeshData power_up_mesh(PowerUpKind kind);
@@ -26,4 +26,4 @@ PowerUpMeshes make_power_up_meshes(render::Renderer& renderer);
 void add_power_ups(const PowerUpMeshes& meshes, const Picture& picture, vec3 eye,
                    std::vector<render::Instance>& out);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

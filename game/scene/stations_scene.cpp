@@ -6,7 +6,7 @@
 #include "game/scene/arena_parts.h"
 #include "render/colour.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scene {
 namespace {
 
 /// Position of an eye that is near nothing, for a camera that belongs to no player.
@@ -155,4 +155,4 @@ void add_tool_mists(const ArenaScene& arena_scene, const Picture& picture,
     }
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scene

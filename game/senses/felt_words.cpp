@@ -4,7 +4,7 @@
 
 #include "game/data/wand_slots.h"
 
-namespace thaum::game {
+namespace thaum::game::inline senses {
 namespace {
 
 /// Force above which a source is put into words, and the lower force down to which the words stay (N).
@@ -90,4 +90,4 @@ void add_body_words(const TactileScene& scene, const MatchEffects& effects, cons
     }
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline senses

@@ -11,7 +11,7 @@
 #include "game/senses/tactile/felt_source.h"
 #include "game/senses/tactile/tactile_scene.h"
 
-namespace thaum::game {
+namespace thaum::game::inline senses {
 
 /// Words for a force on the hand.
 struct ForceWords {
@@ -67,4 +67,4 @@ ToldBySounds told_by_sounds(const MatchSounds& sounds, const audio::SoundBank& b
 void add_body_words(const TactileScene& scene, const MatchEffects& effects, const tactile::EffectBank& bank,
                     const ToldBySounds& sounds, HeardLines& lines);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline senses

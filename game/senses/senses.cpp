@@ -1,6 +1,6 @@
 #include "game/senses/senses.h"
 
-namespace thaum::game {
+namespace thaum::game::inline senses {
 
 Expected<std::shared_ptr<const SenseData>> SenseData::load(const std::filesystem::path& assets,
                                                            audio::WithSamples samples) {
@@ -60,4 +60,4 @@ double Senses::since_felt_s(std::uint32_t player) const {
     return game::since_felt_s(now_, felt_at_.at(player));
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline senses

@@ -9,7 +9,7 @@
 #include "game/senses/sound/sound_scene.h"
 #include "game/senses/tactile/tactile_scene.h"
 
-namespace thaum::game {
+namespace thaum::game::inline senses {
 
 /// Sounds, effects, and the layout of the body figure in the view.
 struct SenseData {
@@ -66,4 +66,4 @@ private:
     Tick now_{};
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline senses

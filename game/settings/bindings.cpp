@@ -8,7 +8,7 @@
 #include "game/components/orb.h"
 #include "render/context.h"
 
-namespace thaum::app {
+namespace thaum::game::inline settings {
 
 using input::Action;
 using input::Control;
@@ -267,4 +267,4 @@ std::string label_of(const Control& control) {
     return {};
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline settings

@@ -7,7 +7,7 @@
 
 #include "game/settings/settings.h"
 
-namespace thaum::app {
+namespace thaum::game::inline settings {
 
 /// One action on one sheet of bindings. Sheets 0 to 2 are those of settings_hands; sheet 3 has the keys of
 /// the session.
@@ -49,4 +49,4 @@ std::string help_of(Slot slot, const WandNames& wands);
 /// Label of a control: "Space", "Left mouse button", "RT", "Left stick up".
 std::string label_of(const input::Control& control);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline settings

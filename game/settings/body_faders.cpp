@@ -1,6 +1,6 @@
 #include "game/settings/body_faders.h"
 
-namespace thaum::app {
+namespace thaum::game::inline settings {
 namespace {
 
 struct Words {
@@ -30,4 +30,4 @@ tactile::Faders read_body_faders(const ConfigTable& table, tactile::Faders fader
     return faders;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline settings

@@ -6,7 +6,7 @@
 #include "core/config.h"
 #include "tactile/mixer.h"
 
-namespace thaum::app {
+namespace thaum::game::inline settings {
 
 /// Name of a purpose's fader ("Hits"), and what it changes in one sentence.
 std::string_view label_of(tactile::Purpose purpose);
@@ -16,4 +16,4 @@ std::string_view effect_of(tactile::Purpose purpose);
 /// entry keep their value.
 tactile::Faders read_body_faders(const ConfigTable& table, tactile::Faders faders);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline settings

@@ -3,7 +3,7 @@
 #include "core/text.h"
 #include "game/settings/bindings.h"
 
-namespace thaum::app {
+namespace thaum::game::inline settings {
 namespace {
 
 using input::Action;
@@ -68,4 +68,4 @@ game::ControlNames control_names(const Settings& settings, input::DeviceKind kin
     return names;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline settings

@@ -5,7 +5,7 @@
 
 #include "core/text.h"
 
-namespace thaum::app {
+namespace thaum::game::inline settings {
 namespace {
 
 constexpr int fader_steps = 20;
@@ -94,4 +94,4 @@ void ask_for(const Faders& faders, input::DeviceSpec& device) {
     }
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline settings

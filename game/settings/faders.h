@@ -9,7 +9,7 @@
 #include "haptics/fluid_touch.h"
 #include "input/frame.h"
 
-namespace thaum::app {
+namespace thaum::game::inline settings {
 
 struct Fader {
     double share = 1;  ///< share of the force that the data files give (0 to 1)
@@ -42,4 +42,4 @@ std::string off_words(const Faders& faders);
 /// Writes the faders into the DeviceSpec that is stored in the log's header.
 void ask_for(const Faders& faders, input::DeviceSpec& device);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline settings

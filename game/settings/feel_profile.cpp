@@ -6,7 +6,7 @@
 #include "core/text.h"
 #include "game/settings/player_name.h"
 
-namespace thaum::app {
+namespace thaum::game::inline settings {
 namespace {
 
 constexpr std::size_t max_profiles = 100, max_faults = 10;
@@ -122,4 +122,4 @@ Expected<void> save_feel_profile(const std::filesystem::path& folder, const Feel
     return write_text_file(folder / (file_name_of(profile.name) + std::string(ending)), written(profile));
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline settings

@@ -4,7 +4,7 @@
 #pragma once
 #include "game/settings/settings.h"
 
-namespace thaum::app {
+namespace thaum::game::inline settings {
 
 struct FeelProfile {
     std::string name{};
@@ -34,4 +34,4 @@ std::vector<FeelProfile> load_feel_profiles(const std::filesystem::path& folder,
 /// Writes a profile, replacing one of the same name.
 Expected<void> save_feel_profile(const std::filesystem::path& folder, const FeelProfile& profile);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline settings

@@ -4,7 +4,7 @@
 #include "core/text.h"
 #include "game/jackets/jacket.h"
 
-namespace thaum::app {
+namespace thaum::game::inline settings {
 
 void read_jacket(const ConfigTable& table, PlayerSettings& player) {
     auto words = table.string("jacket", player.jacket);
@@ -27,4 +27,4 @@ void divide_jackets(const ConfigTable& root, Settings& s) {
     s.players[1].jacket.clear();
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline settings

@@ -11,7 +11,7 @@
 #include "gesture/collisions.h"
 #include "gesture/gesture_file.h"
 
-namespace thaum::app {
+namespace thaum::game::inline settings {
 namespace {
 
 constexpr std::size_t max_own_gesture = std::size_t{1} << 20U;  // maximum size of a gesture file (bytes)
@@ -121,4 +121,4 @@ Expected<void> check_own_gesture(const gesture::Gesture& gesture, const game::Ma
     return {};
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline settings

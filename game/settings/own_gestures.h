@@ -12,7 +12,7 @@
 #include "game/match/own_gestures.h"
 #include "game/settings/settings.h"
 
-namespace thaum::app {
+namespace thaum::game::inline settings {
 
 /// What became of a gesture that the player has recorded on the range.
 enum class Verdict : std::uint8_t {
@@ -54,4 +54,4 @@ std::vector<input::ProfileData> with_own_gesture(std::vector<input::ProfileData>
 Expected<void> check_own_gesture(const gesture::Gesture& gesture, const game::MatchData& data,
                                  const std::vector<input::ProfileData>& profile, std::uint32_t player);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline settings

@@ -9,7 +9,7 @@
 #include "core/utf8.h"
 #include "input/pad_mapping.h"
 
-namespace thaum::app {
+namespace thaum::game::inline settings {
 namespace {
 
 constexpr std::size_t max_mappings_file = std::size_t{1} << 20U;
@@ -101,4 +101,4 @@ Expected<void> forget_own_pad(const std::filesystem::path& file, const std::stri
     return replace(file, model, {});
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline settings

@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 
-namespace thaum::app {
+namespace thaum::game::inline settings {
 
 /// The file of mappings; empty if there is no settings file.
 std::filesystem::path own_pads_file(const std::filesystem::path& settings_file);
@@ -27,4 +27,4 @@ Expected<void> save_own_pad(const std::filesystem::path& file, const std::string
 /// Removes the mappings of a model from the file. Other lines are not changed.
 Expected<void> forget_own_pad(const std::filesystem::path& file, const std::string& model);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline settings

@@ -7,7 +7,7 @@
 #include "core/utf8.h"
 #include "game/data/shown_words.h"
 
-namespace thaum::app {
+namespace thaum::game::inline settings {
 bool fits_name(char32_t character) { return game::can_be_shown(character); }
 
 Expected<std::string> player_name(std::string_view utf8) {
@@ -44,4 +44,4 @@ std::string file_name_of(const std::string& words) {
     return text(file, "-", hex(hash_bytes(std::as_bytes(std::span(words)))));
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline settings

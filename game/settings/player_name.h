@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 
-namespace thaum::app {
+namespace thaum::game::inline settings {
 
 inline constexpr std::size_t longest_name = 16;  ///< maximum length of a name (characters)
 
@@ -26,4 +26,4 @@ std::string without_last(std::string name);
 /// become "_", and a hash of the text keeps different texts apart.
 std::string file_name_of(const std::string& words);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline settings

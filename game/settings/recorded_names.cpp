@@ -5,7 +5,7 @@
 #include "core/text.h"
 #include "game/settings/player_name.h"
 
-namespace thaum::app {
+namespace thaum::game::inline settings {
 namespace {
 
 constexpr std::string_view bot = "bot ";
@@ -39,4 +39,4 @@ game::PlayerNames recorded_names(const input::LogHeader& header) {
     return names;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline settings

@@ -4,7 +4,7 @@
 #include "game/data/teams.h"
 #include "input/log.h"
 
-namespace thaum::app {
+namespace thaum::game::inline settings {
 
 /// Adds the shown names to a log's header. If all are empty, nothing is added.
 void record_names(const game::PlayerNames& names, input::LogHeader& header);
@@ -13,4 +13,4 @@ void record_names(const game::PlayerNames& names, input::LogHeader& header);
 /// in a match of a bot against a person, the bot is "Bot 3" (its level).
 game::PlayerNames recorded_names(const input::LogHeader& header);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline settings

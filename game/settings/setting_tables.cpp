@@ -6,7 +6,7 @@
 #include "core/text.h"
 #include "game/settings/settings.h"
 
-namespace thaum::app {
+namespace thaum::game::inline settings {
 
 const std::vector<std::string_view>& force_names() {
     static const auto names = [] {
@@ -284,4 +284,4 @@ template void copy_value(const PlayerSetting&, const PlayerSettings&, PlayerSett
 template void reset(const Setting&, Settings&);
 template void reset(const PlayerSetting&, PlayerSettings&);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline settings

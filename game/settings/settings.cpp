@@ -18,7 +18,7 @@
 #include "input/log.h"
 #include "render/context.h"
 
-namespace thaum::app {
+namespace thaum::game::inline settings {
 namespace {
 
 constexpr std::size_t max_settings_file = 1U << 20U;
@@ -347,4 +347,4 @@ Expected<std::filesystem::path> new_match_log(const std::filesystem::path& folde
     return folder / text(padding, number, "_", date_and_time(std::time(nullptr)), log_ending);
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline settings

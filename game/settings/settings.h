@@ -20,7 +20,7 @@
 #include "input/stick.h"
 #include "render/scene.h"
 
-namespace thaum::app {
+namespace thaum::game::inline settings {
 
 /// Keys that control the session, whatever devices the players use.
 enum class SessionKey : std::uint8_t { pause, again, leave, split, fullscreen, mark, forces };
@@ -267,4 +267,4 @@ std::filesystem::path matches_folder();
 /// live/recording.cpp.
 Expected<std::filesystem::path> new_match_log(const std::filesystem::path& folder, int kept);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline settings

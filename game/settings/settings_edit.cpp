@@ -7,7 +7,7 @@
 #include "core/text.h"
 #include "game/settings/settings.h"
 
-namespace thaum::app {
+namespace thaum::game::inline settings {
 namespace {
 
 constexpr std::size_t max_edited_file = 1U << 20U;
@@ -201,4 +201,4 @@ Expected<void> save_changes(const std::filesystem::path& file, const Settings& b
     return write_text_file(target, *edited);
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline settings

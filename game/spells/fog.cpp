@@ -7,7 +7,7 @@
 #include "game/context/match_context.h"
 #include "game/data/spell.h"
 
-namespace thaum::game {
+namespace thaum::game::inline spells {
 namespace {
 
 constexpr double badly_hurt = 0.35;  ///< share of health below which a bot hides in fog
@@ -69,4 +69,4 @@ const SpellRegistration registration({
 });
 
 }  // namespace
-}  // namespace thaum::game
+}  // namespace thaum::game::inline spells

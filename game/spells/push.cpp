@@ -9,7 +9,7 @@
 #include "game/data/spell.h"
 #include "game/data/wand_slots.h"
 
-namespace thaum::game {
+namespace thaum::game::inline spells {
 namespace {
 
 struct PushData {
@@ -135,4 +135,4 @@ const SpellRegistration registration({
 });
 
 }  // namespace
-}  // namespace thaum::game
+}  // namespace thaum::game::inline spells

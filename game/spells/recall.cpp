@@ -10,7 +10,7 @@
 #include "game/data/spell.h"
 #include "game/data/wand_slots.h"
 
-namespace thaum::game {
+namespace thaum::game::inline spells {
 namespace {
 
 struct RecallData {
@@ -260,4 +260,4 @@ const SpellRegistration registration({
 });
 
 }  // namespace
-}  // namespace thaum::game
+}  // namespace thaum::game::inline spells

@@ -3,7 +3,7 @@
 #include "game/context/match_context.h"
 #include "game/data/spell.h"
 
-namespace thaum::game {
+namespace thaum::game::inline spells {
 namespace {
 
 /// Share of health below which a bot that is being shot at casts a shield.
@@ -38,4 +38,4 @@ const SpellRegistration registration({
 });
 
 }  // namespace
-}  // namespace thaum::game
+}  // namespace thaum::game::inline spells

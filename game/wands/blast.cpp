@@ -14,7 +14,7 @@
 #include "game/context/hand_forces.h"
 #include "game/context/shot.h"
 
-namespace thaum::game {
+namespace thaum::game::inline wands {
 namespace {
 
 struct BlastData {
@@ -264,4 +264,4 @@ const WandRegistration registration({
 });
 
 }  // namespace
-}  // namespace thaum::game
+}  // namespace thaum::game::inline wands

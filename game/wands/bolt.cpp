@@ -12,7 +12,7 @@
 #include "game/context/shot.h"
 #include "game/context/strikes.h"
 
-namespace thaum::game {
+namespace thaum::game::inline wands {
 namespace {
 
 struct BoltData {
@@ -160,4 +160,4 @@ const WandRegistration registration({
 });
 
 }  // namespace
-}  // namespace thaum::game
+}  // namespace thaum::game::inline wands

@@ -16,7 +16,7 @@
 #include "game/data/wand.h"
 #include "game/wands/wand_coupling.h"
 
-namespace thaum::game {
+namespace thaum::game::inline wands {
 namespace {
 
 using input::Button;
@@ -540,4 +540,4 @@ const WandRegistration registration({
 });
 
 }  // namespace
-}  // namespace thaum::game
+}  // namespace thaum::game::inline wands

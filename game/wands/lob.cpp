@@ -20,7 +20,7 @@
 #include "game/context/hand_forces.h"
 #include "game/context/shot.h"
 
-namespace thaum::game {
+namespace thaum::game::inline wands {
 namespace {
 
 constexpr double clear_of = 1e-5;  ///< distance at which the stone is put from the surface after a bounce (m)
@@ -298,4 +298,4 @@ const WandRegistration registration({
 });
 
 }  // namespace
-}  // namespace thaum::game
+}  // namespace thaum::game::inline wands

@@ -10,7 +10,7 @@
 #include "game/data/wand.h"
 #include "game/wands/wand_coupling.h"
 
-namespace thaum::game {
+namespace thaum::game::inline wands {
 namespace {
 
 using input::Button;
@@ -232,4 +232,4 @@ const WandRegistration registration({
 });
 
 }  // namespace
-}  // namespace thaum::game
+}  // namespace thaum::game::inline wands

@@ -1,6 +1,6 @@
 #include "game/wands/wand_coupling.h"
 
-namespace thaum::game {
+namespace thaum::game::inline wands {
 
 vec3 coupled_velocity(const physics::Physics& physics, physics::Key body, const WandCoupling& coupling) {
     return physics.velocity(body) + coupling.owed;
@@ -54,4 +54,4 @@ std::optional<haptics::CouplingResult> hang(const Rope& rope, double mass, vec3 
     return result;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline wands

@@ -11,7 +11,7 @@
 #include "haptics/coupling.h"
 #include "physics/physics.h"
 
-namespace thaum::game {
+namespace thaum::game::inline wands {
 
 /// State of a wand coupling between two steps.
 struct WandCoupling {
@@ -46,4 +46,4 @@ struct Rope {
 std::optional<haptics::CouplingResult> hang(const Rope& rope, double mass, vec3 place, vec3 velocity,
                                             vec3 gravity, double dt);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline wands

@@ -11,11 +11,11 @@
 #include "game/live/live.h"
 
 using namespace thaum;
-using namespace thaum::app;
+using namespace thaum::game;
 
 namespace {
 
-Seat seat_of(std::string_view word) {
+live::Seat seat_of(std::string_view word) {
     if (word == "mouse" || word == "probe") return {.kind = SeatKind::keyboard_mouse};
     if (word == "arm") return {.kind = SeatKind::keyboard_mouse, .arm = ArmWish{}};
     if (word == "half") return {.kind = SeatKind::keyboard_half};

@@ -84,7 +84,7 @@ private:
     }
 
     input::PadReader reader_{};
-    app::LiveTactile tactile_{};
+    game::LiveTactile tactile_{};
     std::array<bool, 2> felt_{};
 };
 

@@ -132,7 +132,7 @@ std::vector<std::string> shipped_settings(const Places& places) {
 }
 
 Outcome read_settings(const std::string& input, const Places&) {
-    const auto settings = app::read_settings(input, "settings.toml");
+    const auto settings = game::read_settings(input, "settings.toml");
     if (!settings) return {.refusal = settings.error().message};
     if (settings->fault) return {.refusal = settings->fault->message};
     return {.accepted = true};

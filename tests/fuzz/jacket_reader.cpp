@@ -8,14 +8,14 @@ namespace thaum::fuzz {
 namespace {
 
 Outcome read_reply(const std::string& input, const Places&) {
-    const auto reply = app::read_bhaptics_reply(input);
+    const auto reply = game::read_bhaptics_reply(input);
     return reply ? Outcome{.accepted = true} : Outcome{.refusal = reply.error().message};
 }
 
 Outcome read_setting(const std::string& input, const Places&) {
-    const auto jacket = app::parse_jacket(input);
+    const auto jacket = game::parse_jacket(input);
     if (!jacket) return {.refusal = jacket.error().message};
-    const auto output = app::jacket_output(*jacket, 0);
+    const auto output = game::jacket_output(*jacket, 0);
     const bool none = !*jacket;
     if (none != (output == nullptr)) return {.fault = "a jacket without an output"};
     if (none != (jacket->layout().motors == 0)) return {.fault = "no motors"};

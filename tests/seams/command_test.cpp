@@ -10,7 +10,7 @@
 
 #include "game/app/command.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 int hum(const std::vector<std::string>& words) {
@@ -51,4 +51,4 @@ TEST(Commands, TheListHasEachCommandOfThisProgramOnceAndNoOther) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

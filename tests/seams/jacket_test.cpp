@@ -10,7 +10,7 @@
 #include "unit/felt_output_rig.h"
 #include "unit/jacket_rig.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 /// What the one drum feels.
@@ -66,4 +66,4 @@ TEST(NewJacketThreads, AMatchIsFeltOnIt) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

@@ -184,13 +184,13 @@ TEST(SixthWand, IsNamedInFeedAndStripAndHasALookOfItsOwn) {
 }
 
 TEST(SixthWand, ItsKeyIsListedInTheMenu) {
-    using namespace app;
+    using namespace game;
     LivePlan plan;
     plan.data = data_of();
     plan.assets = assets();
     const auto facts = find_menu_context(plan);
     auto state = opened({}, "bindings");
-    const auto picture = app::picture_of(state, facts);
+    const auto picture = game::picture_of(state, facts);
     const auto listed = [&](std::string_view label) {
         return std::any_of(picture.rows.begin(), picture.rows.end(),
                            [&](const MenuRow& row) { return row.label == label; });

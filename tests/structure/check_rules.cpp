@@ -185,5 +185,22 @@ TEST_F(Rules, LongFilesAreFound) {
                      "where its subject changes"});
 }
 
+TEST_F(Rules, LongCommentsAreFoundButTablesAreNot) {
+    const std::string words(105, 'w');
+    add("engine/core/words.h",
+        "int a;\n/// " + words + "w\n///     " + words + "\n// | " + words + "\n// " + words + "\n");
+    EXPECT_EQ(long_comments(root()),
+              Faults{"engine/core/words.h:2: the comment is longer than 110 characters"});
+}
+
+TEST_F(Rules, NamesOutsideTheNamespaceOfTheirRoomAreFound) {
+    add("game/bots/right.h",
+        "namespace thaum::game::inline data {\nstruct A;\n}\nnamespace thaum::game::inline bots {\n}\n");
+    add("game/bots/wrong.h", "namespace thaum::game {\n}\n");
+    add("game/data/traits.h", "namespace thaum::haptics {\n}\n");
+    EXPECT_EQ(wrong_namespaces(root()),
+              Faults{"game/bots/wrong.h:1: names stand in namespace thaum::game::inline bots"});
+}
+
 }  // namespace
 }  // namespace thaum::structure

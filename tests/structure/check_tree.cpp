@@ -17,6 +17,8 @@ TEST(structure, headers_open_with_their_title) { expect_none(headers_without_tit
 TEST(structure, internal_headers_are_in_detail) { expect_none(internal_headers(THAUM_SOURCE_DIR)); }
 TEST(structure, files_are_opened_by_the_rule) { expect_none(opens_around_the_rule(THAUM_SOURCE_DIR)); }
 TEST(structure, files_are_short) { expect_none(long_files(THAUM_SOURCE_DIR)); }
+TEST(structure, comments_are_narrow) { expect_none(long_comments(THAUM_SOURCE_DIR)); }
+TEST(structure, rooms_have_namespaces) { expect_none(wrong_namespaces(THAUM_SOURCE_DIR)); }
 
 }  // namespace
 }  // namespace thaum::structure

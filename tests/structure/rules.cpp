@@ -282,7 +282,7 @@ void check_opens(const std::string& name, const std::string& text, Faults& fault
 
 // ---- lengths ----------------------------------------------------------------------------------------------
 
-constexpr std::size_t max_file_lines = 600;
+constexpr std::size_t max_file_lines = 600, max_comment_line = 110;
 
 std::vector<fs::path> own_sources(const fs::path& root) {
     std::vector<fs::path> result;
@@ -406,6 +406,45 @@ Faults long_files(const fs::path& root) {
         if (lines > max_file_lines)
             faults.push_back(
                 at_line(relative_to(root, file), 1, too_long("the file", lines, max_file_lines)));
+    }
+    return faults;
+}
+
+Faults long_comments(const fs::path& root) {
+    // Tables, drawings and code in comments are indented.
+    static const std::regex comment(R"(^\s*//[/!]?\s?\s?[^\s|])");
+    Faults faults;
+    for (const auto& file : own_sources(root)) {
+        std::istringstream lines(read(file));
+        std::size_t number = 0;
+        for (std::string line; std::getline(lines, line);) {
+            ++number;
+            if (line.size() > max_comment_line && std::regex_search(line, comment))
+                faults.push_back(at_line(
+                    relative_to(root, file), number,
+                    "the comment is longer than " + std::to_string(max_comment_line) + " characters"));
+        }
+    }
+    return faults;
+}
+
+Faults wrong_namespaces(const fs::path& root) {
+    static const std::regex opened(R"(^namespace thaum::(\w+)(::inline (\w+))?)");
+    Faults faults;
+    for (const auto& file : files_under(root / "game")) {
+        if (!is_source(file)) continue;
+        const auto name = relative_to(root, file);
+        const auto room = std::next(fs::path(name).begin())->string();
+        std::istringstream lines(read(file));
+        bool own = false, any = false;
+        for (std::string line; std::getline(lines, line);) {
+            std::smatch found;
+            if (!std::regex_search(line, found, opened) || found[1] != "game") continue;
+            any = true;
+            own = own || found[3] == room;
+        }
+        if (any && !own)
+            faults.push_back(at_line(name, 1, "names stand in namespace thaum::game::inline " + room));
     }
     return faults;
 }

@@ -33,4 +33,11 @@ Faults opens_around_the_rule(const std::filesystem::path& root);
 /// A source in engine/, game/, tools/ or tests/ has at most 600 lines.
 Faults long_files(const std::filesystem::path& root);
 
+/// A line that is a comment has at most 110 characters, unless it belongs to a table or a drawing, which are
+/// indented.
+Faults long_comments(const std::filesystem::path& root);
+
+/// What game/ROOM declares stands in namespace thaum::game::inline ROOM.
+Faults wrong_namespaces(const std::filesystem::path& root);
+
 }  // namespace thaum::structure

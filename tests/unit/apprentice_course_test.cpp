@@ -11,7 +11,7 @@
 #include "game/components/cauldron.h"
 #include "game/range/practice.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 using game::practising;
@@ -443,4 +443,4 @@ TEST_F(ApprenticeCourse, SkipsAndRepeatsAndSaysWhatToDo) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

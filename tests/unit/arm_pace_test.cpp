@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 constexpr double ns_per_second = 1e9;
@@ -90,4 +90,4 @@ TEST(ArmPace, AStalledMatchCatchesUp) {
 TEST(ArmPace, AnArmThatStoppedChangesNothing) { EXPECT_EQ(arm_pace_correction(0, 5), 0); }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

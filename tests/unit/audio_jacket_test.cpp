@@ -17,7 +17,7 @@
 #include "unit/jacket_rig.h"
 #include "unit/loopback_card.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 using audio::frame_samples;
@@ -254,4 +254,4 @@ TEST(AudioJacket, TheLayoutOfEightNamesTheChannelsInTheirOrder) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

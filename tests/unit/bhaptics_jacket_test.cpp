@@ -16,7 +16,7 @@
 #include "unit/message_of.h"
 #include "unit/two_addresses.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 using input::rig::jacket_frame;
@@ -293,4 +293,4 @@ TEST(BhapticsJacketThreads, ALostPlayerIsConnectedAgain) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

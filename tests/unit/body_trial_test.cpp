@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 constexpr std::int64_t ms = 1'000'000;
@@ -69,4 +69,4 @@ TEST_F(BodyTrialTest, APurposeWithoutAnEffectPlaysNothing) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

@@ -14,7 +14,7 @@
 #include "game/data/match_data.h"
 #include "unit/copied_assets.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 namespace fs = std::filesystem;
@@ -402,4 +402,4 @@ TEST_F(Content, MistakesBetweenFilesAreAnswered) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

@@ -8,7 +8,7 @@
 #include "game/hud/wand_icon.h"
 #include "game/settings/bindings.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 using input::Action;
@@ -88,4 +88,4 @@ TEST(ShortLabels, OfButtonsAndWheel) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

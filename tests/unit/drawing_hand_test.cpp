@@ -4,14 +4,12 @@
 #include "game/app/gesture/drawing_hand.h"
 #include "game/data/match_data.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 constexpr std::int64_t tick_of_mouse = 1'000'000;
 
-DrawingMouse drawing_mouse() {
-    return {game::load_match_data(game::find_assets(), {})->device, 0};
-}
+DrawingMouse drawing_mouse() { return {game::load_match_data(game::find_assets(), {})->device, 0}; }
 
 TEST(DrawingMouse, ACountMovesTheHandATenthOfAMillimetreAgainstTheField) {
     auto hand = drawing_mouse();
@@ -74,4 +72,4 @@ TEST(DrawingMouse, ALongStopIsNoLongStroke) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

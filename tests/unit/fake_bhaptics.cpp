@@ -12,7 +12,7 @@
 
 #include "core/text.h"
 
-namespace thaum::app::rig {
+namespace thaum::game::rig {
 namespace {
 
 /// Constants of RFC 6455.
@@ -267,4 +267,4 @@ bool FakeBhaptics::write(int peer, const std::string& bytes) {
     return true;
 }
 
-}  // namespace thaum::app::rig
+}  // namespace thaum::game::rig

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace thaum::app::rig {
+namespace thaum::game::rig {
 
 /// Behaviour of the fake.
 enum class Manner : std::uint8_t {
@@ -84,4 +84,4 @@ private:
     std::jthread thread_;
 };
 
-}  // namespace thaum::app::rig
+}  // namespace thaum::game::rig

@@ -3,7 +3,7 @@
 #include "game/settings/settings.h"
 #include "unit/live_rig.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 /// A settings file with every kind of wrong value, and the settings that its correct values give.
@@ -108,4 +108,4 @@ TEST(SettingsWriter, AFileWithAWrongValueKeepsItUntilThePlayerChangesIt) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

@@ -6,7 +6,7 @@
 #include "core/file.h"
 #include "unit/live_rig.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 /// A profile in which every value differs from its default.
@@ -86,4 +86,4 @@ TEST(FeelProfile, AFolderKeepsOneFileForEachName) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

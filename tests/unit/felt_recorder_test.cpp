@@ -15,7 +15,7 @@
 #include "unit/jacket_rig.h"
 #include "unit/message_of.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 using input::rig::jacket_frame;
@@ -137,4 +137,4 @@ TEST(FeltRecorder, EveryFrameIsWrittenInASession) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

@@ -6,7 +6,7 @@
 
 #include "unit/wall_player.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 game::RangeFiles shipped_range() { return game::RangeFiles::open(THAUM_SOURCE_DIR "/assets", {}).value(); }
@@ -93,4 +93,4 @@ TEST(GestureWallOfTheRange, TheWallTellsAStrokeFromTheWrongEndAndOneLikeNone) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

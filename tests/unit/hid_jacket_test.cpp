@@ -11,7 +11,7 @@
 #include "unit/jacket_rig.h"
 #include "unit/message_of.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 using input::rig::jacket_frame;
@@ -186,4 +186,4 @@ TEST(HidPort, NumbersThatNoDeviceHasAreToldInOneLine) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

@@ -18,7 +18,7 @@
 #include "unit/felt_output_rig.h"
 #include "unit/udp_receiver.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 using input::rig::FakeOutput;
@@ -309,4 +309,4 @@ TEST(LiveJacketThreads, TwoPlayersHaveTwoJacketsOnTheWire) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

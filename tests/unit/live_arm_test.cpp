@@ -9,12 +9,12 @@
 #include "unit/live_rig.h"
 #include "unit/message_of.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 void plug_in_arms(const char* scripts) { ::setenv("FAKE_ARMS", scripts, 1); }
 
-std::vector<Seat> hands(std::string_view words) { return hands_named(words).value(); }
+std::vector<live::Seat> hands(std::string_view words) { return hands_named(words).value(); }
 
 std::vector<SeatKind> kinds_of(std::string_view words) {
     std::vector<SeatKind> kinds;
@@ -205,4 +205,4 @@ TEST(ArmNotices, ShowTheNewestFault) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

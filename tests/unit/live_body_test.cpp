@@ -12,7 +12,7 @@
 #include "unit/felt_output_rig.h"
 #include "unit/game_duel.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 /// A session of two bots without loudspeakers, in which player 1 has a fake jacket.
@@ -173,4 +173,4 @@ TEST(LiveBody, AFaultyFileCostsItselfAlone) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

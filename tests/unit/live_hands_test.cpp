@@ -6,7 +6,7 @@
 
 #include "unit/live_rig.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 using input::Button;
@@ -277,4 +277,4 @@ TEST_F(PlayerHandsTest, BotsHaveNoHands) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

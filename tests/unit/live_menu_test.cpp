@@ -6,7 +6,7 @@
 #include "core/file.h"
 #include "unit/live_rig.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 using input::DeviceKind;
@@ -460,4 +460,4 @@ TEST_F(LiveMenuTest, ThePauseShowsItsReason) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

@@ -5,7 +5,7 @@
 
 #include "unit/live_rig.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 TEST(FocusLossTest, OnlyALossThatLastsCounts) {
@@ -76,4 +76,4 @@ TEST(PauseWordsTest, SayThatTheWindowLostTheFocus) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

@@ -10,7 +10,7 @@
 #include "unit/live_rig.h"
 #include "unit/message_of.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 namespace fs = std::filesystem;
@@ -119,4 +119,4 @@ TEST_F(NextMatchTest, PracticeIsForOneMatch) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

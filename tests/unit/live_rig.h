@@ -10,7 +10,7 @@
 #include "core/text.h"
 #include "game/live/seats.h"
 
-namespace thaum::app::rig {
+namespace thaum::game::rig {
 
 constexpr std::int64_t ms = 1'000'000;  ///< one millisecond (ns)
 constexpr render::Size window{1280, 720};
@@ -44,10 +44,10 @@ inline input::PadState pad_at(input::PadAxis axis, double value) {
     return pad;
 }
 
-inline TakenSeats seats_for(Seat first, Seat second, const Settings& settings = {}) {
+inline TakenSeats seats_for(live::Seat first, live::Seat second, const Settings& settings = {}) {
     return take_seats(settings, {first, second});
 }
-constexpr Seat mouse_seat{.kind = SeatKind::keyboard_mouse}, half_seat{.kind = SeatKind::keyboard_half},
+constexpr live::Seat mouse_seat{.kind = SeatKind::keyboard_mouse}, half_seat{.kind = SeatKind::keyboard_half},
     first_pad_seat{.kind = SeatKind::pad, .pad = 0}, second_pad_seat{.kind = SeatKind::pad, .pad = 1},
     bot_seat{.kind = SeatKind::bot};
 
@@ -58,4 +58,4 @@ inline bool is_down(const input::DeviceSample& sample, input::Button button) {
     return (sample.buttons & input::bit(button)) != 0;
 }
 
-}  // namespace thaum::app::rig
+}  // namespace thaum::game::rig

@@ -6,26 +6,26 @@
 #include "game/range/range.h"
 #include "unit/live_rig.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 using input::DeviceKind;
 
 TEST(PlannedSeats, EachPadGoesToTheFirstSeatThatWantsOne) {
     const auto seats =
-        planned_seats({Seat{.kind = SeatKind::pad, .pad = 3}, Seat{.kind = SeatKind::pad}}, {});
+        planned_seats({live::Seat{.kind = SeatKind::pad, .pad = 3}, live::Seat{.kind = SeatKind::pad}}, {});
     EXPECT_EQ(seats[0].pad, 0);
     EXPECT_EQ(seats[1].pad, 1);
-    const auto one = planned_seats({rig::mouse_seat, Seat{.kind = SeatKind::pad, .pad = 3}}, {});
+    const auto one = planned_seats({rig::mouse_seat, live::Seat{.kind = SeatKind::pad, .pad = 3}}, {});
     EXPECT_EQ(one[0].kind, SeatKind::keyboard_mouse);
     EXPECT_EQ(one[1].pad, 0);
 }
 
 TEST(PlannedSeats, HalfOfTheKeyboardStandsInForAMissingPad) {
-    const Seats wish{rig::mouse_seat, Seat{.kind = SeatKind::pad_or_half}};
+    const Seats wish{rig::mouse_seat, live::Seat{.kind = SeatKind::pad_or_half}};
     EXPECT_EQ(planned_seats(wish, {})[1].kind, SeatKind::keyboard_half);
     EXPECT_EQ(planned_seats(wish, {rig::pad_with()})[1].kind, SeatKind::pad);
-    const Seats both{Seat{.kind = SeatKind::pad}, Seat{.kind = SeatKind::pad_or_half}};
+    const Seats both{live::Seat{.kind = SeatKind::pad}, live::Seat{.kind = SeatKind::pad_or_half}};
     EXPECT_EQ(planned_seats(both, {rig::pad_with()})[1].kind, SeatKind::keyboard_half) << "one pad for two";
     EXPECT_EQ(planned_seats(both, {rig::pad_with(), rig::pad_with()})[1].kind, SeatKind::pad);
 }
@@ -115,4 +115,4 @@ TEST(TakenSeats, HaveTheirPlayersSettings) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

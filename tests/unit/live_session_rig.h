@@ -6,7 +6,7 @@
 #include "game/live/session.h"
 #include "unit/live_rig.h"
 
-namespace thaum::app {
+namespace thaum::game {
 
 inline std::shared_ptr<const game::MatchData> shipped_data() {
     static const auto data = [] {
@@ -35,7 +35,7 @@ protected:
     /// Begins the practice range for the player with the mouse.
     void begin_range() {
         plan_.practice = game::DummyKind::still;
-        plan_.seats = {rig::mouse_seat, Seat{.kind = SeatKind::dummy}};
+        plan_.seats = {rig::mouse_seat, live::Seat{.kind = SeatKind::dummy}};
         session_.emplace(shared_, plan_);
         ASSERT_TRUE(session_->next().open_range());
         session_->take_seats({});
@@ -98,4 +98,4 @@ protected:
     const Settings defaults_{};
 };
 
-}  // namespace thaum::app
+}  // namespace thaum::game

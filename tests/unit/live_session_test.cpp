@@ -9,7 +9,7 @@
 #include "game/match/record.h"
 #include "unit/live_session_rig.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 using input::Button;
@@ -414,7 +414,7 @@ TEST_F(LiveSessionTest, AnotherKeyActsAtOnce) {
 
 TEST_F(LiveSessionTest, ThePauseOfTheRangeChangesTheDummy) {
     plan_.practice = game::DummyKind::strafing;
-    plan_.seats = {rig::mouse_seat, Seat{.kind = SeatKind::dummy}};
+    plan_.seats = {rig::mouse_seat, live::Seat{.kind = SeatKind::dummy}};
     session_.emplace(shared_, plan_);
     EXPECT_EQ(requests().dummy, game::DummyKind::strafing);
     ASSERT_TRUE(session_->next().open_range());
@@ -446,7 +446,7 @@ TEST_F(LiveSessionTest, ThePauseOfTheRangeChangesItsRules) {
 
 TEST_F(LiveSessionTest, ThePauseOfTheApprenticeSkipsRepeatsAndRestarts) {
     plan_.practice = game::DummyKind::still;
-    plan_.seats = {rig::mouse_seat, Seat{.kind = SeatKind::dummy}};
+    plan_.seats = {rig::mouse_seat, live::Seat{.kind = SeatKind::dummy}};
     session_.emplace(shared_, plan_);
     ASSERT_TRUE(session_->next().open_apprentice());
     session_->take_seats({});
@@ -552,4 +552,4 @@ TEST_F(LiveSessionTest, WaitsForEventsAsLongAsNothingMustBePolled) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

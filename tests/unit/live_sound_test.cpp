@@ -13,7 +13,7 @@
 #include "game/live/body.h"
 #include "unit/game_duel.h"
 
-namespace thaum::app::live_tests {
+namespace thaum::game::live_tests {
 namespace {
 
 /// Number and energy of the blocks that a device has played; used by both threads.
@@ -174,4 +174,4 @@ TEST(LiveSoundTest, WithoutSoundOrReadersNothingIsMade) {
 }
 
 }  // namespace
-}  // namespace thaum::app::live_tests
+}  // namespace thaum::game::live_tests

@@ -1,7 +1,7 @@
 // Tests of the start screen of a session.
 #include "unit/live_session_rig.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 using input::PadButton;
@@ -148,4 +148,4 @@ TEST_F(LiveStartScreenTest, EndsByQuitOrWhenItsTimeIsUp) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

@@ -11,7 +11,7 @@
 #include "unit/felt_output_rig.h"
 #include "unit/live_session_rig.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 using input::rig::FakeOutput;
@@ -206,4 +206,4 @@ TEST_F(LiveTactileSession, TheRumbleSettingActsInTheMatch) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

@@ -10,7 +10,7 @@
 #include "game/match/record.h"
 #include "unit/live_rig.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 class LiveThreadsTest : public testing::Test {
@@ -95,7 +95,7 @@ TEST_F(LiveThreadsTest, AMatchPausesGoesOnAndEndsAndItsLogReplays) {
 
 TEST_F(LiveThreadsTest, WhileAForceIsSoughtTheWholeForceComesOut) {
     plan_.settings.players[0].force = 0;  // this player wants no forces
-    plan_.seats = {rig::mouse_seat, Seat{.kind = SeatKind::dummy}};
+    plan_.seats = {rig::mouse_seat, live::Seat{.kind = SeatKind::dummy}};
     plan_.practice = game::DummyKind::still;
     session_.emplace(shared_, plan_);
     ASSERT_TRUE(session_->next().open_range());
@@ -147,4 +147,4 @@ TEST_F(LiveThreadsTest, ADemoEndsAMatchByItselfForTheNextOne) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

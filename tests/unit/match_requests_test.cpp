@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 /// A request of this test alone: the whole of it stands here.
@@ -86,4 +86,4 @@ TEST(RangeRequest, KnowsItsStructAndNoOther) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

@@ -9,7 +9,7 @@
 #include "unit/menu_rig.h"
 #include "unit/overlay_items.h"
 
-namespace thaum::app::menu_tests {
+namespace thaum::game::menu_tests {
 namespace {
 
 // ---- settings ---------------------------------------------------------------------------------------------
@@ -552,4 +552,4 @@ TEST(MenuDrawing, ArrowsAroundAValueAreLessAndMore) {
 }
 
 }  // namespace
-}  // namespace thaum::app::menu_tests
+}  // namespace thaum::game::menu_tests

@@ -6,7 +6,7 @@
 
 #include "game/menu/menu.h"
 
-namespace thaum::app::menu_tests {
+namespace thaum::game::menu_tests {
 
 using input::Action;
 using input::Control;
@@ -74,4 +74,4 @@ inline MenuState player_page() { return choose(settings_page(), "Each player's o
 inline MenuState mixer_page() { return choose(settings_page(), "Forces and body"); }
 inline MenuState cauldron_page() { return choose(mixer_page(), "Cauldron feedback"); }
 
-}  // namespace thaum::app::menu_tests
+}  // namespace thaum::game::menu_tests

@@ -9,7 +9,7 @@
 #include "game/menu/page.h"
 #include "unit/menu_rig.h"
 
-namespace thaum::app::menu_tests {
+namespace thaum::game::menu_tests {
 namespace {
 
 constexpr std::size_t usual_bells = 2;
@@ -88,7 +88,7 @@ TEST(MenuSeams, ItsRequestReachesTheRange) {
 
 TEST(MenuSeams, EveryRowThatOpensAPageFindsIt) {
     std::set<std::string_view> names, opened_ones;
-    for (const auto& page : app::all_pages()) EXPECT_TRUE(names.insert(page.name).second) << page.name;
+    for (const auto& page : game::all_pages()) EXPECT_TRUE(names.insert(page.name).second) << page.name;
     for (const auto name : names)
         for (const auto& row : rows_of(opened({}, name), context()))
             if (!row.opens.empty()) opened_ones.insert(row.opens);
@@ -101,4 +101,4 @@ TEST(MenuSeams, EveryRowThatOpensAPageFindsIt) {
 }
 
 }  // namespace
-}  // namespace thaum::app::menu_tests
+}  // namespace thaum::game::menu_tests

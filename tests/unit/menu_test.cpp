@@ -7,7 +7,7 @@
 #include "game/live/menu_choices.h"
 #include "unit/menu_rig.h"
 
-namespace thaum::app::menu_tests {
+namespace thaum::game::menu_tests {
 namespace {
 
 // ---- joining ----------------------------------------------------------------------------------------------
@@ -465,4 +465,4 @@ TEST(BindingsPage, EveryControlOfAHandHasALabelOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace thaum::app::menu_tests
+}  // namespace thaum::game::menu_tests

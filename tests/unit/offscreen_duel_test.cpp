@@ -7,7 +7,7 @@
 #include "game/match/playback.h"
 #include "unit/game_duel.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 TEST(OffscreenDuelTest, TheLogGoesOnForHalfASecondAfterTheEndAsThatOfALiveMatch) {
@@ -41,4 +41,4 @@ TEST(OffscreenDuelTest, ADuelThatIsNotOverEndsAtItsTime) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

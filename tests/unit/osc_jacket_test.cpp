@@ -15,7 +15,7 @@
 #include "unit/two_addresses.h"
 #include "unit/udp_receiver.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 using input::rig::jacket_frame;
@@ -178,4 +178,4 @@ TEST(TactilePlayerThreads, AnOscJacketIsSilentWhenFramesStop) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

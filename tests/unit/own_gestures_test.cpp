@@ -20,7 +20,7 @@
 #include "unit/game_duel.h"
 #include "unit/message_of.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 using game::test::two_hands;
@@ -316,4 +316,4 @@ TEST(OwnGestures, OnTheRangeChangeBetweenTwoTicks) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

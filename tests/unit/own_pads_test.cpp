@@ -6,7 +6,7 @@
 #include "core/file.h"
 #include "core/text.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 constexpr auto one = "0a000000aabb00001122000001000000", two = "0b000000aabb00001122000001000000";
@@ -100,4 +100,4 @@ TEST_F(OwnPadsTest, FaultsOfTheFileAreTold) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

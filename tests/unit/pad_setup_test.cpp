@@ -8,7 +8,7 @@
 #include "game/settings/own_pads.h"
 #include "unit/live_session_rig.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 input::Stick stick_with(std::optional<std::size_t> held = {}) {
@@ -226,4 +226,4 @@ TEST_F(PadSetupTest, ThePauseOffersItToo) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

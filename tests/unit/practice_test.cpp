@@ -20,7 +20,7 @@
 #include "unit/overlay_items.h"
 #include "unit/wall_player.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 namespace fs = std::filesystem;
@@ -487,4 +487,4 @@ TEST_F(PracticeTest, TheCauldronIsFree) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

@@ -5,7 +5,7 @@
 #include "game/match/record.h"
 #include "unit/live_session_rig.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 using game::PlayerNames;
@@ -14,7 +14,7 @@ class RecordedNames : public LiveSessionTest {};
 
 TEST_F(RecordedNames, TheLogOfAMatchHasTheNamesOfItsScreen) {
     plan_.settings.players[0].name = "Jos\u00e9";
-    plan_.seats = {rig::mouse_seat, Seat{.kind = SeatKind::bot, .level = 3}};
+    plan_.seats = {rig::mouse_seat, live::Seat{.kind = SeatKind::bot, .level = 3}};
     begin();
     step();
     const auto header = session_->log_header(7);
@@ -55,4 +55,4 @@ TEST_F(RecordedNames, NamesThatNoPlayerCouldHaveAreLeftOut) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

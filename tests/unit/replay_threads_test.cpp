@@ -7,7 +7,7 @@
 #include "unit/live_rig.h"
 #include "unit/replay_rig.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 using game::test::RecordedDuel;
@@ -128,4 +128,4 @@ TEST_F(ReplayThreads, WaitsForAnIndexThatHasNotComeSoFar) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

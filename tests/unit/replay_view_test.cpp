@@ -8,7 +8,7 @@
 #include "unit/overlay_items.h"
 #include "unit/replay_rig.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 using game::Kill;
@@ -191,4 +191,4 @@ TEST_F(ReplayViewerTest, TheBarShowsHowFarTheIndexIs) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

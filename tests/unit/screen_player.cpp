@@ -5,7 +5,7 @@
 #include <regex>
 #include <sstream>
 
-namespace thaum::app::screen {
+namespace thaum::game::screen {
 namespace {
 
 constexpr double words_per_second = 4;  ///< reading speed of the player
@@ -368,4 +368,4 @@ void Player::fight(const Screen& seen, Hands& hands) {
     if (foe->high < near && below.what == "floor") walk(0, hands);
 }
 
-}  // namespace thaum::app::screen
+}  // namespace thaum::game::screen

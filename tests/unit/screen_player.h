@@ -7,7 +7,7 @@
 
 #include "unit/screen_reader.h"
 
-namespace thaum::app::screen {
+namespace thaum::game::screen {
 
 /// State of the player's hands until the next look at the screen: keys, buttons and mouse.
 struct Hands {
@@ -95,4 +95,4 @@ private:
     std::string result_{}, name_{}, bot_{};
 };
 
-}  // namespace thaum::app::screen
+}  // namespace thaum::game::screen

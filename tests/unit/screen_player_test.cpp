@@ -13,7 +13,7 @@
 #include "unit/live_session_rig.h"
 #include "unit/screen_player.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 using game::practising;
@@ -262,4 +262,4 @@ TEST_F(ScreenPlayer, DoesNoStepWhereTheScreenDoesNotSayWhatToDo) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

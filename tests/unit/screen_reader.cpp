@@ -6,7 +6,7 @@
 #include "game/hud/layout.h"
 #include "game/hud/station_card.h"
 
-namespace thaum::app::screen {
+namespace thaum::game::screen {
 namespace {
 
 constexpr std::uint32_t viewer = 0;
@@ -259,4 +259,4 @@ Screen look_at(const Shown& shown) {
     return out;
 }
 
-}  // namespace thaum::app::screen
+}  // namespace thaum::game::screen

@@ -11,7 +11,7 @@
 
 #include "game/live/shared.h"
 
-namespace thaum::app::screen {
+namespace thaum::game::screen {
 
 /// Parts of the screen, which a person distinguishes by where they are.
 enum class Part : std::uint8_t {
@@ -81,7 +81,7 @@ struct Screen {
 /// one another. `match` is null on the start screen.
 struct Shown {
     const game::Picture& picture;
-    const app::Screen& screen;
+    const game::Screen& screen;
     const game::PromptUses& prompt_uses;
     const game::Simulation* match;
     render::Size size{};
@@ -90,4 +90,4 @@ struct Shown {
 /// Returns the screen as player 1 sees it.
 Screen look_at(const Shown& shown);
 
-}  // namespace thaum::app::screen
+}  // namespace thaum::game::screen

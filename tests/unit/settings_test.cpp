@@ -15,7 +15,7 @@
 #include "render/font.h"
 #include "unit/message_of.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 const std::filesystem::path assets = THAUM_SOURCE_DIR "/assets";
@@ -572,4 +572,4 @@ TEST(MatchLogs, RematchesAreCountedAfterTheirMatchAndALogInUseStays) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

@@ -8,7 +8,7 @@
 #include "unit/read_png.h"
 #include "unit/replay_rig.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 /// Number of pixels that differ within a part of two pictures of equal size. The part is given in shares of
@@ -63,4 +63,4 @@ TEST(ShotsTest, APictureShowsTheWordsAndTheFigureOfTheLiveView) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

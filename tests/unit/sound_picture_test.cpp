@@ -9,7 +9,7 @@
 #include "audio/analysis.h"
 #include "core/maths.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 audio::Sound tone(double hz, double level) {
@@ -89,4 +89,4 @@ TEST(SoundPicture, EmptyAndSilentSoundsAreDrawn) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

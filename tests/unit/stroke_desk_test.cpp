@@ -4,7 +4,7 @@
 
 #include "game/app/gesture/stroke_window.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 /// Feeds a straight stroke to the window, then the release of the button.
@@ -49,4 +49,4 @@ TEST(StrokeDesk, CountsAgainWhatWasTakenBack) {
 }
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game

@@ -4,7 +4,7 @@
 
 #include "game/range/practice.h"
 
-namespace thaum::app {
+namespace thaum::game {
 
 /// A player who draws on the wall with the mouse.
 struct WallPlayer {
@@ -43,4 +43,4 @@ inline vec2 triangle_on_wall(int t) {
     return side == 0 ? vec2(3, 5) : side == 1 ? vec2(3, -5) : vec2(-6, 0);
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game

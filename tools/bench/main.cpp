@@ -8,7 +8,7 @@
 #include "game/command_line/arguments.h"
 #include "tools/bench/bench.h"
 
-namespace thaum::app {
+namespace thaum::game {
 namespace {
 
 constexpr std::string_view bench_usage =
@@ -67,6 +67,6 @@ int run_bench(std::vector<std::string> words) {
 
 }  // namespace
 
-}  // namespace thaum::app
+}  // namespace thaum::game
 
-int main(int argc, char** argv) { return thaum::app::run_program(argc, argv, thaum::app::run_bench); }
+int main(int argc, char** argv) { return thaum::game::run_program(argc, argv, thaum::game::run_bench); }

@@ -12,7 +12,7 @@
 //  2. Active set (active_set.h): the kinks with |m|^2 < d * (length of the problem). On the path, m falls
 //     like d for the kinks that hold the proxy, and stays for the others. On the intersection of the active
 //     kinks the rest is smooth.
-//  3. Optimality check (optimality_check.h): can the active kinks exert the missing force? If not, continue with 1.
+//  3. Optimality check (optimality_check.h): can the active kinks exert the missing force? If not, back to 1.
 //
 // The best kink to start from is tried before step 1, which solves most small sets. If step 1 fails with
 // three settings, the proxy descends from kink to kink (balance_descent.h). The descent is not the usual way

@@ -1,7 +1,7 @@
 // The benchmarks are a program of their own, because they count allocations by replacing malloc.
 #include "game/app/command.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 int run_bench(const std::vector<std::string>& words) { return become("thaum-bench", words); }
@@ -9,4 +9,4 @@ int run_bench(const std::vector<std::string>& words) { return become("thaum-benc
 const CommandRegistration registration_of_bench({.name = "bench", .help = "", .run = run_bench});
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -11,7 +11,7 @@
 #include "game/data/match_data.h"
 #include "game/hud/still.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 constexpr std::string_view check_help =
@@ -92,4 +92,4 @@ const CommandRegistration registration_of_check({.name = "check", .help = check_
 
 }  // namespace
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

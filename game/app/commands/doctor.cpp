@@ -33,7 +33,7 @@
 #include "render/context.h"
 #include "render/display.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 constexpr std::string_view doctor_help =
@@ -182,7 +182,7 @@ Finding input_to_picture(const std::filesystem::path& assets, const Expected<Dat
         return {what, State::note, "not measured without data files and display", ""};
     LiveReport report;
     LivePlan plan{.data = *data, .assets = assets, .probe = true, .report = &report};
-    plan.seats = {Seat{.kind = SeatKind::keyboard_mouse}, Seat{.kind = SeatKind::bot}};
+    plan.seats = {live::Seat{.kind = SeatKind::keyboard_mouse}, live::Seat{.kind = SeatKind::bot}};
     for (const double duration : {3.0, 60.0}) {
         plan.seconds = duration;
         if (const auto played = run_live(plan); !played) {
@@ -427,4 +427,4 @@ const CommandRegistration registration_of_doctor({.name = "doctor", .help = doct
 
 }  // namespace
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

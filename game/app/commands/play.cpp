@@ -12,7 +12,7 @@
 #include "game/live/live.h"
 #include "render/display.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 constexpr std::string_view play_help =
@@ -60,7 +60,7 @@ struct PlayOptions {
          /// True if an option names the arena; else the start screen's last choice is used.
         arena_named = false;
     std::optional<int> solo;  ///< level of the bot (--solo); std::nullopt without --solo
-    std::vector<Seat> hands;
+    std::vector<live::Seat> hands;
     std::array<int, game::players> bots{1, 1};
 
     bool mode() const { return demo || vs || solo.has_value(); }
@@ -100,7 +100,7 @@ Expected<void> read_hands(const Arguments& arguments, PlayOptions& options) {
     if (!hands) return hands.error();
     options.hands = *hands;
     const bool only_arms =
-        std::all_of(hands->begin(), hands->end(), [](const Seat& seat) { return seat.arm; });
+        std::all_of(hands->begin(), hands->end(), [](const live::Seat& seat) { return seat.arm; });
     const bool start_screen = !options.mode() && !options.headless && only_arms;
     if (!options.vs && !options.solo && !start_screen) return fail("--hands goes with --vs or --solo");
     if (options.solo && options.hands.size() > 1) return fail("--solo has one player: one hand");
@@ -151,15 +151,15 @@ int play_off_screen(const PlayOptions& options) {
                                 .seconds = options.seconds.value_or(options.headless ? 60 : longest_round)});
 }
 
-std::array<Seat, 2> seats_of(const PlayOptions& options) {
+std::array<live::Seat, 2> seats_of(const PlayOptions& options) {
     if (options.demo)
-        return {Seat{.kind = SeatKind::bot, .level = options.bots[0]},
-                Seat{.kind = SeatKind::bot, .level = options.bots[1]}};
+        return {live::Seat{.kind = SeatKind::bot, .level = options.bots[0]},
+                live::Seat{.kind = SeatKind::bot, .level = options.bots[1]}};
     const auto hand = [&](std::size_t i, SeatKind otherwise) {
-        return i < options.hands.size() ? options.hands[i] : Seat{.kind = otherwise};
+        return i < options.hands.size() ? options.hands[i] : live::Seat{.kind = otherwise};
     };
     const auto first = hand(0, SeatKind::keyboard_mouse);
-    if (options.solo) return {first, Seat{.kind = SeatKind::bot, .level = *options.solo}};
+    if (options.solo) return {first, live::Seat{.kind = SeatKind::bot, .level = *options.solo}};
     return {first, hand(1, SeatKind::pad_or_half)};
 }
 
@@ -219,4 +219,4 @@ const CommandRegistration registration_of_play({.name = "play", .help = play_hel
 
 }  // namespace
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -11,7 +11,7 @@
 #include "game/range/range.h"
 #include "render/display.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 constexpr std::string_view range_help =
@@ -45,7 +45,7 @@ constexpr Option range_options[] = {{"--apprentice"}, {"--dummy", 1},     {"--ha
 struct RangeOptions {
     game::DataChoice data;
     game::DummyKind dummy{};
-    Seat hand{.kind = SeatKind::keyboard_mouse};
+    live::Seat hand{.kind = SeatKind::keyboard_mouse};
     bool headless = false, apprentice = false;
     int bot = 3;
     std::optional<std::uint64_t> seed;
@@ -122,7 +122,7 @@ int practise_in_window(const RangeOptions& options, const game::RangeData& data)
     plan.seed = options.seed.value_or(std::random_device{}());
     plan.practice = options.dummy;
     plan.apprentice = options.apprentice;
-    plan.seats = {options.hand, Seat{.kind = SeatKind::dummy}};
+    plan.seats = {options.hand, live::Seat{.kind = SeatKind::dummy}};
     plan.assets = assets;
     plan.seconds = options.seconds;
     auto [settings, start_fault] = settings_to_play_with(settings_file(), assets);
@@ -147,4 +147,4 @@ const CommandRegistration registration_of_range({.name = "range", .help = range_
 
 }  // namespace
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -6,7 +6,7 @@
 #include "game/app/named_arm.h"
 #include "input/arm_pose.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 constexpr double metres_per_count = 1e-4;
@@ -92,4 +92,4 @@ void DrawingArm::advance(std::int64_t, gesture::StrokeRecorder& recorder) {
     }
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

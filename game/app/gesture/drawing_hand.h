@@ -11,7 +11,7 @@
 #include "haptics/simulated.h"
 #include "input/open_arm.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 
 class DrawingHand {
 public:
@@ -81,4 +81,4 @@ private:
     std::unique_ptr<input::OpenArm> arm_;
 };
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "gesture/stroke.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 
 extern const std::string_view gesture_eval_help, gesture_spot_help, gesture_check_help, gesture_record_help,
     gesture_generate_help;
@@ -25,4 +25,4 @@ Expected<gesture::Channels> choose_channels(const std::string& word, bool has_de
 /// Value of --channels: xy, xyz, xyf or xyzf.
 std::string name_of(gesture::Channels channels);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

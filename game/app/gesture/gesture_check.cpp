@@ -11,7 +11,7 @@
 #include "gesture/collisions.h"
 #include "gesture/gesture_file.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 
 const std::string_view gesture_check_help =
     R"(usage: thaum gesture check FILE.toml ...
@@ -76,4 +76,4 @@ int run_gesture_check(const std::vector<std::string>& words) {
     return collisions > 0 ? does_not_hold : done;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

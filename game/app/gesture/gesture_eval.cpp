@@ -12,7 +12,7 @@
 #include "gesture/prefix.h"
 #include "gesture/stroke_files.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 
 const std::string_view gesture_eval_help =
     R"(usage: thaum gesture eval STROKES [OPTIONS]
@@ -210,4 +210,4 @@ int run_gesture_eval(const std::vector<std::string>& words) {
     return done;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -11,7 +11,7 @@
 #include "gesture/gesture_file.h"
 #include "gesture/stroke_csv.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 
 const std::string_view gesture_generate_help =
     R"(usage: thaum gesture generate --out FOLDER [OPTIONS]
@@ -68,4 +68,4 @@ int run_gesture_generate(const std::vector<std::string>& words) {
     return done;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -16,7 +16,7 @@
 #include "gesture/stroke_files.h"
 #include "gesture/stroke_recorder.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 
 const std::string_view gesture_record_help =
     R"(usage: thaum gesture record NAME [--device D|--log LOG|--strokes FILE] --out FILE.toml [OPTIONS]
@@ -157,4 +157,4 @@ int run_gesture_record(const std::vector<std::string>& words) {
     return done;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -7,7 +7,7 @@
 #include "core/one_line.h"
 #include "core/text.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 using gesture::Evaluation;
@@ -217,4 +217,4 @@ std::string report_svg(const GestureReport& r) {
            confusion_svg(r.evaluation) + reliability_svg(r.evaluation) + "</svg>\n";
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

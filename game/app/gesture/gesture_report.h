@@ -5,7 +5,7 @@
 
 #include "gesture/trials/evaluation.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 
 struct GestureReport {
     std::string file, method, protocol, channels;
@@ -26,4 +26,4 @@ std::string report_json(const GestureReport& report);
 /// Confusion matrix on the left, reliability diagram on the right.
 std::string report_svg(const GestureReport& report);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -13,7 +13,7 @@
 #include "gesture/stroke_files.h"
 #include "gesture/trials/spotting.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 
 const std::string_view gesture_spot_help =
     R"(usage: thaum gesture spot SESSIONS --labels LABELS --train STROKES [OPTIONS]
@@ -187,4 +187,4 @@ int run_gesture_spot(const std::vector<std::string>& words) {
     return done;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -15,7 +15,7 @@
 #include "render/renderer.h"
 #include "render/with_renderer.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 // Longest wait for a window event, so that motion is sampled often enough (s)
@@ -174,4 +174,4 @@ Expected<std::vector<std::vector<gesture::StrokePoint>>> draw_strokes(const Stro
     return desk.recorder().strokes();
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

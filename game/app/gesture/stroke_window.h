@@ -6,7 +6,7 @@
 
 #include "game/app/gesture/drawing_hand.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 
 struct StrokeWish {
     std::string name;       ///< name of the gesture
@@ -56,4 +56,4 @@ private:
 /// or a window closed too early.
 Expected<std::vector<std::vector<gesture::StrokePoint>>> draw_strokes(const StrokeWish& wish);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -18,7 +18,7 @@
 
 extern char** environ;
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 constexpr std::string_view diff_help =
@@ -189,4 +189,4 @@ const CommandRegistration registration_of_diff({.name = "diff", .help = diff_hel
 
 }  // namespace
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -9,7 +9,7 @@
 #include "game/app/command.h"
 #include "game/app/program.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 constexpr std::string_view gesture_help =
@@ -62,4 +62,4 @@ const CommandRegistration registration_of_gesture({.name = "gesture", .help = ""
 
 }  // namespace
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

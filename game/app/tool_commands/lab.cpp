@@ -2,10 +2,10 @@
 
 #include "game/app/command.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 const CommandRegistration registration_of_lab({.name = "lab", .help = "", .run = run_lab});
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -17,7 +17,7 @@
 #include "game/bots/league.h"
 #include "game/command_line/arguments.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 using game::LeagueMatch;
@@ -343,4 +343,4 @@ const CommandRegistration registration_of_league({.name = "league", .help = leag
 
 }  // namespace
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -7,7 +7,7 @@
 #include "game/command_line/arguments.h"
 #include "tools/plot/page.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 constexpr std::string_view plot_help =
@@ -45,4 +45,4 @@ const CommandRegistration registration_of_plot({.name = "plot", .help = plot_hel
 
 }  // namespace
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

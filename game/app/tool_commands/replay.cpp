@@ -19,7 +19,7 @@
 #include "game/match/tables.h"
 #include "game/settings/recorded_names.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 constexpr std::string_view replay_help =
@@ -385,4 +385,4 @@ const CommandRegistration registration_of_replay({.name = "replay", .help = repl
 
 }  // namespace
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

@@ -13,7 +13,7 @@
 #include "game/hud/still.h"
 #include "game/scenario/runner.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 constexpr std::string_view scenario_help =
@@ -143,4 +143,4 @@ const CommandRegistration registration_of_scenario({.name = "scenario",
 
 }  // namespace
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

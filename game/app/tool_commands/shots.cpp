@@ -7,7 +7,7 @@
 #include "game/command_line/arguments.h"
 #include "game/match/highlight.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 constexpr std::string_view shots_help =
@@ -67,4 +67,4 @@ const CommandRegistration registration_of_shots({.name = "shots", .help = shots_
 
 }  // namespace
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

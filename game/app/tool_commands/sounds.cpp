@@ -16,7 +16,7 @@
 #include "game/command_line/arguments.h"
 #include "game/data/match_data.h"
 
-namespace thaum::app {
+namespace thaum::game::inline app {
 namespace {
 
 constexpr std::string_view sounds_help =
@@ -123,4 +123,4 @@ const CommandRegistration registration_of_sounds({.name = "sounds", .help = soun
 
 }  // namespace
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline app

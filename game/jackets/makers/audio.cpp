@@ -11,7 +11,7 @@
 #include "game/jackets/jacket.h"
 #include "game/jackets/place_name.h"
 
-namespace thaum::app {
+namespace thaum::game::inline jackets {
 namespace {
 
 constexpr std::size_t max_words_shown = 60, max_of_name_shown = 100;
@@ -157,4 +157,4 @@ std::unique_ptr<input::TactileOutput> audio_jacket(std::string name, std::size_t
     return std::make_unique<AudioJacket>(std::move(name), channels, std::move(device));
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline jackets

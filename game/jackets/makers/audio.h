@@ -11,11 +11,11 @@
 #include "audio/sound_device.h"
 #include "input/tactile_output.h"
 
-namespace thaum::app {
+namespace thaum::game::inline jackets {
 
 /// `channels`: 2, or 8 in the order of audio::surround_channels; the device must have as
 /// many. `name`: words for messages.
 std::unique_ptr<input::TactileOutput> audio_jacket(std::string name, std::size_t channels,
                                                    std::unique_ptr<audio::SoundDevice> device);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline jackets

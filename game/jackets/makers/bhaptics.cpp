@@ -17,7 +17,7 @@
 #include "game/jackets/jacket.h"
 #include "input/tactile_playback.h"
 
-namespace thaum::app {
+namespace thaum::game::inline jackets {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -310,4 +310,4 @@ std::unique_ptr<input::TactileOutput> bhaptics_jacket(const NetAddress& player) 
     return std::make_unique<BhapticsJacket>(player);
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline jackets

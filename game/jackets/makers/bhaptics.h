@@ -11,9 +11,9 @@
 #include "game/jackets/net_address.h"
 #include "input/tactile_output.h"
 
-namespace thaum::app {
+namespace thaum::game::inline jackets {
 
 /// `open` takes up to 1.3 s: it waits for the connection, and for a reply that tells whether there is a vest.
 std::unique_ptr<input::TactileOutput> bhaptics_jacket(const NetAddress& player);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline jackets

@@ -10,7 +10,7 @@
 #include "game/jackets/jacket.h"
 #include "input/tactile_playback.h"
 
-namespace thaum::app {
+namespace thaum::game::inline jackets {
 namespace {
 
 constexpr std::size_t max_of_name_shown = 100;
@@ -134,4 +134,4 @@ std::unique_ptr<input::TactileOutput> hid_jacket(const HidId& id, OpenHidPort op
     return std::make_unique<HidJacket>(id, std::move(open), std::move(clock));
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline jackets

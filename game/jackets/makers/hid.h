@@ -12,7 +12,7 @@
 #include "game/jackets/hid_port.h"
 #include "input/tactile_output.h"
 
-namespace thaum::app {
+namespace thaum::game::inline jackets {
 
 /// A steady clock (s).
 using ClockSeconds = std::function<double()>;
@@ -22,4 +22,4 @@ double steady_seconds();
 std::unique_ptr<input::TactileOutput> hid_jacket(const HidId& id, OpenHidPort open = open_hid_port,
                                                  ClockSeconds clock = steady_seconds);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline jackets

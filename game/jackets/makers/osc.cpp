@@ -18,7 +18,7 @@
 #include "game/jackets/osc_message.h"
 #include "input/tactile_playback.h"
 
-namespace thaum::app {
+namespace thaum::game::inline jackets {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -199,4 +199,4 @@ std::unique_ptr<input::TactileOutput> osc_jacket(const NetAddress& address, std:
     return std::make_unique<OscJacket>(address, motors);
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline jackets

@@ -16,9 +16,9 @@
 #include "game/jackets/net_address.h"
 #include "input/tactile_output.h"
 
-namespace thaum::app {
+namespace thaum::game::inline jackets {
 
 /// A jacket with motors in the order of the frame's actuators. `open` looks up the name, which may take long.
 std::unique_ptr<input::TactileOutput> osc_jacket(const NetAddress& address, std::size_t motors);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline jackets

@@ -11,7 +11,7 @@
 #include "game/jackets/jacket.h"
 #include "game/jackets/place_name.h"
 
-namespace thaum::app {
+namespace thaum::game::inline jackets {
 namespace {
 
 constexpr int max_names = 10'000;
@@ -130,4 +130,4 @@ std::unique_ptr<input::TactileOutput> felt_recorder(std::filesystem::path file, 
     return std::make_unique<FeltRecorder>(std::move(file), player);
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline jackets

@@ -10,9 +10,9 @@
 
 #include "input/tactile_output.h"
 
-namespace thaum::app {
+namespace thaum::game::inline jackets {
 
 /// `player`: 0 or 1, for the table.
 std::unique_ptr<input::TactileOutput> felt_recorder(std::filesystem::path file, std::uint32_t player);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline jackets

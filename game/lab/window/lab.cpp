@@ -18,7 +18,7 @@
 #include "game/live/end_watch.h"
 #include "render/display.h"
 
-namespace thaum::app {
+namespace thaum::game::inline lab {
 
 using game::LabSettings;
 using game::LabState;
@@ -298,4 +298,4 @@ int run_lab(const std::vector<std::string>& words) {
     return fluid ? run_brew_lab(words) : run_volume_lab(words);
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline lab

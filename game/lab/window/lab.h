@@ -9,7 +9,7 @@
 #include "render/context.h"
 #include "render/image.h"
 
-namespace thaum::app {
+namespace thaum::game::inline lab {
 
 /// Options of one lab session: a new or loaded state with the command line's changes.
 struct LabPlan {
@@ -48,4 +48,4 @@ int run_lab(const std::vector<std::string>& words);
 /// Runs the lab in a window until the window is closed. Returns an exit code.
 int run_lab_window(LabPlan plan);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline lab

@@ -3,7 +3,7 @@
 #include "core/file.h"
 #include "core/text.h"
 
-namespace thaum::app {
+namespace thaum::game::inline lab {
 namespace {
 
 std::filesystem::path lab_shot(const std::filesystem::path& folder, std::int64_t step) {
@@ -55,4 +55,4 @@ Expected<void> write_lab_shot(const std::filesystem::path& folder, std::int64_t 
     return render::write_png(lab_shot(folder, step), image);
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline lab

@@ -8,7 +8,7 @@
 #include "game/command_line/arguments.h"
 #include "render/image.h"
 
-namespace thaum::app {
+namespace thaum::game::inline lab {
 
 /// Outputs of a session, as the options --save, --trace, --shots, --every and --size ask for them.
 struct LabOutputs {
@@ -46,4 +46,4 @@ Expected<void> make_lab_folder(const LabOutputs& outputs, std::int64_t first);
 Expected<void> write_lab_shot(const std::filesystem::path& folder, std::int64_t step,
                               const render::Image& image);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline lab

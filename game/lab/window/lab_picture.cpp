@@ -6,7 +6,7 @@
 #include "game/scene/furniture.h"
 #include "render/colour.h"
 
-namespace thaum::app {
+namespace thaum::game::inline lab {
 namespace {
 
 constexpr double min_pitch = -0.1, max_pitch = 1.5, min_away = 1.5, max_away = 12;
@@ -89,4 +89,4 @@ const render::Frame& LabPicture::frame(const game::LabState& lab, const game::La
     return frame_;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline lab

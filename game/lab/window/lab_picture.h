@@ -6,7 +6,7 @@
 #include "render/context.h"
 #include "render/renderer.h"
 
-namespace thaum::app {
+namespace thaum::game::inline lab {
 
 /// Camera that orbits the middle of the brew's surface.
 struct LabEye {
@@ -54,4 +54,4 @@ private:
 void add_lab_words(render::Overlay& out, const game::LabState& lab, const game::LabFigures& figures,
                    const LabPage& page, render::Size size);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline lab

@@ -5,7 +5,7 @@
 #include "game/lab/window/lab.h"
 #include "game/lab/window/lab_picture.h"
 
-namespace thaum::app {
+namespace thaum::game::inline lab {
 
 struct LabShots::State {
     render::Offscreen context;
@@ -43,4 +43,4 @@ Expected<void> LabShots::follow(const game::LabState& lab, const game::LabFigure
     return write_lab_shot(folder_, lab.steps, s.renderer.read_pixels());
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline lab

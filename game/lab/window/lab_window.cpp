@@ -20,7 +20,7 @@
 #include "render/pace.h"
 #include "render/with_renderer.h"
 
-namespace thaum::app {
+namespace thaum::game::inline lab {
 namespace {
 
 using game::LabState;
@@ -313,4 +313,4 @@ int run_lab_window(LabPlan plan) {
     return done;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline lab

@@ -7,7 +7,7 @@
 #include "game/lab/window/lab_picture.h"
 #include "render/colour.h"
 
-namespace thaum::app {
+namespace thaum::game::inline lab {
 namespace {
 
 using render::Align;
@@ -114,4 +114,4 @@ void add_lab_words(Overlay& out, const game::LabState& lab, const game::LabFigur
         game::add_text(out, page.note, {wide / 2, tall - 34 * u}, 18 * u, lab_gold, Align::centre);
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline lab

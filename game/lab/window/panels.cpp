@@ -7,7 +7,7 @@
 #include <array>
 #include <utility>
 
-namespace thaum::app {
+namespace thaum::game::inline lab {
 namespace {
 
 constexpr std::size_t mouse_buttons = 5;
@@ -140,4 +140,4 @@ void Panels::draw() {
     fresh_ = ended_ = {};
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline lab

@@ -12,7 +12,7 @@
 
 #include "render/context.h"
 
-namespace thaum::app {
+namespace thaum::game::inline lab {
 
 class Panels {
 public:
@@ -45,4 +45,4 @@ private:
     std::array<bool, switches> ended_{};  ///< for each button or key, true if released since the last picture
 };
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline lab

@@ -22,7 +22,7 @@
 #include "game/live/end_watch.h"
 #include "render/display.h"
 
-namespace thaum::app {
+namespace thaum::game::inline lab {
 namespace {
 
 using game::LabMode;
@@ -545,4 +545,4 @@ int run_volume_lab(const std::vector<std::string>& words) {
                                         : run_volume_window(std::move(*plan));
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline lab

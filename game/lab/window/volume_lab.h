@@ -12,7 +12,7 @@
 #include "game/lab/window/volume_lab_picture.h"
 #include "render/context.h"
 
-namespace thaum::app {
+namespace thaum::game::inline lab {
 
 /// A period in which a tool is held.
 struct PlannedCarve {
@@ -74,4 +74,4 @@ std::string_view volume_lab_help();
 /// Runs the lab in a window until the window is closed. Returns an exit code.
 int run_volume_window(VolumeLabPlan plan);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline lab

@@ -10,7 +10,7 @@
 #include "field/volume.h"
 #include "game/lab/saved_body.h"
 
-namespace thaum::app {
+namespace thaum::game::inline lab {
 namespace {
 
 /// Files of colours and materials beside that of the first volume; none for a generated volume.
@@ -63,4 +63,4 @@ Expected<void> check_outputs(const VolumeLabPlan& plan) {
     return {};
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline lab

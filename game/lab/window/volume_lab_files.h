@@ -6,7 +6,7 @@
 #include "core/error.h"
 #include "game/lab/window/volume_lab.h"
 
-namespace thaum::app {
+namespace thaum::game::inline lab {
 
 /// True for the name of a volume that the lab generates; any other name is a file.
 bool is_made(std::string_view name);
@@ -19,4 +19,4 @@ void protect_companions(const VolumeLabPlan& plan);
 /// three files.
 Expected<void> check_outputs(const VolumeLabPlan& plan);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline lab

@@ -6,7 +6,7 @@
 #include "core/text.h"
 #include "render/colour.h"
 
-namespace thaum::app {
+namespace thaum::game::inline lab {
 namespace {
 
 constexpr float tip_radius = 0.0012F, proxy_radius = 0.0022F;  // m
@@ -319,4 +319,4 @@ const render::Frame& VolumePicture::frame(const game::VolumeLab& lab, const game
     return frame_;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline lab

@@ -10,7 +10,7 @@
 #include "render/renderer.h"
 #include "render/ribbons.h"
 
-namespace thaum::app {
+namespace thaum::game::inline lab {
 
 /// Camera that orbits a place near the middle of the workspace.
 struct VolumeEye {
@@ -73,4 +73,4 @@ private:
 
 render::Camera camera_of(const VolumeEye& eye, const game::VolumeLab& lab);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline lab

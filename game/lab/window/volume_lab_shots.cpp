@@ -2,7 +2,7 @@
 #include "game/data/match_data.h"
 #include "game/lab/window/volume_lab.h"
 
-namespace thaum::app {
+namespace thaum::game::inline lab {
 
 struct VolumeShots::State {
     render::Offscreen context;
@@ -43,4 +43,4 @@ Expected<void> VolumeShots::follow(const game::VolumeLab& lab, const VolumeView&
     return write_lab_shot(s.folder, static_cast<std::int64_t>(lab.tick), s.renderer.read_pixels());
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline lab

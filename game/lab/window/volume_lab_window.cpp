@@ -23,7 +23,7 @@
 #include "render/pace.h"
 #include "render/with_renderer.h"
 
-namespace thaum::app {
+namespace thaum::game::inline lab {
 namespace {
 
 constexpr Tick ticks_of_a_frame = 100;  // maximum number of ticks per picture; time beyond them is dropped
@@ -372,4 +372,4 @@ int run_volume_window(VolumeLabPlan plan) {
     return done;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline lab

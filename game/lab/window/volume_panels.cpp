@@ -8,7 +8,7 @@
 
 #include "core/text.h"
 
-namespace thaum::app {
+namespace thaum::game::inline lab {
 namespace {
 
 using game::LabMode;
@@ -487,4 +487,4 @@ void show_panels(VolumeLabPlan& plan, const game::VolumeLabFigures& figures, Vol
     show_question(state.question);
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline lab

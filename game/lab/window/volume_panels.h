@@ -8,7 +8,7 @@
 
 #include "game/lab/window/volume_lab.h"
 
-namespace thaum::app {
+namespace thaum::game::inline lab {
 
 /// Question about a carved body that is not saved.
 struct UnsavedQuestion {
@@ -62,4 +62,4 @@ void add_force(VolumePanelState& state, double newtons);
 /// Shows all panels and stores the user's changes in them.
 void show_panels(VolumeLabPlan& plan, const game::VolumeLabFigures& figures, VolumePanelState& state);
 
-}  // namespace thaum::app
+}  // namespace thaum::game::inline lab

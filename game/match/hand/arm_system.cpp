@@ -6,7 +6,7 @@
 #include "game/context/arms.h"
 #include "game/match/hand/hand_system.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 namespace {
 
 /// Number of ticks for which the models repeat a key press, since an arm may skip models.
@@ -203,4 +203,4 @@ bool fill_order(const ecs::World& world, const HapticSetup& setup, std::uint32_t
     return true;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

@@ -8,7 +8,7 @@
 #include "game/stations/cauldron/cauldron.h"
 #include "input/arm_servo.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 
 /// Returns a copy of all arms, to be taken before the scene is cleared.
 std::vector<Arm> arms_in(const ecs::World& world);
@@ -36,4 +36,4 @@ void tell_arms(ecs::World& world, bool panic);
 bool fill_order(const ecs::World& world, const HapticSetup& setup, std::uint32_t player,
                 input::ArmOrder& order);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

@@ -5,7 +5,7 @@
 #include "game/context/stations.h"
 #include "game/context/surfaces.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 namespace {
 
 /// Margin around the line from proxy to tip (m): larger than any motion of the tip in a tick.
@@ -120,4 +120,4 @@ void fill_probe_model(const MatchContext& context, ecs::Entity wizard, HandState
     fill_patch(model.patch, context.physics.read(), around, frame, before, feel);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

@@ -10,7 +10,7 @@
 #include "game/components/hand_state.h"
 #include "game/context/match_context.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 
 /// Writes surface patch, frame motion, start and patch number of the model, and the frame in HandState. The
 /// patch is empty if no surface is within reach. Reads resource::Physics.
@@ -21,4 +21,4 @@ void fill_probe_model(const MatchContext& context, ecs::Entity wizard, HandState
 /// every tick before bodies move. The push is not reduced when the safety stage reduces the hand's force.
 void add_probe_system(MatchContext& context, ecs::Schedule& schedule);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

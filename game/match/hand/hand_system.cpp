@@ -10,7 +10,7 @@
 #include "game/stations/crystal/chisel.h"
 #include "game/stations/orb/worn_modes.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 namespace {
 
 using input::Button;
@@ -128,4 +128,4 @@ std::uint64_t chained_force_hash(const ecs::World& world, std::uint64_t before) 
     return before;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

@@ -4,7 +4,7 @@
 #include "game/components/hand_state.h"
 #include "game/stations/cauldron/cauldron.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 
 /// Fills and returns the haptic model for the wizard's hand in this tick.
 const haptics::HapticModel& next_model(MatchContext& context, const BrewResource& brew, ecs::Entity wizard,
@@ -16,4 +16,4 @@ void add_hand_system(MatchContext& context, const BrewResource& brew, ecs::Sched
 /// Hash of the forces of this tick, chained to the hash of the ticks before.
 std::uint64_t chained_force_hash(const ecs::World& world, std::uint64_t before);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

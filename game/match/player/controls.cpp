@@ -10,7 +10,7 @@
 #include "game/context/stations.h"
 #include "input/stick.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 namespace {
 
 using input::Button;
@@ -257,4 +257,4 @@ void add_controls_used_system(MatchContext& context, ecs::Schedule& schedule) {
                   }});
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

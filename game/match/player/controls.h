@@ -3,7 +3,7 @@
 #pragma once
 #include "game/context/match_context.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 
 /// Adds the system that fills in Controls every tick, also in a pause. It also turns Gaze, but not in a
 /// pause.
@@ -19,4 +19,4 @@ void add_pause_system(MatchContext& context, ecs::Schedule& schedule);
 /// fast near the rim.
 double stick_curve(std::int32_t deflection);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

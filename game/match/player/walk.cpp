@@ -6,7 +6,7 @@
 #include "game/stations/cauldron/brewing.h"
 #include "game/stations/cauldron/potions.h"
 
-namespace thaum::game {
+namespace thaum::game::inline match {
 namespace {
 
 /// Sideways speed that the player asks for, -127 to 127; 0 at a crystal, which these keys turn instead.
@@ -86,4 +86,4 @@ void add_walk_system(MatchContext& context, ecs::Schedule& schedule) {
          }});
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline match

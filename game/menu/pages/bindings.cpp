@@ -2,7 +2,7 @@
 #include "core/text.h"
 #include "game/menu/page.h"
 
-namespace thaum::app {
+namespace thaum::game::inline menu {
 namespace {
 
 std::string labels_of(const std::vector<input::Control>& controls) {
@@ -84,4 +84,4 @@ const PageRegistration bindings_page{{
 }};
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game::inline menu

@@ -2,7 +2,7 @@
 #include "core/text.h"
 #include "game/menu/page.h"
 
-namespace thaum::app {
+namespace thaum::game::inline menu {
 namespace {
 
 void switch_fader(const RowPress& press) {
@@ -50,4 +50,4 @@ const PageRegistration cauldron_page{{
 }};
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game::inline menu

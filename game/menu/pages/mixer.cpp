@@ -4,7 +4,7 @@
 #include "core/text.h"
 #include "game/menu/page.h"
 
-namespace thaum::app {
+namespace thaum::game::inline menu {
 namespace {
 
 // Presets and profiles --------------------------------------------------------------------------------------
@@ -216,4 +216,4 @@ const PageRegistration mixer_page{{
 }};
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game::inline menu

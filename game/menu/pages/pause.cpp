@@ -2,7 +2,7 @@
 #include "core/text.h"
 #include "game/menu/page.h"
 
-namespace thaum::app {
+namespace thaum::game::inline menu {
 namespace {
 
 void go_on(const RowPress& press) { press.state.request = MenuRequest::go_on; }
@@ -151,4 +151,4 @@ const PageRegistration pause_page{{
 }};
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game::inline menu

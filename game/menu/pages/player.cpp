@@ -2,7 +2,7 @@
 #include "core/text.h"
 #include "game/menu/page.h"
 
-namespace thaum::app {
+namespace thaum::game::inline menu {
 namespace {
 
 void type_name_of_player(const RowPress& press) {
@@ -39,4 +39,4 @@ const PageRegistration player_page{{
 }};
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game::inline menu

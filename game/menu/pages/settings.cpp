@@ -1,7 +1,7 @@
 // Settings of the picture, of words and of recordings, and the pages below them.
 #include "game/menu/page.h"
 
-namespace thaum::app {
+namespace thaum::game::inline menu {
 namespace {
 
 void add_setting_rows(const MenuState& s, const MenuContext&, Rows& rows) {
@@ -23,4 +23,4 @@ const PageRegistration settings_page{{
 }};
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game::inline menu

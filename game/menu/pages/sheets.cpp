@@ -2,7 +2,7 @@
 #include "core/text.h"
 #include "game/menu/page.h"
 
-namespace thaum::app {
+namespace thaum::game::inline menu {
 namespace {
 
 void open_sheet(const RowPress& press) {
@@ -66,4 +66,4 @@ const PageRegistration sheets_page{{
 }};
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game::inline menu

@@ -1,7 +1,7 @@
 // Settings of the sounds.
 #include "game/menu/page.h"
 
-namespace thaum::app {
+namespace thaum::game::inline menu {
 namespace {
 
 const PageRegistration sound_page{{
@@ -14,4 +14,4 @@ const PageRegistration sound_page{{
 }};
 
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::game::inline menu

@@ -12,7 +12,7 @@
 #include "core/text.h"
 #include "game/scenario/sandbox.h"
 
-namespace thaum::game::arguments {
+namespace thaum::game::inline scenario::arguments {
 
 template <class... Parts>
 [[noreturn]] void fault(const Parts&... parts) {
@@ -52,4 +52,4 @@ private:
     int index_;
 };
 
-}  // namespace thaum::game::arguments
+}  // namespace thaum::game::inline scenario::arguments

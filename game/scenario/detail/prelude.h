@@ -2,8 +2,8 @@
 #pragma once
 #include <string_view>
 
-namespace thaum::game {
+namespace thaum::game::inline scenario {
 
 extern const std::string_view prelude;
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

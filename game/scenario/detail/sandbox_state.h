@@ -9,7 +9,7 @@
 
 #include "game/scenario/sandbox.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scenario {
 
 inline constexpr const char* prelude_name = "=prelude";
 
@@ -60,4 +60,4 @@ void open_library(lua_State* lua);
 /// Line of the first operator ^ in a source; std::nullopt if there is none.
 std::optional<int> line_of_power(std::string_view source);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

@@ -7,7 +7,7 @@
 #include "game/scenario/play.h"
 #include "game/scenario/sandbox.h"
 
-namespace thaum::game {
+namespace thaum::game::inline scenario {
 
 /// A verb and its name. Names that begin with raw_ are only for the prelude, which wraps these verbs and
 /// removes the names.
@@ -43,4 +43,4 @@ inline EventKind read_kind(lua_State* lua, int index) {
     return *kind;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline scenario

@@ -1,6 +1,6 @@
 #include "game/senses/sound/cues.h"
 
-namespace thaum::game {
+namespace thaum::game::inline senses {
 
 Material material_of(Surface surface) {
     switch (surface) {
@@ -33,4 +33,4 @@ Cue hit_on(Material material) {
     return Cue::hit_stone;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline senses

@@ -9,7 +9,7 @@
 #include "audio/sound.h"
 #include "game/components/body.h"
 
-namespace thaum::game {
+namespace thaum::game::inline senses {
 
 enum class Cue : std::uint8_t {
     step_stone,
@@ -58,4 +58,4 @@ using SoundNumber = std::optional<std::uint32_t>;
 /// Number of each cue's sound in a bank.
 using CueSounds = std::array<SoundNumber, cues>;
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline senses

@@ -3,7 +3,7 @@
 #include "game/match/hurt_side.h"
 #include "game/senses/sound/scene_parts.h"
 
-namespace thaum::game {
+namespace thaum::game::inline senses {
 namespace {
 
 /// Harm that is heard at full strength (HP).
@@ -100,4 +100,4 @@ void add_event_sounds(SoundWriting& writing) {
                                        [&](const Event& event) { add_sound_of(writing, event); });
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline senses

@@ -6,7 +6,7 @@
 #include "core/text.h"
 #include "core/units.h"
 
-namespace thaum::game {
+namespace thaum::game::inline senses {
 namespace {
 
 /// Limits within which a sound counts as the listener's own: distance along the ground, and height above or
@@ -117,4 +117,4 @@ void HeardLines::follow(const audio::AudioFrame& frame, const audio::SoundBank& 
     for (const auto& voice : frame.begins) take(voice);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline senses

@@ -12,7 +12,7 @@
 
 #include "audio/frame.h"
 
-namespace thaum::game {
+namespace thaum::game::inline senses {
 
 /// Which captions a player has chosen to see.
 enum class HeardWish : std::uint8_t { none, important, all };
@@ -74,4 +74,4 @@ private:
 /// Side from which a listener hears a position.
 HeardFrom side_of(const audio::Listener& listener, vec3 place);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline senses

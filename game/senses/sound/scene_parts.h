@@ -2,7 +2,7 @@
 #pragma once
 #include "game/senses/sound/sound_scene.h"
 
-namespace thaum::game {
+namespace thaum::game::inline senses {
 
 /// Keys of lasting voices. For a wizard's voices, the player's number is added.
 namespace lasting {
@@ -49,4 +49,4 @@ void add_score(SoundWriting& writing);
 /// Muffles lasting voices behind walls. Checks one voice in each frame, since each check costs a ray cast.
 void muffle_by_walls(SoundWriting& writing);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline senses

@@ -3,7 +3,7 @@
 
 #include "game/senses/sound/scene_parts.h"
 
-namespace thaum::game {
+namespace thaum::game::inline senses {
 namespace {
 
 constexpr Tick told_seconds = 10, counted_seconds = 3;
@@ -75,4 +75,4 @@ void add_score(SoundWriting& writing) {
     }
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline senses

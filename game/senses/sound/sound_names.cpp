@@ -5,7 +5,7 @@
 #include "core/text.h"
 #include "game/data/name_finder.h"
 
-namespace thaum::game {
+namespace thaum::game::inline senses {
 namespace {
 
 using Finder = NameFinder<audio::SoundBank, audio::Sound>;
@@ -56,4 +56,4 @@ MatchSounds match_sounds(const audio::SoundBank& bank, const Presentation& shown
     return out;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline senses

@@ -8,7 +8,7 @@
 #include "game/data/presentation.h"
 #include "game/senses/sound/cues.h"
 
-namespace thaum::game {
+namespace thaum::game::inline senses {
 
 struct WandSoundNumbers {
     SoundNumber fire, burst, take, ready, hold;
@@ -29,4 +29,4 @@ struct MatchSounds {
 /// Looks up all sounds. A missing or faulty sound is silent, and does not affect the others.
 MatchSounds match_sounds(const audio::SoundBank& bank, const Presentation& shown);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline senses

@@ -4,7 +4,7 @@
 
 #include "game/senses/sound/scene_parts.h"
 
-namespace thaum::game {
+namespace thaum::game::inline senses {
 namespace {
 
 /// Full muffling by a wall between ear and source, and the share of the remaining change that is made at each
@@ -137,4 +137,4 @@ void SoundScene::take(const Simulation& match, std::span<const std::uint32_t> li
     memory_.follower.look(match);
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline senses

@@ -13,7 +13,7 @@
 #include "game/match/follower.h"
 #include "game/senses/sound/sound_names.h"
 
-namespace thaum::game {
+namespace thaum::game::inline senses {
 
 /// State of one wizard's steps, wand and heart at the last frame.
 struct WizardSoundMemory {
@@ -67,4 +67,4 @@ private:
     SoundMemory memory_;
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline senses

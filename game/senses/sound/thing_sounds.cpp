@@ -4,7 +4,7 @@
 #include "game/components/orb.h"
 #include "game/senses/sound/scene_parts.h"
 
-namespace thaum::game {
+namespace thaum::game::inline senses {
 namespace {
 
 /// Changes of speed in one frame from which on a blow is audible, and has full loudness (m/s).
@@ -76,4 +76,4 @@ void add_orb_sounds(SoundWriting& writing) {
     });
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline senses

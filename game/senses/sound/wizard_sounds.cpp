@@ -6,7 +6,7 @@
 #include "game/data/wand_slots.h"
 #include "game/senses/sound/scene_parts.h"
 
-namespace thaum::game {
+namespace thaum::game::inline senses {
 namespace {
 
 constexpr double jump_speed = 2;  ///< upward speed above which leaving the ground counts as a jump (m/s)
@@ -155,4 +155,4 @@ void add_wizard_sounds(SoundWriting& writing) {
         });
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline senses

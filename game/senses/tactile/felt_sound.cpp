@@ -7,7 +7,7 @@
 #include "core/config.h"
 #include "core/file.h"
 
-namespace thaum::game {
+namespace thaum::game::inline senses {
 namespace {
 
 /// Share of a sound's amplitude that remains behind a wall, as in the audio mixer.
@@ -121,4 +121,4 @@ BandStrengths FeltSound::strengths(std::uint32_t listener, const FeltSoundWish& 
     return out;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline senses

@@ -10,7 +10,7 @@
 #include "audio/bands.h"
 #include "core/error.h"
 
-namespace thaum::game {
+namespace thaum::game::inline senses {
 
 /// Names of the bands, lowest first, which are also the names of their tables in assets/tactile/sound.toml.
 inline constexpr std::array<std::string_view, 3> felt_band_names{"low", "middle", "high"};
@@ -80,4 +80,4 @@ private:
     std::array<Powers, audio::max_listeners> powers_{};
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline senses

@@ -4,7 +4,7 @@
 #include "game/components/orb.h"
 #include "game/components/station.h"
 
-namespace thaum::game {
+namespace thaum::game::inline senses {
 namespace {
 
 vec3 recoil_of(const haptics::ServoState& servo) {
@@ -66,4 +66,4 @@ FeltSource strongest_source(const HandForces& forces, std::string_view steady_na
     return strongest;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline senses

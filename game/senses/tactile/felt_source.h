@@ -6,7 +6,7 @@
 #include "ecs/world.h"
 #include "game/components/hand_state.h"
 
-namespace thaum::game {
+namespace thaum::game::inline senses {
 
 /// Sources of force on the hand.
 enum class ForceSource : std::uint8_t { recoil, spring, steady, wall, current, bowl, surface, flow, crystal };
@@ -30,4 +30,4 @@ struct FeltSource {
 /// Returns the strongest source. `steady_name` names the steady force of the wand in hand, such as "Weight".
 FeltSource strongest_source(const HandForces& forces, std::string_view steady_name);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline senses

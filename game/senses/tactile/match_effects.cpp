@@ -5,7 +5,7 @@
 #include "core/text.h"
 #include "game/data/name_finder.h"
 
-namespace thaum::game {
+namespace thaum::game::inline senses {
 
 MatchEffects match_effects(const tactile::EffectBank& bank, const Presentation& shown) {
     MatchEffects out;
@@ -32,4 +32,4 @@ MatchEffects match_effects(const tactile::EffectBank& bank, const Presentation& 
     return out;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline senses

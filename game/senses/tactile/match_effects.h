@@ -9,7 +9,7 @@
 #include "game/senses/tactile/felt_sound.h"
 #include "tactile/effect.h"
 
-namespace thaum::game {
+namespace thaum::game::inline senses {
 
 /// Number of an effect in the bank; std::nullopt: nothing is felt.
 using EffectNumber = std::optional<std::uint32_t>;
@@ -26,4 +26,4 @@ struct MatchEffects {
 /// Looks up all effects. A missing or faulty effect is not felt, and does not affect the others.
 MatchEffects match_effects(const tactile::EffectBank& bank, const Presentation& shown);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline senses

@@ -7,7 +7,7 @@
 #include "game/match/great_work.h"
 #include "game/match/hurt_side.h"
 
-namespace thaum::game {
+namespace thaum::game::inline senses {
 namespace {
 
 constexpr double full_harm = 60;         ///< harm at which an event is felt at full strength (HP)
@@ -213,4 +213,4 @@ void TactileScene::take(const Simulation& match) {
         if (output.used) output.frame = output.mixer->mix(match.now());
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline senses

@@ -14,7 +14,7 @@
 #include "tactile/layout.h"
 #include "tactile/mixer.h"
 
-namespace thaum::game {
+namespace thaum::game::inline senses {
 
 /// An effect that starts, or that lasts while its key is repeated.
 struct BodyCue {
@@ -96,4 +96,4 @@ private:
     bool left_foot_{};
 };
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline senses

@@ -9,7 +9,7 @@
 #include "game/stations/cauldron/ladle.h"
 #include "game/stations/cauldron/potions.h"
 
-namespace thaum::game {
+namespace thaum::game::inline stations {
 namespace {
 
 bool near(const MatchData& data, const Cauldron& cauldron, vec3 place) {
@@ -374,4 +374,4 @@ void add_brewing_systems(MatchContext& context, BrewResource& brew, ecs::Schedul
                   }});
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline stations

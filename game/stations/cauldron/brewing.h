@@ -4,7 +4,7 @@
 #pragma once
 #include "game/stations/cauldron/cauldron.h"
 
-namespace thaum::game {
+namespace thaum::game::inline stations {
 
 /// Creates the ingredient niches at the arena's places.
 void spawn_niches(MatchContext& context);
@@ -34,4 +34,4 @@ bool is_refilling(const AuraRules& aura, const ecs::World& world, const BrewWork
 /// Work of a ladle on the brew in the last 1.5 s (J).
 double recent_work(const Ladle& ladle);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline stations

@@ -6,7 +6,7 @@
 #include "core/assert.h"
 #include "game/brew/brew_state.h"
 
-namespace thaum::game {
+namespace thaum::game::inline stations {
 namespace {
 
 /// Indices of all cells with their middle inside the basin.
@@ -290,4 +290,4 @@ void add_brew_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& 
                   }});
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline stations

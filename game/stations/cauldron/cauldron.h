@@ -15,7 +15,7 @@
 #include "game/components/cauldron.h"
 #include "game/context/match_context.h"
 
-namespace thaum::game {
+namespace thaum::game::inline stations {
 
 inline constexpr Tick fluid_period = 16;
 inline constexpr Tick surface_period = 4;
@@ -45,14 +45,18 @@ struct BrewSolver {
     std::uint64_t bursts_seen{};       ///< number of the next event that may be a burst at the brew
 };
 
-namespace resource {
+}  // namespace thaum::game::inline stations
+
+namespace thaum::game::inline stations::resource {
 
 struct Brew {
     using Value = BrewSolver;
     static constexpr std::string_view name = "brew solver";
 };
 
-}  // namespace resource
+}  // namespace thaum::game::inline stations::resource
+
+namespace thaum::game::inline stations {
 
 using BrewResource = ecs::Resource<resource::Brew>;
 
@@ -89,4 +93,4 @@ const ChangedBrew& changes_of(const MatchData& data, const Cauldron& cauldron);
 /// Velocity of the brew at a place and tick (m/s, world). Zero outside the brew.
 vec3 current_at(const ecs::World& world, const BrewWork* work, vec3 place, Tick tick);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline stations

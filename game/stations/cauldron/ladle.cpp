@@ -5,7 +5,7 @@
 #include "game/brew/brew_state.h"
 #include "game/components/hand_state.h"
 
-namespace thaum::game {
+namespace thaum::game::inline stations {
 namespace {
 
 using input::Button;
@@ -206,4 +206,4 @@ void add_ladle_system(MatchContext& context, ecs::Schedule& schedule) {
                   }});
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline stations

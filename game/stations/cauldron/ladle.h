@@ -12,7 +12,7 @@
 #include "game/context/surfaces.h"
 #include "game/stations/cauldron/cauldron.h"
 
-namespace thaum::game {
+namespace thaum::game::inline stations {
 
 /// Pose of a stirring hand's device frame (world). `yaw`: AtStation::yaw.
 HandFrame ladle_frame(const CauldronRules& rules, const Cauldron& cauldron, double yaw);
@@ -30,4 +30,4 @@ void add_stir_system(MatchContext& context, BrewResource& brew, ecs::Schedule& s
 /// Adds the system that moves the ladles and pushes the brew, every tick. It runs after the haptics.
 void add_ladle_system(MatchContext& context, ecs::Schedule& schedule);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline stations

@@ -5,7 +5,7 @@
 
 #include "game/stations/cauldron/brewing.h"
 
-namespace thaum::game {
+namespace thaum::game::inline stations {
 namespace {
 
 /// Time between two injuries by poison.
@@ -454,4 +454,4 @@ void add_potion_systems(MatchContext& context, ecs::Schedule& schedule) {
                   .run = [&context](ecs::World&, Tick tick) { tell_orders(context, tick); }});
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline stations

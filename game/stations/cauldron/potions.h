@@ -11,7 +11,7 @@
 #include "game/components/stroke_reading.h"
 #include "game/stations/cauldron/cauldron.h"
 
-namespace thaum::game {
+namespace thaum::game::inline stations {
 
 /// A recipe's ingredients in the order that one player must follow.
 struct RecipeOrder {
@@ -86,4 +86,4 @@ void forget_filling(Cauldron& cauldron);
 /// tick. In an arena with an orb, the orb shows those recipes instead (game/stations/orb/scrying.h).
 void add_potion_systems(MatchContext& context, ecs::Schedule& schedule);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline stations

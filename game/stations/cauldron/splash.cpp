@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace thaum::game {
+namespace thaum::game::inline stations {
 namespace {
 
 /// Speed that is added to the slip in the law of drag (m/s). Well below it, drag is proportional to the slip;
@@ -148,4 +148,4 @@ void add_splash_system(MatchContext& context, BrewResource& brew, ecs::Schedule&
          }});
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline stations

@@ -3,10 +3,10 @@
 #pragma once
 #include "game/stations/cauldron/cauldron.h"
 
-namespace thaum::game {
+namespace thaum::game::inline stations {
 
 /// Adds the system that applies drag and buoyancy to things in the brew, and the opposite momentum to the
 /// brew, every 4 ticks.
 void add_splash_system(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline stations

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace thaum::game {
+namespace thaum::game::inline stations {
 namespace {
 
 /// Middle of the solid voxel nearest to a position (crystal frame); std::nullopt for an empty crystal.
@@ -61,4 +61,4 @@ void add_chip_system(MatchContext& context, CrystalResource& crystals, ecs::Sche
                   }});
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline stations

@@ -4,10 +4,10 @@
 #pragma once
 #include "game/stations/crystal/crystal.h"
 
-namespace thaum::game {
+namespace thaum::game::inline stations {
 
 /// Adds the system that chips crystals for the hits of this tick (context/strikes.h). It runs only if there
 /// are any.
 void add_chip_system(MatchContext& context, CrystalResource& crystals, ecs::Schedule& schedule);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline stations

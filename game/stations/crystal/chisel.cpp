@@ -10,7 +10,7 @@
 #include "haptics/volume/smooth_grid.h"
 #include "haptics/volume/volume_feel.h"
 
-namespace thaum::game {
+namespace thaum::game::inline stations {
 namespace {
 
 using input::Button;
@@ -312,4 +312,4 @@ void lose_lens(MatchContext& context, ecs::Entity wizard, Tick tick) {
                      .place = now.get<Motion>(wizard).position});
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline stations

@@ -13,7 +13,7 @@
 #include "game/context/surfaces.h"
 #include "game/stations/crystal/crystal.h"
 
-namespace thaum::game {
+namespace thaum::game::inline stations {
 
 /// Whether a wizard can work at the crystal, given the position of the body's middle.
 bool within_reach_of_crystal(const MatchData& data, const Crystal& crystal, vec3 body);
@@ -36,4 +36,4 @@ void add_chisel_system(MatchContext& context, ecs::Schedule& schedule);
 /// Motion.
 void lose_lens(MatchContext& context, ecs::Entity wizard, Tick tick);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline stations

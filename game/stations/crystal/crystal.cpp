@@ -7,7 +7,7 @@
 #include "core/hash.h"
 #include "game/stations/crystal/crystal_shape.h"
 
-namespace thaum::game {
+namespace thaum::game::inline stations {
 namespace {
 
 /// Colour of a crystal that no one has painted.
@@ -220,4 +220,4 @@ ecs::Entity crystal_entity(const ecs::World& world, std::uint32_t number) {
     return found;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline stations

@@ -18,7 +18,7 @@
 #include "game/components/crystal.h"
 #include "game/context/match_context.h"
 
-namespace thaum::game {
+namespace thaum::game::inline stations {
 
 /// Density at or above which a voxel is solid: the surface that is felt and drawn.
 inline constexpr float crystal_surface = 0.5F;
@@ -36,14 +36,18 @@ struct CrystalBodies {
     std::vector<CrystalBody> list{};
 };
 
-namespace resource {
+}  // namespace thaum::game::inline stations
+
+namespace thaum::game::inline stations::resource {
 
 struct Crystals {
     using Value = CrystalBodies;
     static constexpr std::string_view name = "crystal bodies";
 };
 
-}  // namespace resource
+}  // namespace thaum::game::inline stations::resource
+
+namespace thaum::game::inline stations {
 
 using CrystalResource = ecs::Resource<resource::Crystals>;
 
@@ -91,4 +95,4 @@ std::optional<vec3> surface_along(const ecs::World& world, const Crystal& crysta
 /// The crystal with this number; an invalid entity if there is none.
 ecs::Entity crystal_entity(const ecs::World& world, std::uint32_t number);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline stations

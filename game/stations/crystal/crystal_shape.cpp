@@ -5,7 +5,7 @@
 
 #include "core/random.h"
 
-namespace thaum::game {
+namespace thaum::game::inline stations {
 namespace {
 
 /// Number of voxels along an edge of the body for which the sizes of parts are given.
@@ -218,4 +218,4 @@ std::vector<float> rough_density(std::uint64_t seed, const std::vector<float>& k
     return rough.take();
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline stations

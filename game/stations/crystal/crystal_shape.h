@@ -15,7 +15,7 @@
 
 #include "core/maths.h"
 
-namespace thaum::game {
+namespace thaum::game::inline stations {
 
 /// Tooth of a key: a block on the side of the shaft.
 struct KeyBit {
@@ -49,4 +49,4 @@ std::vector<float> key_density(std::uint64_t seed, int voxels);
 /// Density of the rough body. Its overlap with the key is between 0.4 and 0.65.
 std::vector<float> rough_density(std::uint64_t seed, const std::vector<float>& key, int voxels);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline stations

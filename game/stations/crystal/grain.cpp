@@ -2,7 +2,7 @@
 
 #include "core/assert.h"
 
-namespace thaum::game {
+namespace thaum::game::inline stations {
 namespace {
 
 /// Density after an edit, of which the grain (grain.h) may suppress a part.
@@ -100,4 +100,4 @@ DabWorth worth_of_dab(const MatchContext& context, const CrystalBodies& bodies, 
     return plain.against(overlap) < 0 ? DabWorth::spoils : DabWorth::nothing;
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline stations

@@ -6,7 +6,7 @@
 #pragma once
 #include "game/stations/crystal/crystal.h"
 
-namespace thaum::game {
+namespace thaum::game::inline stations {
 
 /// Applies a tool to a touched crystal and updates its overlap, as cut_crystal does. Of a change that leads
 /// away from the key, only the share CrystalRules::against_key is made.
@@ -21,4 +21,4 @@ enum class DabWorth : std::uint8_t { nothing, helps, spoils };
 DabWorth worth_of_dab(const MatchContext& context, const CrystalBodies& bodies, const Crystal& crystal,
                       const field::Tool& tool, const field::Dab& dab);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline stations

@@ -5,7 +5,7 @@
 
 #include "core/random.h"
 
-namespace thaum::game {
+namespace thaum::game::inline stations {
 namespace {
 
 /// Least and greatest distance of the core from the orb's middle, as a share of the extent. A probe at rest
@@ -112,4 +112,4 @@ HandFrame probe_frame(const OrbRules& rules, const Orb& orb, double yaw) {
     return {.origin = orb.middle, .turn = look_rotation(yaw, 0), .metres_per_metre = rules.metres_per_metre};
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline stations

@@ -9,7 +9,7 @@
 #include "game/context/match_context.h"
 #include "game/context/surfaces.h"
 
-namespace thaum::game {
+namespace thaum::game::inline stations {
 
 /// The orb's flow around its middle, with the axes of the world.
 field::VortexFlow flow_of(const Orb& orb);
@@ -49,4 +49,4 @@ void spawn_next_orb(MatchContext& context, const OrbMemory& memory);
 /// Pose of a scrying hand's device frame (world). `yaw`: AtStation::yaw.
 HandFrame probe_frame(const OrbRules& rules, const Orb& orb, double yaw);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline stations

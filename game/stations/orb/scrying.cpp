@@ -8,7 +8,7 @@
 #include "game/stations/orb/orb.h"
 #include "game/stations/orb/worn_modes.h"
 
-namespace thaum::game {
+namespace thaum::game::inline stations {
 namespace {
 
 using input::Button;
@@ -219,4 +219,4 @@ void add_orb_probe_system(MatchContext& context, ecs::Schedule& schedule) {
          }});
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline stations

@@ -9,7 +9,7 @@
 #include "game/components/orb.h"
 #include "game/context/match_context.h"
 
-namespace thaum::game {
+namespace thaum::game::inline stations {
 
 /// Whether a wizard can scry, given the position of the body's middle.
 bool within_reach_of_orb(const MatchData& data, const Orb& orb, vec3 body);
@@ -22,4 +22,4 @@ void add_scrying_system(MatchContext& context, ecs::Schedule& schedule);
 /// Does nothing without an orb.
 void add_orb_probe_system(MatchContext& context, ecs::Schedule& schedule);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline stations

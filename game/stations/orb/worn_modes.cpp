@@ -7,7 +7,7 @@
 #include "game/stations/orb/orb.h"
 #include "haptics/modes.h"
 
-namespace thaum::game {
+namespace thaum::game::inline stations {
 namespace {
 
 /// Source of the filters of a mode: the flow about the orb's middle. `spacing` in it is the step of finite
@@ -127,4 +127,4 @@ void feel_orb(const MatchContext& context, ecs::Entity wizard, const HandState& 
     }
 }
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline stations

@@ -5,7 +5,7 @@
 #include "game/components/orb.h"
 #include "game/context/match_context.h"
 
-namespace thaum::game {
+namespace thaum::game::inline stations {
 
 /// Whether a mode is switched on.
 bool wears(const WornModes& modes, std::uint32_t mode);
@@ -39,4 +39,4 @@ void refit_modes(const OrbRules& before, const OrbRules& now, WornModes& modes);
 void feel_orb(const MatchContext& context, ecs::Entity wizard, const HandState& hand_state,
               haptics::HapticModel& model);
 
-}  // namespace thaum::game
+}  // namespace thaum::game::inline stations
