@@ -92,7 +92,7 @@ struct Note {
 struct Score {
     Envelope envelope;
     std::vector<Partial> partials;
-    double vibrato_hz{};  ///< (Hz)
+    double vibrato_hz{};  ///< periods of the vibrato per second (Hz)
     double vibrato{};     ///< largest deviation by the vibrato (semitones)
     double beats_per_minute{};
     std::vector<Note> notes;
@@ -109,8 +109,8 @@ struct Recipe {
     bool important{};     ///< true: shown even to players who want few captions
     SoundGroup group{};
     bool loops{};
-    double near_m{1.5};  ///< (m)
-    double reach_m{40};  ///< (m)
+    double near_m{1.5};  ///< distance up to which the sound has its full loudness (m)
+    double reach_m{40};  ///< distance beyond which the sound is silent (m)
     double seconds{};    ///< length of the sound (s)
     double level{};      ///< largest amplitude of the finished sound, at most 0.9
     double drive{};      ///< strength of the compression of loud moments, 0 to 20

@@ -129,7 +129,8 @@ constexpr double pushed_volume(double radius) { return 32 * pi / 105 * radius * 
 /// reaches only solid cells. Momentum that walls absorb is removed later, in `advance`.
 bool push(Fluid& fluid, const Push& push);
 
-/// Adds `amount` (m^3) of a substance within `radius` (m) of a place (m). Returns false if nothing was added.
+/// Adds `amount` (m^3) of a substance within `radius` (m) of a place (m), or within 1.5 cells if that is
+/// more. Returns false if nothing was added.
 bool pour(Fluid& fluid, std::size_t substance, vec3 place, double radius, double amount);
 
 /// Result of one step.

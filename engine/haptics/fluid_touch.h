@@ -139,10 +139,10 @@ struct BowlWall {
     double damping{};        ///< damping, >= 0 (N s/m); only the share that the device can render
 };
 
-/// Mass of the fluid that a ladle carries along.
+/// The ladle's own mass (6), which a spring ties to the hand.
 struct LadleMass {
     double mass{};       ///< mass (kg); 0: none
-    double stiffness{};  ///< stiffness of the spring that ties it to the hand, > 0 (N/m)
+    double stiffness{};  ///< stiffness of the spring between mass and hand, > 0 (N/m)
     /// Damping of that spring, >= 0 (N s/m); at most half of the device's limit is rendered.
     double damping{};
 };
@@ -185,7 +185,7 @@ struct FluidTouchState {
 };
 static_assert(sizeof(FluidTouchState) == 5 * sizeof(vec3) + 5 * sizeof(double) + 2 * sizeof(std::uint32_t));
 
-/// The tip in the fluid.
+/// Motion of the tip, and limits for its forces (device frame).
 struct FluidTip {
     vec3 position{}, velocity{};  ///< position and velocity of the tip (m, m/s)
     std::uint32_t model_age{};    ///< age of the model (ticks)

@@ -1,5 +1,5 @@
 // A potion that no file of the game knows, with an effect of its own: this source and one data file. A real
-// one stands in game/potions/NAME.cpp and assets/potions/NAME.toml.
+// one stands in game/stations/potions/NAME.cpp and assets/potions/NAME.toml.
 #include <gtest/gtest.h>
 
 #include "game/data/potion_effect.h"

@@ -152,7 +152,7 @@ void note_more(const NrrdHeader& header, const FileOfSamples& file, std::vector<
 
 // ---- reading ----------------------------------------------------------------------------------------------
 
-/// Unpacks gzip data after the skipped bytes.
+/// Unpacks gzip data and leaves out the skipped bytes, which are counted after unpacking.
 Expected<std::string> unpacked(const NrrdHeader& header, const FileOfSamples& file, std::size_t promised,
                                std::vector<std::string>& notes) {
     if (!characters_of(file.bytes).starts_with("\x1f\x8b")) {

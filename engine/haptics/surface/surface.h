@@ -72,7 +72,7 @@ struct Surface {
 };
 static_assert(sizeof(Surface) == 4 * sizeof(std::uint32_t) + 3 * sizeof(vec3), "no padding");
 
-/// As wide as a double, so that a Texture has no padding.
+/// Kind of a texture. As wide as a double, so that a Texture has no padding.
 enum class TextureKind : std::uint64_t {
     none,
     impact,     ///< a sinusoidal grating

@@ -2,7 +2,7 @@
 #include "game/context/match_context.h"
 #include "game/data/potion_effect.h"
 
-namespace thaum::game::inline potions {
+namespace thaum::game::inline stations {
 namespace {
 
 class HardenedEffect final : public PotionEffect {
@@ -29,4 +29,4 @@ const PotionEffectRegistration registration({
 });
 
 }  // namespace
-}  // namespace thaum::game::inline potions
+}  // namespace thaum::game::inline stations

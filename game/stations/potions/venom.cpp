@@ -2,7 +2,7 @@
 #include "game/context/match_context.h"
 #include "game/data/potion_effect.h"
 
-namespace thaum::game::inline potions {
+namespace thaum::game::inline stations {
 namespace {
 
 class VenomEffect final : public PotionEffect {
@@ -33,4 +33,4 @@ const PotionEffectRegistration registration({
 });
 
 }  // namespace
-}  // namespace thaum::game::inline potions
+}  // namespace thaum::game::inline stations
