@@ -13,18 +13,21 @@ constexpr double min_distance = 1e-4;
 constexpr double max_margin = 2;
 constexpr std::size_t unknowns = 4;
 constexpr int newton_steps = 30;
-/// Penalty on the squares of the weights, against infinite weights for evidence that a plane separates.
+/// Penalty on the squared weights. Without it, evidence that can be separated by a plane would give infinite
+/// weights.
 constexpr double ridge = 0.05;
 
-// Constants of the probability on purpose. Of a grid of them, these have the least mean error on letters of one writer, mouse
-// gestures of ten users, and flat figures and spells of generated users, without a loss beyond chance on any.
+// Constants of the probability on purpose. Of a grid of them, these have the least mean error on
+// letters of one writer, mouse gestures of ten users, and flat figures and spells of generated users,
+// without a loss beyond chance on any.
 /// Weight in the log odds of the logarithm of the ratio of two gestures' distances.
 constexpr double margin_weight = 17;
 /// Distance by which two strokes of one figure may well differ. The ratio of distances below it tells little.
 constexpr double common_distance = 0.15;
 /// Share of the strokes drawn on purpose that mean nothing.
 constexpr double meant_nothing = 0.006;
-/// Share of the strokes like none that are meant after all, by users who draw the gesture otherwise than its templates.
+/// Share of the strokes that resemble no gesture but are meant as one, by users who draw the gesture
+/// differently from its templates.
 constexpr double drawn_otherwise = 0.3;
 
 using Vector = std::array<double, unknowns>;
@@ -40,7 +43,7 @@ double product(const Vector& a, const Vector& b) {
     return sum;
 }
 
-/// Solves a symmetric positive definite system by elimination without exchanges.
+/// Solves a symmetric positive definite system by elimination without pivoting.
 Vector solved(Matrix m, Vector right) {
     for (std::size_t i = 0; i < unknowns; ++i) {
         for (std::size_t k = i + 1; k < unknowns; ++k) {
@@ -56,7 +59,7 @@ Vector solved(Matrix m, Vector right) {
     return right;
 }
 
-/// Newton's step of the penalised likelihood.
+/// Newton's step for the penalised likelihood.
 Vector step_of(std::span<const LabelledEvidence> samples, const Vector& weights) {
     Matrix curvature{};
     Vector slope{};
@@ -93,7 +96,8 @@ double Calibration::probability(const Evidence& evidence) const {
 double probability_on_purpose(float distance, float runner_up, double even) {
     const double near = static_cast<double>(distance), other = std::max(static_cast<double>(runner_up), near);
     const double margin = det::log((other + common_distance) / (near + common_distance));
-    // Squares, because strokes of a real user scatter less than synthetic ones: the odds by these are too timid.
+    // Squares, because strokes of a real user scatter less than synthetic ones:
+    // the odds by these are too timid.
     const double meant = even * even, nothing = meant_nothing * (1 - even);
     const double usual = meant / (meant + nothing * nothing);
     return (drawn_otherwise + (1 - drawn_otherwise) * usual) * logistic(margin_weight * margin);
@@ -105,7 +109,7 @@ std::array<double, 4> fit_weights(std::span<const LabelledEvidence> samples) {
         auto step = step_of(samples, weights);
         double size = 0;
         for (const double s : step) size = std::max(size, std::abs(s));
-        const double by = size > 4 ? 4 / size : 1;  // keeps the first steps from overshooting
+        const double by = size > 4 ? 4 / size : 1;  // reduces the first steps, which would overshoot
         for (std::size_t k = 0; k < unknowns; ++k) weights[k] += by * step[k];
     }
     return weights;

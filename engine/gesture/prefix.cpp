@@ -13,23 +13,27 @@ namespace {
 
 constexpr std::size_t prefix_starts = 8;              // points at which a closed stroke may begin
 constexpr std::size_t verified_prefixes = 2 * lanes;  // beginnings that are compared elastically
-/// Distances below this one count as this one: no other hand comes nearer, and the calibration knows nothing of them.
+/// Distances below this one count as this one: no other hand comes nearer, and the
+/// calibration knows nothing of them.
 constexpr float min_counted = 0.02F;
 constexpr float no_match = 1, very_far_off = 1e30F;
-/// Distance that a length adds which is e times another, where nothing is known of how lengths agree. Half and twice the
-/// length then add 0.03, about as much as a hand differs from itself. Durations add nothing there.
+/// Distance that a length adds which is e times another, where nothing is known of how lengths
+/// agree. Half and twice the length then add 0.03, about as much as a hand differs from
+/// itself. Durations add nothing there.
 constexpr float length_weight = 0.06F;
 /// Most that a length or a duration adds. From four times the length on, it is of another kind of stroke.
 constexpr float max_for_difference = 0.12F;
-/// Numerator and addend of the weight of lengths, and of durations: where the logarithms of a gesture's recorded ones have
-/// a variance v, the weight is agreement_weight / (v + min_variance).
+/// Numerator and addend of the weight of lengths, and of durations: where the logarithms of a gesture's
+/// recorded ones have a variance v, the weight is agreement_weight / (v + min_variance).
 constexpr double agreement_weight = 0.002, min_variance = 0.003;
 /// `length_weight` counts as much as this many degrees of freedom of the recorded strokes.
 constexpr double prior_freedom = 4;
-/// A recorded stroke that is farther than the nearest one of its gesture by this distance counts e times less.
+/// A recorded stroke that is farther than the nearest one of its gesture by
+/// this distance counts e times less.
 constexpr float hand_scatter = 0.03F;
-/// Where the logarithm of force / speed of a gesture's strokes has a smaller variance, the force is the answer of a viscous
-/// field. Then a stroke is drawn slowly or fast on purpose, as a gentle or a harsh one, and its duration tells nothing.
+/// Where the logarithm of force / speed of a gesture's strokes has a smaller variance, the force is the
+/// answer of a viscous field. Then a stroke is drawn slowly or fast on purpose, as a gentle or a harsh
+/// one, and its duration tells nothing.
 constexpr double viscous_variance = 0.15 * 0.15;
 constexpr float min_force = 1e-6F;
 /// A shorter duration counts as this one (s), also that of a stroke without times.
@@ -91,7 +95,8 @@ private:
     double count_ = 0, sum_ = 0, squares_ = 0, deviations_ = 0, freedom_ = 0;
 };
 
-/// Whether a whole recorded stroke with that mean force and what is nearest to it of another gesture differ in force alone.
+/// Whether a whole recorded stroke with that mean force and what is nearest to it of
+/// another gesture differ in force alone.
 bool is_twin(const PrefixSpace::Nearest& near, float force) {
     static const auto min_log_share = static_cast<float>(det::log(twin_share));
     return near.log_share >= min_log_share &&
@@ -264,8 +269,8 @@ void PrefixReader::verify(const Shape& shape, std::size_t first, std::size_t end
     }
 }
 
-/// Adds to the distance of each gesture's nearest recorded stroke for those of its strokes that are farther. A gesture is
-/// likelier if all its strokes are near than if one of them is.
+/// Adds to the distance of each gesture's nearest recorded stroke for those of its strokes that are farther.
+/// A gesture is likelier if all its strokes are near than if one of them is.
 void PrefixReader::join_strokes(PrefixSpace& space) const {
     std::size_t s = 0;
     for (std::uint32_t g = 0; g < names_.size(); ++g) {
@@ -298,8 +303,9 @@ double PrefixReader::share_by_force(std::uint32_t gesture, const PrefixSpace& sp
     return 1 / sum;
 }
 
-/// Most probability of a gesture at this distance, by the distances of all others. Of two gestures that are as near, each has
-/// half. The more gestures there are, the more of them are near by chance, so each of them counts.
+/// Most probability of a gesture at this distance, by the distances of all others. Of two
+/// gestures that are as near, each has half. The more gestures there are, the more of them are
+/// near by chance, so each of them counts.
 double PrefixReader::share_by_distance(std::uint32_t gesture, float distance,
                                        const PrefixSpace& space) const {
     double sum = 1;

@@ -1,27 +1,30 @@
 // gesture/prefix.h: the likely gesture of a stroke that is still being drawn.
 //
-// A recogniser compares whole strokes, so the first half of an S is nothing to it, or something else. Here each recorded
-// stroke is cut at eight shares of its length, and the stroke so far is compared with all of these beginnings: by the dot
-// product of their shapes first, then elastically with the nearest ones (elastic.h). Nobody knows how much of the stroke
-// is still to come. But people draw a gesture at about the same size and pace each time, so a beginning also counts as the
-// farther, the more its length and duration differ from those of the stroke so far. How much they count depends on how
-// much the recorded strokes of a gesture agree. One stroke of each says nothing about that. Nor do durations where the force
-// is the answer of a viscous field, because a hand is slow or fast there on purpose, for a gentle or a harsh stroke.
+// A recogniser compares whole strokes, so the first half of an S is nothing to it, or something else. Here
+// each recorded stroke is cut at eight shares of its length, and the stroke so far is compared with all of
+// these beginnings: by the dot product of their shapes first, then elastically with the nearest ones
+// (elastic.h). Nobody knows how much of the stroke is still to come. But people draw a gesture at about the
+// same size and pace each time, so a beginning also counts as the farther, the more its length and duration
+// differ from those of the stroke so far. How much they count depends on how much the recorded strokes of a
+// gesture agree. One stroke of each says nothing about that. Nor do durations where the force is the answer
+// of a viscous field, because a hand is slow or fast there on purpose, for a gentle or a harsh stroke.
 //
-// Where several strokes of a gesture were recorded, the distances to all of them count, and the nearest counts most.
+// Where several strokes of a gesture were recorded, the distances to all of them
+// count, and the nearest counts most.
 //
-// Strokes of closed gestures may start anywhere, so beginnings are cut from several starts. A gesture that is not
-// sensitive to direction has those of its strokes drawn backwards as well. Rotations are not tried.
+// Strokes of closed gestures may start anywhere, so beginnings are cut from several starts. A gesture that is
+// not sensitive to direction has those of its strokes drawn backwards as well. Rotations are not tried.
 //
-// Force. Between gestures of one shape that differ in force, the mean force so far decides, compared with that of equally
-// long beginnings. While it lies between theirs, none of them is likely.
+// Force. Between gestures of one shape that differ in force, the mean force so far decides, compared with
+// that of equally long beginnings. While it lies between theirs, none of them is likely.
 //
-// Confidence: as in calibration.h, with beginnings of synthetic strokes and scribbles. How much of the gesture has been drawn
-// is evidence too: late in a stroke its distances are larger, and still right. Everything is fixed at construction, and
-// equal input gives equal bits. At most sixteen solid and sixteen flat beginnings are compared elastically, however many there are.
+// Confidence: as in calibration.h, with beginnings of synthetic strokes and scribbles. How much of the
+// gesture has been drawn is evidence too: late in a stroke its distances are larger, and still right.
+// Everything is fixed at construction, and equal input gives equal bits. At most sixteen solid and sixteen
+// flat beginnings are compared elastically, however many there are.
 //
-// Steady answers. `tell` keeps what it has told until that has become unlikely or another gesture is likely enough, so that
-// a colour does not come and go.
+// Steady answers. `tell` keeps what it has told until that has become unlikely or another gesture is likely
+// enough, so that a colour does not come and go.
 #pragma once
 #include <array>
 #include <span>
@@ -41,18 +44,22 @@ inline constexpr std::array<double, lanes> prefix_shares{0.2, 0.3, 0.4, 0.5, 0.6
 /// The first points of a stroke, up to a share of its length (0 to 1). At least one, if there is one.
 Points beginning_of(Points stroke, double share);
 
-/// Probability from which on a likely gesture is told to the player, and below which one that was told is told no more.
+/// Probability from which on a likely gesture is told to the player, and below which
+/// one that was told is told no more.
 inline constexpr double likely_enough = 0.8, likely_still = 0.4;
 
+/// The gesture that an unfinished stroke is likely to become.
 struct LikelyGesture {
     static constexpr std::uint32_t none = 0xffffffff;
 
     std::uint32_t gesture = none;  ///< the likeliest; none for a stroke without a shape
     Evidence evidence{};           ///< in place of a usual distance it has the share that has been drawn
-    /// Probability that the stroke will be `gesture`, 0 to 1. 0 if it is shorter than the first beginning: too early to say.
+    /// Probability that the stroke will be `gesture`, 0 to 1. 0 if it is shorter than the
+    /// first beginning: too early to say.
     double probability{};
 };
 
+/// Settings of a PrefixReader.
 struct PrefixSettings {
     Channels channels{};
     std::uint64_t seed = 1;  ///< seed of the synthetic strokes
@@ -62,6 +69,7 @@ struct PrefixSettings {
 
 /// Working memory of one thread.
 struct PrefixSpace {
+    /// Beginning of a recorded stroke that is to be compared elastically.
     struct Candidate {
         float distance{};
         std::uint32_t place{};  ///< recorded stroke
@@ -72,6 +80,7 @@ struct PrefixSpace {
     EightShapes eight{};
     std::array<std::array<float, shape_points * max_channels>, lanes> chosen{};
     std::vector<Candidate> candidates{};
+    /// The nearest beginning of one gesture.
     struct Nearest {
         float distance{};
         /// Natural logarithm of the share of the recorded stroke's length that has been drawn.
@@ -83,18 +92,22 @@ struct PrefixSpace {
     float force{};                         ///< mean force of the stroke so far (unit of the strokes)
 };
 
+/// Compares unfinished strokes with beginnings of the templates.
 class PrefixReader {
 public:
-    /// Cuts the strokes. The error names the gesture and the fault: no stroke, a stroke without a shape, or too many.
+    /// Cuts the strokes. The error names the gesture and the fault: no stroke, a
+    /// stroke without a shape, or too many.
     static Expected<PrefixReader> make(std::span<const Gesture> gestures,
                                        const PrefixSettings& settings = {});
 
+    /// Number of gestures.
     std::size_t gestures() const { return names_.size(); }
+    /// Name of a gesture.
     const std::string& name(std::uint32_t gesture) const { return names_[gesture]; }
     /// Allocates nothing after the first call with the same space.
     LikelyGesture read(Points stroke, PrefixSpace& space) const;
-    /// The gesture to tell the player of the stroke so far, or LikelyGesture::none. `told` is the answer for a shorter part of
-    /// the same stroke, or none. Allocates as `read` does.
+    /// The gesture to tell the player of the stroke so far, or LikelyGesture::none. `told` is the answer for
+    /// a shorter part of the same stroke, or none. Allocates as `read` does.
     std::uint32_t tell(Points stroke, std::uint32_t told, PrefixSpace& space) const;
 
 private:

@@ -12,8 +12,9 @@ constexpr float lowest_score = -1e30F;
 constexpr float farthest_possible = 1e9F;  ///< distance of a gesture none of whose templates was compared
 /// Weight of the second nearest template of a gesture, as a share of that of the nearest.
 constexpr float second_weight = 0.5F;
-// Twins are told apart by odds, in which the ratio of the distances counts by this power. A common part is added to both
-// distances: below it their ratio tells which template happens to be alike, and not which gesture was meant.
+// Twins are told apart by odds, in which the ratio of the distances counts by this power. A
+// common part is added to both distances: below it their ratio tells which template happens to be
+// alike, and not which gesture was meant.
 constexpr double twin_distance_power = 4;
 constexpr float twin_common_distance = 0.1F;
 
@@ -27,8 +28,8 @@ Floats4 sums_of(Floats8 p, Floats8 q, Floats8 r, Floats8 s) {
     return __builtin_shufflevector(sum, sum, 0, 1, 2, 3) + __builtin_shufflevector(sum, sum, 4, 5, 6, 7);
 }
 
-/// Dot products of an array with four others. Their length is a multiple of eight. Four arrays are enough to keep the
-/// adders busy.
+/// Dot products of an array with four others. Their length is a multiple of eight. Four arrays
+/// are enough to keep the adders busy.
 Floats4 dots(const float* a, const std::array<const float*, 4>& four, std::size_t count) {
     const auto [p, q, r, s] = four;
     Floats8 even_p{}, even_q{}, even_r{}, even_s{}, odd_p{}, odd_q{}, odd_r{}, odd_s{};
@@ -76,7 +77,8 @@ std::span<const std::size_t> turning_pairs(std::size_t channels) {
     return solid;
 }
 
-/// Parts of the dot product after a turn of the stroke by an angle a: fixed + cosine part cos a + sine part sin a.
+/// Parts of the dot product after a turn of the stroke by an angle a: fixed +
+/// cosine part cos a + sine part sin a.
 struct TurnedProduct {
     float fixed{}, cosine{}, sine{};
 };
@@ -107,7 +109,8 @@ void turn(float* values, std::size_t points, std::size_t channels, float cosine,
     }
 }
 
-/// For each of the eight scores from `first` on, the number of scores that are better: larger, or as large and before it.
+/// For each of the eight scores from `first` on, the number of scores that are better:
+/// larger, or as large and before it.
 Ints8 ranks_of(std::size_t first, const float* scores, std::size_t count) {
     const auto own = load<Floats8>(scores + first);
     Ints8 better{};  // number of better scores, negative: a true comparison is minus one
@@ -217,8 +220,8 @@ void Recogniser::choose(const Shape& shape, const Limits& limits, std::size_t mo
     keep_best(count, most, space);
 }
 
-/// Puts the best `most` of the compared templates in the list of survivors, best first. Each finds its rank by
-/// comparison with all others, without a branch that the processor would have to guess.
+/// Puts the best `most` of the compared templates in the list of survivors, best first. Each finds its rank
+/// by comparison with all others, without a branch that the processor would have to guess.
 void Recogniser::keep_best(std::size_t count, std::size_t most, RecogniserSpace& space) {
     const std::size_t rounded = (count + lanes - 1) / lanes * lanes;
     std::fill(space.scores_.begin() + static_cast<std::ptrdiff_t>(count),
@@ -233,7 +236,8 @@ void Recogniser::keep_best(std::size_t count, std::size_t most, RecogniserSpace&
     space.survivor_count_ = std::min(count, most);
 }
 
-/// Values of a template as the elastic distance needs them: from its chosen start, and turned towards the stroke.
+/// Values of a template as the elastic distance needs them: from its chosen
+/// start, and turned towards the stroke.
 const float* Recogniser::lane_values(const Survivor& survivor, std::size_t lane,
                                      RecogniserSpace& space) const {
     const auto& t = templates_[survivor.place];
@@ -308,8 +312,8 @@ std::uint32_t Recogniser::twin_by_force(std::uint32_t gesture, double mean_force
     return best;
 }
 
-/// Chooses among the nearest gesture and its twins, and the runner-up among the others. Returns the probability of the
-/// choice.
+/// Chooses among the nearest gesture and its twins, and the runner-up among the others.
+/// Returns the probability of the choice.
 double Recogniser::by_twins(float force, float farthest, const RecogniserSpace& space, Recognition& r) const {
     const auto oddness = [&](std::uint32_t g) {
         const auto ratio = static_cast<double>((distance_of(g, farthest, space) + twin_common_distance) /

@@ -3,21 +3,21 @@
 //     stroke -> shape -> dot product with every template -> elastic distance to the best 8 to 64
 //            -> distance of each gesture -> probability, runner-up, acceptance
 //
-// There is no training. One to three strokes of each gesture are enough. The dot product (paper 000, section 8, here of
-// positions, directions, turns and force) takes some nanoseconds a template and leaves few for the elastic distance, which
-// decides. The distance of a gesture is that of its nearest template and, with half the weight, of the second nearest.
-// The mean of several recorded strokes of a gesture is a template as well.
+// There is no training. One to three strokes of each gesture are enough. The dot product (paper 000, section
+// 8, here of positions, directions, turns and force) takes some nanoseconds a template and leaves few for the
+// elastic distance, which decides. The distance of a gesture is that of its nearest template and, with half
+// the weight, of the second nearest. The mean of several recorded strokes of a gesture is a template as well.
 //
-// Variations. A stroke of a closed gesture may start anywhere: the dot product chooses the start among the points of
-// the template. A gesture with a tolerance of rotation is turned by the angle with the largest dot product. A gesture
-// that is not sensitive to direction has its templates drawn backwards as well.
+// Variations. A stroke of a closed gesture may start anywhere: the dot product chooses the start among the
+// points of the template. A gesture with a tolerance of rotation is turned by the angle with the largest dot
+// product. A gesture that is not sensitive to direction has its templates drawn backwards as well.
 //
-// Force. Gestures of one shape whose strokes differ in mean force are twins. The more their forces differ and the farther
-// all other gestures are, the less alike their strokes need be. Between them the mean force of the stroke
-// decides, together with what little the shapes tell.
+// Force. Gestures of one shape whose strokes differ in mean force are twins. The more their forces differ and
+// the farther all other gestures are, the less alike their strokes need be. Between them the mean force of
+// the stroke decides, together with what little the shapes tell.
 //
-// Confidence: see calibration.h. Everything is fixed at construction. `recognise` allocates nothing, and equal input
-// gives equal bits in every thread and on every processor.
+// Confidence: see calibration.h. Everything is fixed at construction. `recognise` allocates nothing, and
+// equal input gives equal bits in every thread and on every processor.
 #pragma once
 #include <optional>
 #include <span>
@@ -30,8 +30,10 @@
 
 namespace thaum::gesture {
 
+/// How hard a stroke was drawn.
 enum class ForceClass : std::uint8_t { gentle, normal, harsh };
 
+/// Result of recognising a stroke.
 struct Recognition {
     static constexpr std::uint32_t none = 0xffffffff;
 
@@ -41,23 +43,24 @@ struct Recognition {
     float runner_up_distance{};
     Evidence evidence{};   ///< evidence for a calibration with labelled strokes
     double probability{};  ///< probability that the stroke, drawn on purpose, was meant as `gesture`, 0 to 1
-    /// The same if every second stroke meant nothing. It decides whether a stroke is accepted.
+    /// The same probability if every second stroke meant nothing. It decides whether a stroke is accepted.
     double even_probability{};
-    bool accepted{};  ///< false: nothing was meant
+    bool accepted{};  ///< false: the stroke counts as none of the gestures
     ForceClass force = ForceClass::normal;
     double mean_force{};  ///< mean force along the path (unit of the device)
     double start{};       ///< time of the first point that counts, after the stroke's first point (s)
     double end{};         ///< time of the last point that counts, after the stroke's first point (s)
 };
 
+/// Settings of a Recogniser.
 struct RecogniserSettings {
     Channels channels{};
     /// True to compare every template elastically. Slower, for tests of the choice by dot product.
     bool exhaustive = false;
     double min_probability = 0.5;  ///< `even_probability` from which on a stroke is accepted
     std::uint64_t seed = 1;        ///< seed of the synthetic strokes that set the thresholds
-    /// False to skip the synthetic strokes, for a caller that calibrates with real ones. Then all thresholds are open, and
-    /// the usual distance of a gesture is that of its recorded strokes from one another.
+    /// False to skip the synthetic strokes, for a caller that calibrates with real ones. Then all thresholds
+    /// are open, and the usual distance of a gesture is that of its recorded strokes from one another.
     bool calibrate = true;
 };
 
@@ -91,41 +94,52 @@ private:
     std::size_t survivor_count_{};
 };
 
+/// Recognises strokes as one of the gestures whose templates it has.
 class Recogniser {
 public:
-    /// Prepares the templates and calibrates with synthetic strokes. The error names the gesture and the fault:
-    /// no stroke, a stroke without a shape, or too many.
+    /// Prepares the templates and calibrates with synthetic strokes. The error names the gesture and the
+    /// fault: no stroke, a stroke without a shape, or too many.
     static Expected<Recogniser> make(std::span<const Gesture> gestures,
                                      const RecogniserSettings& settings = {});
 
+    /// Number of gestures.
     std::size_t gestures() const { return names_.size(); }
+    /// Name of a gesture.
     const std::string& name(std::uint32_t gesture) const { return names_[gesture]; }
+    /// Number of templates.
     std::size_t templates() const { return templates_.size(); }
+    /// Settings with which the recogniser was made.
     const RecogniserSettings& settings() const { return settings_; }
+    /// Conversion of distances to probabilities, and the thresholds of acceptance.
     const Calibration& calibration() const { return calibration_; }
+    /// Replaces the calibration, for example by one fitted to strokes of users.
     void set_calibration(Calibration calibration) { calibration_ = std::move(calibration); }
 
+    /// Recognises a whole stroke. Allocates nothing after the first call with the same space.
     Recognition recognise(Points stroke, RecogniserSpace& space) const;
     /// Does the same for a part of continuous motion, in which no rest is left out.
     Recognition recognise_part(Points part, RecogniserSpace& space) const;
-    /// Does the same as `recognise` for a recogniser without the gesture `left_out`, to see how a stroke that means
-    /// nothing to it is taken.
+    /// Does the same as `recognise` for a recogniser without the gesture `left_out`, to see how a stroke
+    /// that means nothing to it is taken.
     Recognition recognise_without(Points stroke, std::uint32_t left_out, RecogniserSpace& space) const;
 
     /// Probability of two distances as this recogniser is calibrated, if every second stroke means nothing.
     double probability_of(std::uint32_t gesture, float distance, bool has_runner_up,
                           float runner_up_distance) const;
+    /// How hard a stroke of this gesture was drawn, by its mean force (unit of the device).
     ForceClass force_class(std::uint32_t gesture, double mean_force) const;
     /// True if only force tells strokes of the two gestures apart. A gesture is no twin of itself.
     bool are_twins(std::uint32_t a, std::uint32_t b) const;
     /// The gesture, or its twin whose templates have the mean force nearest to this one.
     std::uint32_t twin_by_force(std::uint32_t gesture, double mean_force) const;
 
-    /// True if some gesture counts z, or does not.
+    /// True if some gesture counts z.
     bool needs_solid() const { return needs_solid_; }
+    /// True if some gesture ignores z.
     bool needs_flat() const { return needs_flat_; }
-    /// Least and largest arc length of the templates (unit of the strokes).
+    /// Least arc length of the templates (unit of the strokes).
     float shortest() const { return shortest_; }
+    /// Largest arc length of the templates (unit of the strokes).
     float longest() const { return longest_; }
     /// Usual time for which a stroke of the gesture lasts (s); 0 if the templates have no times.
     float usual_seconds(std::uint32_t gesture) const { return usual_seconds_[gesture]; }
@@ -135,7 +149,8 @@ private:
     friend class CloseLook;
     struct Template {
         std::uint32_t gesture{};
-        /// Number of the recorded stroke. A copy drawn backwards has the same. The mean has the number after the last.
+        /// Number of the recorded stroke. A copy drawn backwards has the same. The mean
+        /// has the number after the last.
         std::uint32_t stroke{};
         std::uint32_t channels{};
         std::size_t values{};  ///< place of the values; those of a closed gesture stand there twice
@@ -174,7 +189,8 @@ private:
     void verify(const Shape& shape, RecogniserSpace& space) const;
     void note(float distance, const Template& t, RecogniserSpace& space) const;
     const float* lane_values(const Survivor& survivor, std::size_t lane, RecogniserSpace& space) const;
-    /// The fine shape of a template, from its chosen start and turned towards the stroke, and how it was made.
+    /// The fine shape of a template, from its chosen start and turned towards
+    /// the stroke, and how it was made.
     FineKind fine_template(const Survivor& survivor, FineShape& shape) const;
     void score(const Shape& shape, std::size_t count, RecogniserSpace& space) const;
     /// The best turn, and the best start if the template is closed.

@@ -90,9 +90,9 @@ Shape Recogniser::shape_of(const Template& t) const {
     return shape;
 }
 
-/// Adds the mean of a gesture's templates from `first` to before `end`, `step` apart, as one more stroke. Each recorded
-/// stroke differs by chance from what its writer means; their mean differs less. Strokes that may be turned are turned
-/// towards the first.
+/// Adds the mean of a gesture's templates from `first` to before `end`, `step` apart, as one more stroke.
+/// Each recorded stroke differs by chance from what its writer means; their mean differs less. Strokes that
+/// may be turned are turned towards the first.
 void Recogniser::add_mean(std::size_t first, std::size_t step, std::size_t end, RecogniserSpace& space) {
     Template mean = templates_[first];
     const Shape base = shape_of(mean);
@@ -117,8 +117,8 @@ void Recogniser::add_mean(std::size_t first, std::size_t step, std::size_t end, 
     templates_.push_back(mean);
 }
 
-/// Mean distance of the recorded strokes of a gesture, whose templates begin at `first`, from one another. `step` is the
-/// number of templates of each stroke.
+/// Mean distance of the recorded strokes of a gesture, whose templates begin at `first`, from one another.
+/// `step` is the number of templates of each stroke.
 float Recogniser::spread_of(std::size_t first, std::size_t step, RecogniserSpace& space) const {
     const std::size_t last = std::min(templates_.size(), first + step * max_compared);
     float sum = 0;
@@ -146,8 +146,8 @@ float Recogniser::spread_of(std::size_t first, std::size_t step, RecogniserSpace
     return std::max(sum / static_cast<float>(count), min_usual);
 }
 
-/// Adds what several recorded strokes of a gesture tell together: their usual distance, and their mean. A closed gesture
-/// has no mean, because its strokes start anywhere.
+/// Adds what several recorded strokes of a gesture tell together: their usual distance, and their mean. A
+/// closed gesture has no mean, because its strokes start anywhere.
 Expected<void> Recogniser::add_what_strokes_share(const Gesture& gesture, std::size_t first,
                                                   std::size_t copies, RecogniserSpace& space) {
     const bool several = gesture.strokes.size() > 1;
@@ -221,7 +221,8 @@ void Recogniser::calibrate(std::span<const Gesture> gestures, RecogniserSpace& s
         for (std::size_t v = 0; v < variations_of_each; ++v) {
             const auto& strokes = gestures[g].strokes;
             drawn[g].push_back(variation_of(strokes[v % strokes.size()], random));
-            // Without means, because the spotter weighs gestures by their usual distance, and does without them too.
+            // Without means, because the spotter weighs gestures by their usual
+            // distance, and does without them too.
             const auto r = recognise_within(drawn[g].back(), {.means = false}, space);
             if (r.gesture == g || are_twins(g, r.gesture)) meant[g].push_back(r.distance);
         }

@@ -6,24 +6,30 @@
 namespace thaum::gesture {
 namespace {
 
-constexpr double points_of_shortest = 40;  // points of the shortest window
-constexpr double ends_of_shortest = 14;    // ends within the arc length of the shortest window
+constexpr double points_of_shortest = 40;  // number of points of the shortest window
+// Number of window ends within the arc length of the shortest window.
+constexpr double ends_of_shortest = 14;
 /// Largest overlap of two reported gestures, as a share of the shorter one.
 constexpr double max_overlap = 0.15;
-constexpr double plain_usual = 0.06;  // usual distance of a gesture whose score is the distance
-constexpr float min_match = 0.5F;     // share of the template's dot product with itself
+constexpr double plain_usual = 0.06;  // usual distance at which the factor for a gesture is 1
+// Least dot product of a window and a template, as a share of the template's with itself.
+constexpr float min_match = 0.5F;
 constexpr std::size_t kept_points = max_points / 2;
-constexpr float max_looked_at = 0.25F;   // score of a window that is worth a close look
-constexpr std::uint32_t look_every = 4;  // one tick of so many is for close looks, if some are due
+constexpr float max_looked_at = 0.25F;  // largest score of a window that gets a close look
+// Interval of the ticks that are used for close looks, if some are due (ticks).
+constexpr std::uint32_t look_every = 4;
 
-// What else tells a gesture from other motion. On strokes of other users, the logarithm of the distance counts about 15
-// times as much as that of the motion before and after, and 10 times as much as the squared one of the duration.
-constexpr float time_before = 0.3F, time_after = 0.2F;  // in which the motion counts (s)
+// Constants of the factors that, besides the distance, separate gestures from other motion. On strokes of
+// other users, the logarithm of the distance counts about 15 times as much as that of the motion before and
+// after, and 10 times as much as the squared one of the duration.
+// Durations before and after a stroke in which motion counts (s).
+constexpr float time_before = 0.3F, time_after = 0.2F;
 constexpr double rest_power =
-    0.07;  // power of the motion before and after, each as a share of the stroke's speed
+    0.07;  // exponent for the motion before and after, each as a share of the stroke's speed
 constexpr double duration_weight = 0.1;
-constexpr float min_motion = 0.1F, max_motion = 3;  // a hand at rest, and one in a hurry
-constexpr float shortest_time = 0.05F;              // against division by zero (s)
+// limits of the shares of motion: for a hand at rest, and for a hand that moves fast
+constexpr float min_motion = 0.1F, max_motion = 3;
+constexpr float shortest_time = 0.05F;  // against division by zero (s)
 
 /// Overlap of two spans of time, as a share of the shorter.
 double overlap(double start_a, double end_a, double start_b, double end_b) {
@@ -34,7 +40,7 @@ double overlap(double start_a, double end_a, double start_b, double end_b) {
 
 }  // namespace
 
-// ---- choice among candidates -----------------------------------------------------------------------------------
+// ---- choice among candidates -----------------------------------------------------------------------------
 
 std::optional<Candidate> CandidateChoice::report() {
     start_ = waiting_->start;
@@ -64,7 +70,7 @@ std::optional<Candidate> CandidateChoice::at(double now) {
     return report();
 }
 
-// ---- spotter ---------------------------------------------------------------------------------------------------
+// ---- the spotter -----------------------------------------------------------------------------------------
 
 Spotter::Spotter(const Recogniser& recogniser, const SpotterSettings& settings)
     : recogniser_(recogniser),
@@ -121,16 +127,17 @@ void Spotter::make_room() {
     last_end_ -= length;
     points_.count = kept_points;
     dropped_ += first;
-    scanning_ = verifying_ = false;  // the numbers of its points are no longer right
+    scanning_ = verifying_ = false;  // the indices of the points in use are no longer valid
     if (look_.is_active() && !held_[looked_at_.what.gesture].waiting) {
-        held_[looked_at_.what.gesture] = looked_at_;  // again, with the new numbers
+        // Keep the candidate of the close look, with its new indices.
+        held_[looked_at_.what.gesture] = looked_at_;
         held_[looked_at_.what.gesture].waiting = true;
     }
     look_.stop();
     for (auto& h : held_) h.waiting = h.waiting && h.first >= dropped_;
 }
 
-/// Appends the point if it is a step away from the last one.
+/// Appends the point if it is at least one step of arc length away from the last one.
 void Spotter::append(const StrokePoint& p) {
     float length = 0;
     if (points_.count == 0) {
@@ -174,7 +181,7 @@ void Spotter::keep(const Pair& pair) {
     pairs_[at] = pair;
 }
 
-/// Looks at the next length of the scan, with and without depth as the templates need it.
+/// Scans windows of the next length, with and without depth as the templates require.
 void Spotter::look_at_length() {
     const float from = last_end_ - next_length_;
     const auto* begin = points_.length.data();
@@ -201,7 +208,7 @@ void Spotter::look_at_window(std::size_t first, bool depth) {
     window.first = first;
     window.start = origin_.t + static_cast<double>(points_.t[first]);
     window.end = origin_.t + static_cast<double>(points_.t[end_]);
-    // The mean of strokes is smoother than they are, and other motion is nearer to it.
+    // The mean of several strokes is smoother than any of them, and other motion is nearer to it.
     const Recogniser::Limits limits{.length_range = static_cast<float>(settings_.length_range),
                                     .means = false};
     recogniser_.choose(window.shape, limits, 4, *space_);
@@ -213,7 +220,7 @@ void Spotter::look_at_window(std::size_t first, bool depth) {
     ++window_count_;
 }
 
-/// Pairs with depth first, because those that are compared together have as many channels.
+/// Sorts pairs with depth first, because pairs that are compared together must have the same channels.
 void Spotter::sort_by_channels() {
     std::array<Pair, max_pairs> flat;
     std::size_t solid_count = 0, flat_count = 0;
@@ -253,7 +260,7 @@ void Spotter::verify() {
     }
 }
 
-/// Holds the best window of each gesture that was compared. The runner-up is the nearest other one.
+/// Keeps the best window of each gesture that was compared. The runner-up is the nearest other gesture.
 void Spotter::collect() {
     for (std::uint32_t g = 0; g < recogniser_.gestures(); ++g) {
         if (!best_[g].found) continue;
@@ -275,7 +282,7 @@ void Spotter::collect() {
     }
 }
 
-/// Keeps the best of the windows of a gesture that overlap.
+/// Keeps the best of those windows of a gesture that overlap.
 void Spotter::hold(const Candidate& c, std::size_t first, const RecogniserSpace::Survivor& match) {
     if (!(c.score <= max_looked_at)) return;
     auto& held = held_[c.gesture];
@@ -284,7 +291,8 @@ void Spotter::hold(const Candidate& c, std::size_t first, const RecogniserSpace:
     };
     if (!beats(seen_[c.gesture])) return;
     if (held.waiting && !beats(held.what)) return;
-    if (held.waiting && now_ >= held.due && c.score >= held.what.score) return;  // its turn comes first
+    // The waiting window gets its close look first.
+    if (held.waiting && now_ >= held.due && c.score >= held.what.score) return;
     held = {true, c, dropped_ + first, dropped_ + end_, match, now_ + settings_.hold};
 }
 
@@ -303,7 +311,7 @@ bool Spotter::begin_look() {
     return true;
 }
 
-/// Does one step of a close look. Returns false if none is due.
+/// Does one step of a close look. Returns false if no close look is due.
 bool Spotter::look_closer() {
     if (!look_.is_active() && !begin_look()) return false;
     if (look_.step(points_)) end_look();
@@ -314,7 +322,7 @@ bool Spotter::look_closer() {
 double Spotter::quiet_factor(std::size_t first, std::size_t last) const {
     const auto &length = points_.length, &t = points_.t;
     const float speed = (length[last] - length[first]) / std::max(t[last] - t[first], shortest_time);
-    const auto last_until = [&](float time) {  // the last point that was not after the time
+    const auto last_until = [&](float time) {  // the last point that is not later than `time`
         const auto end = t.begin() + static_cast<std::ptrdiff_t>(points_.count);
         const auto after = static_cast<std::size_t>(std::upper_bound(t.begin(), end, time) - t.begin());
         return after > 0 ? after - 1 : 0;
@@ -329,7 +337,7 @@ double Spotter::quiet_factor(std::size_t first, std::size_t last) const {
     return det::pow(share(way_before, time_before) * share(way_after, seconds_after), rest_power);
 }
 
-/// Makes the candidate of a close look that has ended.
+/// Makes a candidate from a close look that has ended.
 void Spotter::end_look() {
     const std::size_t first = look_.first(), last = look_.last();
     auto c = looked_at_.what;

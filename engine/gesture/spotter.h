@@ -3,16 +3,17 @@
 //     point each tick -> front end: a point for each step of arc length, with the sum of length and the time
 //                     -> windows of several lengths that end now: shape, dot product with the templates
 //                     -> the 16 best pairs of window and template: elastic distance
-//                     -> the best window of each gesture, once no better one follows: close look (close_look.h)
+//                     -> the best window of each gesture, once no better one follows: close look
+//                        (close_look.h)
 //                     -> candidates -> the best of those that overlap is reported after a short wait
 //
-// The score of a candidate is the distance of the close look, times factors for what else tells a gesture from other
-// motion: how usual such distances are for the gesture, whether the hand rested before and after it, and whether it
+// The score of a candidate is the distance of the close look, times factors for other signs of a gesture: how
+// usual such distances are for the gesture, whether the hand rested before and after it, and whether it
 // lasted as long as the templates.
 //
-// The work of a tick has a hard limit: `windows_per_tick` windows, or one comparison of eight pairs, or one step of a
-// close look. A fast hand gets ahead of that; then some ends of windows are skipped. All memory is allocated by the
-// constructor.
+// The work of a tick has a hard limit: `windows_per_tick` windows, or one comparison of eight pairs, or
+// one step of a close look. A fast hand gets ahead of that; then some ends of windows are skipped. All
+// memory is allocated by the constructor.
 #pragma once
 #include <memory>
 #include <optional>
@@ -21,13 +22,15 @@
 
 namespace thaum::gesture {
 
+/// Settings of a Spotter.
 struct SpotterSettings {
-    double length_range = 3;  ///< largest ratio of the arc lengths of a stroke and its template, either way
-    double window_ratio = 1.12;  ///< ratio of the arc lengths of two windows that follow each other
-    double longest = 8;          ///< longest stroke (s)
+    /// Largest ratio of the arc lengths of a stroke and its template, and of the template to the stroke.
+    double length_range = 3;
+    double window_ratio = 1.12;  ///< ratio between the arc lengths of consecutive windows
+    double longest = 8;          ///< longest duration of a stroke (s)
     double hold = 0.2;           ///< time without a better window after which the close look begins (s)
     double wait = 0.1;           ///< time for which a candidate waits for a better one (s)
-    float max_score = 0.14F;     ///< score of the worst stroke that is reported
+    float max_score = 0.14F;     ///< largest score of a stroke that is reported
     std::size_t windows_per_tick = 4;
 };
 
@@ -37,13 +40,14 @@ struct Candidate {
     std::uint32_t runner_up = Recognition::none;
     float distance{};
     float runner_up_distance{};
-    float score{};          ///< see above; the less, the surer
+    float score{};          ///< score, as described above; the smaller, the surer
     double start{}, end{};  ///< times of the first and the last point (s)
     double mean_force{};
 
     bool operator==(const Candidate&) const = default;
 };
 
+/// A gesture that was found in continuous motion.
 struct Spotted {
     Candidate what;
     double probability{};
@@ -58,7 +62,7 @@ public:
 
     /// Considers a candidate that was found at time `now` (s). May report an earlier one.
     std::optional<Candidate> add(const Candidate& candidate, double now);
-    /// Reports the waiting candidate when its time has come.
+    /// Reports the waiting candidate once its time has come; called at time `now` (s).
     std::optional<Candidate> at(double now);
     double due() const { return due_; }  ///< time at which the waiting candidate is reported (s)
 
@@ -72,9 +76,10 @@ private:
     double start_ = -1e300, end_ = -1e300;  ///< times of the last reported gesture (s)
 };
 
+/// Looks for gestures in continuous motion.
 class Spotter {
 public:
-    /// The recogniser must live as long as the spotter.
+    /// The recogniser must outlive the spotter.
     Spotter(const Recogniser& recogniser, const SpotterSettings& settings);
 
     /// Forgets all points and reports, as if the spotter were new. Allocates nothing.
@@ -87,7 +92,8 @@ public:
     /// Does what `feed` does, but only collects the candidates of ends that were finished in this tick.
     std::span<const Candidate> scan(const StrokePoint& point);
 
-    std::uint64_t ends() const { return ends_; }  ///< ends of windows so far
+    std::uint64_t ends() const { return ends_; }  ///< number of window ends so far, skipped ones included
+    /// Number of window ends for which there was no time.
     std::uint64_t skipped_ends() const { return skipped_; }
 
 private:
@@ -98,14 +104,15 @@ private:
     };
     struct Window {
         Shape shape;
-        std::size_t first{};  ///< its first point
+        std::size_t first{};  ///< index of the window's first point
         double start{}, end{};
     };
-    /// The best window of a gesture, which waits for a close look.
+    /// The best window of a gesture, waiting for a close look.
     struct Held {
         bool waiting = false;
         Candidate what;
-        std::uint64_t first{}, last{};  ///< its points, counted from the first one of all
+        /// Numbers of the window's first and last point, counted since the start.
+        std::uint64_t first{}, last{};
         RecogniserSpace::Survivor match{};
         double due{};  ///< time at which the close look may begin (s)
     };
@@ -117,7 +124,7 @@ private:
     void look_at_length();
     void look_at_window(std::size_t first, bool depth);
     void sort_by_channels();
-    /// Windows of each length: two where some gestures count depth and others do not.
+    /// Number of windows for each length: two if some gestures count depth and others do not.
     std::size_t kinds() const { return recogniser_.needs_solid() && recogniser_.needs_flat() ? 2 : 1; }
     void keep(const Pair& pair);
     void verify();
@@ -129,19 +136,20 @@ private:
     double quiet_factor(std::size_t first, std::size_t last) const;
 
     const Recogniser& recogniser_;
-    std::vector<float> factors_;  ///< score of a candidate of each gesture, divided by its distance
+    /// For each gesture, the factor between a candidate's distance and its score.
+    std::vector<float> factors_;
     SpotterSettings settings_;
     CandidateChoice choice_;
     std::unique_ptr<RecogniserSpace> space_;
     ShapeSpace points_;
-    StrokePoint origin_{};  ///< place and time that the points are relative to
+    StrokePoint origin_{};  ///< place and time to which the points are relative
     vec3 latest_{};         ///< place of the last point that was appended
     double now_ = -1e300;   ///< time of the last tick (s)
     float spacing_, end_step_;
     float last_end_ = 0;  ///< arc length at the last scanned end
     std::vector<Window> windows_;
     std::size_t window_count_ = 0, verified_ = 0;
-    float next_length_ = 0;  ///< arc length of the next window of this scan
+    float next_length_ = 0;  ///< arc length of the next window in this scan
     std::size_t end_ = 0;    ///< point at which the windows of this scan end
     bool scanning_ = false, verifying_ = false;
     std::array<Pair, max_pairs> pairs_{};
@@ -153,12 +161,12 @@ private:
         RecogniserSpace::Survivor match{};
     };
     std::array<Best, max_gestures> best_{};
-    std::vector<Held> held_;  ///< candidate of each gesture that is held back
+    std::vector<Held> held_;  ///< the best window of each gesture that waits for a close look
     std::vector<Candidate>
-        seen_;  ///< last candidate of each gesture that had a close look, as the window was
+        seen_;  ///< for each gesture, the window that last had a close look, as it was before
     CloseLook look_;
     Held looked_at_{};
-    std::uint64_t dropped_ = 0;  ///< points that were dropped
+    std::uint64_t dropped_ = 0;  ///< number of points that were dropped
     std::uint32_t ticks_ = 0;
     std::vector<Candidate> candidates_;
     std::uint64_t ends_ = 0, skipped_ = 0;

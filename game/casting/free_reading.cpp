@@ -9,21 +9,24 @@ namespace {
 
 using gesture::StrokePoint;
 
-/// Points of a rest after which the windows end: what a hand moves later is no part of the gesture.
+/// Number of points at rest after which the windows' end is fixed: later motion is no part of the gesture.
 constexpr std::uint32_t points_to_end = 4;
-/// Windows in each gameplay tick, the arc length of the first one (m), and the ratio of two that follow each other.
+/// Number of windows read per gameplay tick, arc length of the shortest window (m), and ratio of the lengths
+/// of two successive windows.
 constexpr std::uint32_t windows_per_tick = 9;
 constexpr double first_length = 0.02, window_ratio = 1.05;
-/// Points before a window whose pace counts, which is 0.1 s.
+/// Number of points before a window that give the speed before the gesture (0.1 s).
 constexpr std::size_t points_before = 12;
-// Weights of what counts besides the logarithm of the distance, as in gesture/spotter.cpp: the logarithm of the pace
-// before the window as a share of its own, and the squared one of its duration as a multiple of the usual.
+// Weights of the terms added to the logarithm of the distance, as in gesture/spotter.cpp: of the logarithm of
+// the ratio of the speed before the window to the speed in it, and of the squared logarithm of the ratio of
+// the duration to the usual one.
 constexpr double pace_weight = 0.14, duration_weight = 0.1;
-constexpr double min_pace = 0.1, max_pace = 3;  // a hand at rest, and one in a hurry
-/// Way from a place within which a hand stops, as a share of the gesture's size. A tremor stays within it.
+// Limits of that speed ratio: a hand at rest, and a hand in fast motion.
+constexpr double min_pace = 0.1, max_pace = 3;
+/// Radius within which a hand counts as stopped, as a share of the gesture's size. Tremor stays within it.
 constexpr double stop_way = 0.03;
 
-/// The motion that may hold a gesture, in the memory of the reader.
+/// The motion that may contain a gesture, in the reader's memory.
 struct FreeMotion {
     std::span<const StrokePoint> points;
     std::array<double, free_points> way{};  ///< arc length from each point to the last one (m)
@@ -33,8 +36,8 @@ fvec3 place_of(const FreeHand& hand, std::uint32_t number) {
     return hand.points[(hand.first + number) % free_points];
 }
 
-/// The place smoothed over three points. Steps of a mouse would else count as turns, and the corners of figures that a
-/// program draws would have no slow part.
+/// Position smoothed over three points. Otherwise the steps of a mouse would count as turns, and corners of
+/// figures drawn by a program would show no slowing down.
 vec3 smooth_place(std::span<const vec3> places, std::size_t number) {
     const vec3 before = places[number > 0 ? number - 1 : number];
     const vec3 after = places[number + 1 < places.size() ? number + 1 : number];
@@ -63,7 +66,7 @@ FreeMotion motion_of(const CastingRules& rules, const FreeHand& hand, ReadingSpa
     return motion;
 }
 
-/// First point of the window of this number, 0 for one that is longer than the motion.
+/// First point of the window with this number; 0 if the window is longer than the motion.
 std::size_t begin_of(const FreeMotion& motion, std::uint32_t window) {
     const double length = first_length * det::pow(window_ratio, window);
     const auto ways = std::span(motion.way).first(motion.points.size());
@@ -81,7 +84,7 @@ double size_of(gesture::Points stroke) {
     return std::max({most.x - least.x, most.y - least.y, most.z - least.z});
 }
 
-/// Pace before the window that begins at this point, as a share of the window's own.
+/// Speed before the window that begins at this point, relative to the speed in the window.
 double pace_before(const FreeMotion& motion, std::size_t begin, double lasts) {
     const std::size_t before = begin - std::min(begin, points_before);
     if (before == begin) return 0;
@@ -90,8 +93,8 @@ double pace_before(const FreeMotion& motion, std::size_t begin, double lasts) {
     return way * lasts / (time * motion.way[begin]);
 }
 
-/// Longest time for which the hand stops within a stroke of this size (s). Its first and last tenth do not count, since a
-/// hand is slow there.
+/// Longest time for which the hand stops within a stroke of this size (s). The first and last tenth of the
+/// stroke do not count, since a hand is slow there.
 double longest_stop(gesture::Points stroke, double size) {
     const std::size_t end = stroke.size() / 10;
     std::size_t longest = 0;
@@ -102,14 +105,16 @@ double longest_stop(gesture::Points stroke, double size) {
     return static_cast<double>(longest) * gameplay_dt;
 }
 
-/// Whether the hand stops within a stroke for so long that it made two movements, such as to a place and back.
+/// Whether the hand stops within a stroke for so long that the stroke is two movements, such as one to a
+/// place and one back.
 bool is_broken(const CastingRules& rules, gesture::Points stroke, double size, double lasts) {
     const double stop = longest_stop(stroke, size);
     return stop >= rules.free_stop && stop >= rules.free_stop_share * lasts;
 }
 
-/// Probability from which on a gesture casts. Where the hand was slow before, less suffices. But a closed gesture may
-/// start anywhere, and so a short stray loop has many chances to be like one.
+/// Probability that a gesture needs in order to cast its spell. It is lower if the hand was slow before the
+/// gesture. It is higher for closed gestures, because they may start anywhere, so a stray loop has many
+/// chances to match one.
 double needed_for(const CastingRules& rules, const gesture::GestureOptions& options, double pace,
                   double way) {
     const bool is_loop = options.closed && way < rules.free_loop;
@@ -176,7 +181,8 @@ bool read_windows(const CastingRules& rules, const GestureSet& gestures, Reading
     while (read < windows_per_tick) {
         const auto begin = begin_of(motion, hand.windows);
         const bool same = hand.windows > 0 && begin == begin_of(motion, hand.windows - 1);
-        if (same && begin == 0) break;  // the whole motion was read
+        // The last window was already the whole motion, so longer ones are the same.
+        if (same && begin == 0) break;
         ++hand.windows;
         if (same) continue;
         read_window(rules, gestures, motion, begin, space, hand);

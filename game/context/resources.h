@@ -33,7 +33,7 @@ struct EndedStroke {
 
 }  // namespace thaum::game::inline context
 
-namespace thaum::game::inline context::resource {
+namespace thaum::game::resource {
 
 /// Resource: bodies and contacts of Bullet.
 struct Physics {
@@ -65,6 +65,6 @@ struct Strokes {
     static constexpr std::string_view name = "ended strokes";
 };
 
-}  // namespace thaum::game::inline context::resource
+}  // namespace thaum::game::resource
 
 namespace thaum::game::inline context {}  // namespace thaum::game::inline context

@@ -7,7 +7,7 @@
 namespace thaum::game::inline data {
 namespace {
 
-/// Returns the reader of the gestures, which is made when it is first asked for.
+/// Returns a reader of the gestures, created on first use.
 template <class Reader>
 const Reader& made_once(std::once_flag& once, std::optional<Reader>& reader,
                         std::span<const gesture::Gesture> gestures) {

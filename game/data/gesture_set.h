@@ -1,4 +1,4 @@
-// game/data/gesture_set.h: the gestures that the strokes of a wizard may mean, with their recogniser.
+// game/data/gesture_set.h: the gestures that strokes can be recognised as, with their recogniser.
 #pragma once
 #include <mutex>
 #include <optional>
@@ -23,7 +23,8 @@ public:
     /// Name of a gesture by its number; empty for a number without a gesture.
     std::string_view name(std::uint32_t number) const;
     const gesture::Recogniser& recogniser() const;
-    /// Reader of unfinished strokes, made when it is first needed, in any thread. For pictures, never for a match.
+    /// Reader of unfinished strokes, made when it is first needed, in any thread.
+    /// For pictures, never for a match.
     const gesture::PrefixReader& prefixes() const;
 
 private:
@@ -33,7 +34,7 @@ private:
     mutable std::optional<gesture::PrefixReader> prefixes_;
 };
 
-/// Tells in words why no recogniser can be made of these gestures; std::nullopt if one can.
+/// Why no recogniser can be made of these gestures, in words; std::nullopt if one can.
 std::optional<std::string> fault_of(std::span<const gesture::Gesture> gestures);
 
 }  // namespace thaum::game::inline data

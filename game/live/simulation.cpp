@@ -80,10 +80,7 @@ void show_scene(LiveShared& shared, std::shared_ptr<const game::MatchData> data)
 /// Makes the readers of strokes before the first tick, since a first stroke must not wait for them.
 void make_readers(const game::MatchContext& context) {
     for (std::uint32_t player = 0; player < game::players; ++player)
-        if (const auto* gestures = game::gestures_of(context, player)) {
-            (void)gestures->recogniser();
-            (void)gestures->recogniser_of_motion();
-        }
+        if (const auto* gestures = game::gestures_of(context, player)) (void)gestures->recogniser();
 }
 
 void start_practice(SimulationThread& s, game::RangeFiles files, MatchStart& start) {

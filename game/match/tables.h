@@ -22,13 +22,12 @@ namespace thaum::game::inline match {
 ///     kind     an event name of game/data/event_kinds.h, or pause, resume, skip, left, joined,
 ///              fader, mark, lost, end
 ///     who      player who caused the event, whose device left or joined, or who moved a fader: 1, 2 or
-///              empty;
-///              whom: player to whom it happened (round_end: the winner)
+///              empty
+///     whom     player to whom it happened (round_end: the winner)
 ///     with     wand, cause of a death or of a burst's harm, pad, power-up, ingredient, round,
 ///              ending of the round or of the log, name of the device or fader, or number of the mark
-///     amount   in `unit`: hp, points, m (reach of a burst), m3, J, ticks (skip), percent (fader; 101: the largest
-///              force of the data files),
-///              events (lost: gone before they could be written)
+///     amount   in `unit`: hp, points, m (reach of a burst), m3, J, ticks (skip), percent (fader; 101: the
+///              largest force of the data files), events (lost: gone before they could be written)
 ///     x_m ...  position (world); empty if the event has none
 ///     note     kind end: the result of the replay in one line
 class EventTable {

@@ -1,4 +1,4 @@
-// The shipped gestures (assets/gestures) among strokes and scribbles of generated users.
+// Recognition of the shipped gestures (assets/gestures) in strokes and scribbles of generated users.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -25,7 +25,8 @@ std::vector<Gesture> shipped_gestures() {
 }
 
 struct Figures {
-    std::array<std::array<int, figures + 1>, figures> read{};  ///< [drawn][read]; the last: nothing
+    /// Number of strokes by [drawn figure][recognised figure]; the last column: not recognised.
+    std::array<std::array<int, figures + 1>, figures> read{};
     int right = 0, right_force = 0, scribbles_taken = 0;
     int drawn = 0, scribbled = 0;
     std::array<int, figures> taken_as{};
@@ -80,8 +81,8 @@ TEST(GestureConfusion, OtherUsersAreReadAndScribblesAreNot) {
     }
 }
 
-/// One stroke each of a gentle and a harsh figure by a careless user, among the other shipped gestures. Strokes of the user
-/// are told apart by a force of a half and of twice the usual, with a scatter of 15 %.
+/// One stroke each of a gentle and a harsh figure of the same shape by a careless user, among the other
+/// shipped gestures. The two differ only in force, half and twice the usual, with a scatter of 15 %.
 TEST(GestureConfusion, TwinsOfOneStrokeEachAreToldApartByForce) {
     const auto shipped = shipped_gestures();
     RecogniserSpace space;
@@ -136,7 +137,8 @@ TEST(GestureConfusion, ProbabilitiesHoldForStrokesOfAnotherUser) {
     EXPECT_LT(even / drawn, shown / drawn) << "as if every second stroke meant nothing";
 }
 
-/// The same for gestures of any shape, whose users differ twice as much as the synthetic strokes of the calibration do.
+/// The probabilities must also hold for gestures of any shape, with users who differ twice as much as the
+/// synthetic strokes of the calibration.
 TEST(GestureConfusion, ProbabilitiesHoldForUsersWhoDifferMoreThanSyntheticOnes) {
     const VariationSettings users{.tilt = 0.1, .stretch = 0.2, .bend = 0.1};
     constexpr std::size_t shapes = 8;

@@ -186,7 +186,7 @@ TEST_F(Rules, LongFilesAreFound) {
 }
 
 TEST_F(Rules, LongCommentsAreFoundButTablesAreNot) {
-    const std::string words(105, 'w');
+    const std::string words(106, 'w');
     add("engine/core/words.h",
         "int a;\n/// " + words + "w\n///     " + words + "\n// | " + words + "\n// " + words + "\n");
     EXPECT_EQ(long_comments(root()),

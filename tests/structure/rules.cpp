@@ -412,7 +412,7 @@ Faults long_files(const fs::path& root) {
 
 Faults long_comments(const fs::path& root) {
     // Tables, drawings and code in comments are indented.
-    static const std::regex comment(R"(^\s*//[/!]?\s?\s?[^\s|])");
+    static const std::regex comment(R"(^\s*///?\s?\s?[^\s|/])");
     Faults faults;
     for (const auto& file : own_sources(root)) {
         std::istringstream lines(read(file));

@@ -1,4 +1,4 @@
-// The likely gesture of an unfinished stroke.
+// Tests of recognising the likely gesture of an unfinished stroke.
 #include "gesture/prefix.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ struct Score {
     double right{}, told{}, told_right{};
 };
 
-/// How strokes of the game's spells by unknown users are read at a share of their length.
+/// How often strokes of the game's spells by unknown users are recognised after a share of their length.
 Score score_at(double share) {
     static const auto reader = reader_of(generated_templates(1));
     static const auto strokes = generated_strokes({.users = 12, .samples = 1, .seed = 5});
@@ -59,12 +59,13 @@ TEST(GesturePrefix, AWholeStrokeIsItself) {
     EXPECT_GE(whole.told, 0.85);
 }
 
-/// How an answer runs along the strokes of unknown users, read at every fiftieth of their length.
+/// Statistics of the answers along the strokes of unknown users, recognised at every fiftieth of their
+/// length.
 struct AnswerCourse {
-    double told{};     ///< share of the readings after a quarter of the stroke with an answer
-    double wrong{};    ///< share of these readings with a wrong answer
-    double changes{};  ///< answers that went away or were replaced, per stroke
-    double at_end{};   ///< share of whole strokes with an answer
+    double told{};     ///< share of recognitions that give an answer, counted after a quarter of the stroke
+    double wrong{};    ///< share of the answers after a quarter of the stroke that are wrong
+    double changes{};  ///< number of answers for each stroke that disappeared or were replaced
+    double at_end{};   ///< share of complete strokes that get an answer
 };
 
 AnswerCourse course_of(const PrefixReader& reader, std::span<const Stroke> strokes) {
@@ -115,7 +116,7 @@ TEST(GesturePrefix, WhatIsToldGoesWhenTheStrokeLeavesIt) {
     EXPECT_EQ(reader.tell({}, 77, space), LikelyGesture::none) << "a gesture that is not there";
 }
 
-/// A stroke with a force that rises to its middle and falls again, as against a viscous field.
+/// A stroke with a force that rises until its middle and falls again, as in a viscous field.
 Course swelling(Course stroke, double force) {
     for (auto& p : stroke) p.force = force * (0.3 + std::sin(pi * p.t));
     return stroke;

@@ -9,14 +9,16 @@
 
 namespace thaum::gesture {
 
-/// Distance below which two gestures are twins if the mean force of one is twice that of the other: as the logarithm of the
-/// ratio of their forces, and no more than the second one. The clearer their force, the less alike their shapes need be.
+/// Distance up to which two gestures are twins if the mean force of one is twice that of the other. The limit
+/// grows with the logarithm of the ratio of the forces, up to the second value: the clearer the difference in
+/// force, the less alike the shapes need be.
 inline constexpr double twin_distance = 0.07, max_twin_distance = 0.15;
-/// The same where every third gesture is so many times as far: then the two are one shape, drawn with little care.
+/// The same where every third gesture is so many times as far: then the two are
+/// one shape, drawn with little care.
 inline constexpr double clear_twin_distance = 0.12, max_clear_twin_distance = 0.25, clear_of_others = 1.6;
 
-/// Whether force tells apart two gestures at a distance whose strokes have these mean forces. `third` is the distance of the
-/// nearest third gesture; 0: there is none.
+/// Whether two gestures at a distance can be distinguished by force, if their strokes have these mean forces.
+/// `third` is the distance of the nearest third gesture; 0: there is none.
 inline bool differ_in_force(double distance, double force, double other, double third = 0) {
     if (!(std::min(force, other) > 0)) return false;
     const double doublings = std::abs(det::log(force / other)) / det::log(2);
@@ -25,8 +27,8 @@ inline bool differ_in_force(double distance, double force, double other, double 
            distance <= std::min(clear_twin_distance * doublings, max_clear_twin_distance);
 }
 
-/// How odd a mean force is for a gesture whose strokes usually have the other one: half the square of their logarithms'
-/// difference. A force that is e^force_scatter times as far from one gesture as from another counts.
+/// How unusual a mean force is for a gesture with the mean force `usual`: half the square of the difference
+/// of the logarithms, in units of force_scatter.
 inline double force_oddness(double force, double usual) {
     constexpr double force_scatter = 0.25;
     constexpr double min_force = 1e-3;  // share of the usual force

@@ -18,7 +18,7 @@ float threshold_at(std::size_t number) { return tightest + threshold_step * stat
 
 struct Found {
     Candidate candidate;
-    double at{};  ///< time at which it was found (s)
+    double at{};  ///< time at which the candidate was found (s)
 };
 
 /// Counts of one session at one threshold.
@@ -50,7 +50,7 @@ std::vector<Found> candidates_in(const Session& session, const Recogniser& recog
     for (std::size_t i = 0; i < session.points.size(); ++i) {
         auto p = session.points[i];
         const double until = i + 1 < session.points.size() ? session.points[i + 1].t : p.t + 1;
-        const double most = std::min(until, p.t + 2);  // a hand at rest needs no more ticks
+        const double most = std::min(until, p.t + 2);  // a resting hand needs no further ticks
         for (double t = p.t; t < most; t += tick_seconds) {
             p.t = t;
             for (const auto& c : spotter->scan(p)) {
@@ -63,7 +63,7 @@ std::vector<Found> candidates_in(const Session& session, const Recogniser& recog
     return found;
 }
 
-/// What a session holds.
+/// The labels of a session.
 struct Truth {
     std::vector<Label> labels, ignored;
 };
@@ -127,7 +127,8 @@ SpottingScore score_of(const Count& count, double hours) {
     s.precision = ratio(count.right, count.right + count.wrong);
     s.recall = ratio(count.right, count.right + count.missed);
     s.f1 = count.f1();
-    // The square root of a Poisson count, with 3/8 added, has a standard deviation of 1/2 (Anscombe 1948).
+    // The square root of a Poisson-distributed count, after adding 3/8, has a standard deviation of 1/2
+    // (Anscombe 1948).
     const double n = static_cast<double>(count.wrong), root = std::sqrt(n + 0.375);
     s.false_per_hour = n / hours;
     s.low_per_hour = std::max(0.0, std::pow(std::max(0.0, root - 0.98), 2.0) - 0.375) / hours;
@@ -138,7 +139,7 @@ SpottingScore score_of(const Count& count, double hours) {
     return s;
 }
 
-/// Sum over the sessions, each at the threshold that is best on the others.
+/// Sum over the sessions, each at the threshold that is best on the other users' sessions.
 template <class Better>
 SpottingScore cross_validated(const Counts& counts, double hours, Better value) {
     Count sum;

@@ -47,14 +47,14 @@ struct BrewSolver {
 
 }  // namespace thaum::game::inline stations
 
-namespace thaum::game::inline stations::resource {
+namespace thaum::game::resource {
 
 struct Brew {
     using Value = BrewSolver;
     static constexpr std::string_view name = "brew solver";
 };
 
-}  // namespace thaum::game::inline stations::resource
+}  // namespace thaum::game::resource
 
 namespace thaum::game::inline stations {
 

@@ -38,14 +38,14 @@ struct CrystalBodies {
 
 }  // namespace thaum::game::inline stations
 
-namespace thaum::game::inline stations::resource {
+namespace thaum::game::resource {
 
 struct Crystals {
     using Value = CrystalBodies;
     static constexpr std::string_view name = "crystal bodies";
 };
 
-}  // namespace thaum::game::inline stations::resource
+}  // namespace thaum::game::resource
 
 namespace thaum::game::inline stations {
 
