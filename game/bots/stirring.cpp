@@ -126,6 +126,16 @@ void brew(const BotTurn& turn) {
     }
 }
 
+/// Stirs until the bot has energy enough, was hurt too much, or has stirred for long. An ingredient that it
+/// has picked up by the way goes into the brew, so that its hands are free.
+void stir_on(const BotTurn& turn) {
+    auto& stir_plan = turn.stir_plan;
+    const auto& self = turn.self;
+    stir_plan.drops = carries(turn) && turn.tick / gameplay_period % 8 == 0 ? 1 : 0;
+    const bool full = self.energy_share > has_enough && !foe_stirs(turn);
+    if (turn.tick >= stir_plan.until || full || self.health < stir_plan.health - unnerved) end_stirring(turn);
+}
+
 }  // namespace
 
 void plan_to_stir(const BotTurn& turn) {
@@ -160,13 +170,7 @@ void plan_to_stir(const BotTurn& turn) {
             stir_plan.health = self.health;
             return;
         case StirStage::fetch: return;
-        case StirStage::stir:
-            // An ingredient that the bot has picked up by the way goes into the
-            // brew, so that its hands are free.
-            stir_plan.drops = carries(turn) && tick / gameplay_period % 8 == 0 ? 1 : 0;
-            const bool full = self.energy_share > has_enough && !foe_stirs(turn);
-            if (tick >= stir_plan.until || full || self.health < stir_plan.health - unnerved)
-                end_stirring(turn);
+        case StirStage::stir: return stir_on(turn);
     }
 }
 
