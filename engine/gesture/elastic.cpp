@@ -22,7 +22,7 @@ constexpr std::size_t width = sizeof(Wide) / sizeof(float);
 
 /// The smaller of two numbers that are not negative. Their bits compare in the same order as the numbers, and
 /// the processor can compare integers while it adds floats.
-inline Wide smaller(Wide a, Wide b) {
+inline Wide smaller_of(Wide a, Wide b) {
     const auto x = reinterpret_cast<WideBits>(a), y = reinterpret_cast<WideBits>(b);
     return reinterpret_cast<Wide>(x < y ? x : y);
 }
@@ -70,7 +70,7 @@ void warp(Strokes stroke, const float* eight, float* result) {
 #pragma GCC unroll 7
         for (std::size_t j = low; j <= high; ++j, q += channels * lanes) {
             const Wide above = row[j];
-            left = cost_of<channels>(p, q) + smaller(smaller(before, above), left);
+            left = cost_of<channels>(p, q) + smaller_of(smaller_of(before, above), left);
             before = above;
             row[j] = left;
         }
