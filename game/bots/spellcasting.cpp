@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/bots/aim.h"
 #include "game/casting/casting.h"
 
 namespace thaum::game::inline bots {
