@@ -38,7 +38,7 @@ struct CouplingStep {
 
 /// Prepares steps of `dt` seconds, dt > 0. The inverse masses are in 1/kg, >= 0; 0 is a body that nothing
 /// moves. A hand with inverse mass 0, the usual case, follows the prescribed motion. A drag needs a
-/// prescribed hand, because with a free hand the pair is of third order.
+/// prescribed hand: with a free hand, the equation of the relative motion would be of third order.
 CouplingStep coupling_step(Coupling coupling, double inverse_object, double inverse_hand, double dt);
 
 /// Motion of hand and object at the start of a step (world frame).
@@ -78,8 +78,8 @@ struct CouplingFrame {
     vec3 taken_device{};
 };
 
-/// P_HIP = P_player + R_g (P_obj0 + R_d s_x (P_device - P_device0)) (m, world). At the moment of taking it is
-/// the object's position.
+/// P_HIP = P_player + R_g (P_obj0 + R_d s_x (P_device - P_device0)) (m, world). When the object is taken, it
+/// equals the object's position.
 vec3 interface_point(const CouplingFrame& frame, vec3 device);
 /// R_d^T R_g^T v: turns a world vector into the device frame. If the object gets the force F, the hand feels
 /// -s_f times to_device(F).

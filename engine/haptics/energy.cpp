@@ -12,14 +12,15 @@ namespace {
 
 constexpr double still = 1e-6;  // m/s; below this speed, damping takes out no energy
 constexpr std::uint32_t kept = max_latency + 1;
-/// Share of the active sources' budget in which their force fades.
+/// Last share of the active sources' budget; while it is used up, their force fades.
 constexpr double fading_share = 0.2;
 /// Force with which a spring without any reserve meets a hand that presses in (N): a force of
 /// zero would never receive anything.
 constexpr double min_force = 0.1;
 static_assert((active_bins - 2) * active_bin_ticks == ticks(1));
 
-/// Largest sum of the work from any tick that the bins hold until now.
+/// Largest work of the active sources from any tick of the bins until now (J). The oldest bin counts less and
+/// less while the newest is being filled.
 double max_active_work(const PassivityObserver& observer) {
     const std::size_t oldest = (observer.active_bin + 1) % active_bins;
     double most = 0, later = 0;
@@ -44,7 +45,7 @@ void add_active_work(PassivityObserver& observer, double work) {
     observer.active[observer.active_bin] = {};
 }
 
-/// Adds the energy that springs gave to what they have left.
+/// Takes the energy that the springs gave in a tick (J; negative: received) from their reserve.
 void use_reserve(PassivityObserver& observer, double given, double stored) {
     if (observer.held_back == 0) return;
     const double most = stored + std::clamp(reserve_energy - observer.created, 0.0, reserve_energy);
@@ -67,7 +68,7 @@ void observe(PassivityObserver& observer, vec3 position, vec3 world_step, double
                              observer.forces[observer.newest].share * supplied;
         observer.created += given;
         use_reserve(observer, given, stored);
-        // Damping has dissipated the rest; only stored energy can come back.
+        // Of the energy received, only the stored part can come back. Damping has dissipated the rest.
         observer.created = std::max(observer.created, -stored);
         observer.most_created = std::max(observer.most_created, observer.created);
         add_active_work(observer, glm::dot(force.active, step));
@@ -107,7 +108,8 @@ vec3 within_budget(const PassivityObserver& observer, vec3 active) {
 }
 
 double fade_energy(const PassivityObserver& observer) {
-    // Springs may still give their reserve. What they have received since does not pay for another fade.
+    // The springs may still give their reserve, so it counts as given. Energy that the springs received since
+    // the last switch does not raise the result above `switch_energy`.
     return std::clamp(reserve_energy + switch_energy - (observer.created + observer.reserve), 0.0,
                       switch_energy);
 }
@@ -119,7 +121,8 @@ void hold_back(PassivityObserver& observer) {
 }
 
 void forgive(PassivityObserver& observer, bool springs_pull) {
-    // Time constants with which a large debt, and that of a hand that feels no spring, are forgotten (s).
+    // Time constants of forgetting (s): `soon` for created energy beyond twice the reserve, `slowly` for all
+    // of it while the hand feels no spring.
     constexpr double soon = 2, slowly = 20;
     observer.created -= std::max(0.0, observer.created - 2 * reserve_energy) * (tick_seconds / soon);
     if (!springs_pull) observer.created -= std::max(0.0, observer.created) * (tick_seconds / slowly);
@@ -127,8 +130,8 @@ void forgive(PassivityObserver& observer, bool springs_pull) {
 
 void release_if_covered(PassivityObserver& observer, const HeldSprings& springs, double stiffness) {
     if (observer.held_back == 0 || !(stiffness > 0)) return;
-    // A spring of the device's stiffness receives a little less than it holds,
-    // a tick's motion times its force.
+    // The force lags the hand by a tick. So a spring of the device's stiffness receives a little less than it
+    // holds: less by its force times the motion of a tick.
     constexpr double nearly = 0.8, settled = 1e-6;
     const double pull = springs.pull;
     const double owed = std::max(springs.energy - energy_slack, nearly * pull * pull / (2 * stiffness));
@@ -146,8 +149,9 @@ double force_of_reserve(const PassivityObserver& observer, double outward, doubl
     return std::max(0.0, std::sqrt(2 * stiffness * left) - ahead);
 }
 
-// Cap and heat scale all sources alike. The fading offset of a switch returns energy that was received and
-// hardly any more, since the reserve limits it. It is therefore passive, like the controller's brake.
+// The safety stage's cap and heat limit scale all sources alike. The fading offset of a switch returns energy
+// that was received and hardly any more, since the reserve limits it. It is therefore passive, like the
+// controller's brake.
 void record_output(PassivityObserver& observer, vec3 output, vec3 passive, vec3 active, vec3 world,
                    vec3 unrequested) {
     const vec3 wanted = passive + active;
@@ -206,7 +210,8 @@ double tether_energy(const Tether& tether, vec3 tip, double cap) {
     return within_cap(tether.stiffness * glm::dot(off, off) / 2, glm::length(off), cap);
 }
 
-/// Energy that tether and primitives hold (J). Energy beyond the cap was never put in.
+/// Energy that tether and primitives hold (J). A force is felt up to the cap only, so the hand never put in
+/// the energy of a larger one.
 double spring_energy(const ServoState& state, const HapticModel& model, const Tether& tether, vec3 tip,
                      double cap) {
     double held = tether_energy(tether, tip, cap);
@@ -228,8 +233,8 @@ double other_energy(const Tether& tether, const SurfaceForces& surfaces, double 
 }
 
 /// Largest force that a spring exerts at the device now (N): less than the cap while the motors are warm,
-/// zero while the output is stopped. A spring stretched meanwhile holds less than its potential, and the
-/// difference was not created.
+/// zero while the output is stopped. A spring that is stretched meanwhile received less than its potential
+/// energy. The account must not take the difference for created energy.
 double max_felt_force(const Servo& servo, const SafetyState& safety) {
     const bool whole = safety.cause <= static_cast<std::uint32_t>(SafetyCause::capped);
     return whole ? servo.limits.cap : glm::length(safety.output);
@@ -246,14 +251,14 @@ bool may_hold_more(const Servo& servo, const ServoState& state, const Tip& tip) 
            servo.limits.cap > state.safety.cap;
 }
 
-/// Energy of a spring of the device's stiffness that has the force of the last tick (J).
+/// Energy of a spring with the device's largest stiffness that has the force of the last tick (J).
 double energy_of_output(const Servo& servo, const SafetyState& safety) {
     if (!(servo.max_stiffness > 0)) return 0;
     return glm::dot(safety.output, safety.output) / (2 * servo.max_stiffness);
 }
 
-/// Limits the springs, which pull with `pull` (N), to the force that their
-/// reserve allows. Returns that force (N).
+/// Limits the springs, which pull with `pull` (N), to the largest force that their reserve allows. Returns
+/// this limit (N).
 double limit_to_reserve(const Servo& servo, const ServoState& state, double pull, Sources& sources) {
     const vec3 step = tip_motion(state, servo.quantum);
     const double outward = pull > 0 ? glm::dot(step, sources.springs) / pull : 0;
@@ -266,9 +271,9 @@ double limit_to_reserve(const Servo& servo, const ServoState& state, double pull
     return most;
 }
 
-/// Energy that the tether will create until the force of this tick has acted (J). The device holds every
-/// force for a tick and delays it; meanwhile the spring relaxes. A hand at 2 m/s crosses the whole spring of
-/// a Falcon in that time.
+/// Energy that the tether will create until the force of this tick has acted (J). The device delays every
+/// force and holds it for a tick, while the spring already relaxes. In that time, a hand at 2 m/s crosses the
+/// whole stretch that the force of a Falcon allows.
 double expected_creation(const Servo& servo, const PassivityObserver& observer, const Tether& tether,
                          const Tip& tip) {
     if (!(tether.stiffness > 0)) return 0;
@@ -280,37 +285,37 @@ double expected_creation(const Servo& servo, const PassivityObserver& observer, 
     return std::max(0.0, work + ahead - tether_energy(tether, tip.position, cap));
 }
 
-/// Energy that the controller takes out in this tick (J). Springs that are held back
-/// give no more than their reserve.
+/// Energy that the passivity controller takes out in this tick (J). Springs that the reserve holds back after
+/// a switch give no more than the reserve.
 double energy_to_take_out(const PassivityObserver& observer, double held) {
     if (observer.held_back == 0) return surplus(observer, held);
     return surplus(observer, std::min(held, observer.reserve)) * (tick_seconds / repayment_time);
 }
 
-/// Largest damping of the passivity controller (N s/m). One encoder count in a tick is a velocity,
-/// too. If it is worth more than this force, the controller shakes a tip that hardly moves. In a
-/// faster motion a count matters less.
+/// Largest damping of the passivity controller (N s/m). A step of one encoder count in a tick reads as a
+/// velocity, and damping turns it into a force. A force above `max_of_a_count` would shake a tip that hardly
+/// moves. In a faster motion one count matters less, so the damping may be larger.
 double controller_damping(const Servo& servo, vec3 velocity) {
-    constexpr double max_of_a_count = 0.28;  // largest force that one count may be worth (N)
+    constexpr double max_of_a_count = 0.28;  // largest force that one count may cause (N)
     if (!(servo.quantum > 0)) return servo.max_damping;
     const double of_a_count = servo.quantum / tick_seconds;
     const double counts = std::max(1.0, glm::length(velocity) / (2 * of_a_count));
     return std::min(servo.max_damping, max_of_a_count / of_a_count * counts);
 }
 
-/// The brake that takes out `taken` (J) from a hand that feels the sources (N).
+/// Brake that takes the energy `taken` (J) out of a hand that feels the sources (N).
 vec3 brake_sources(const Servo& servo, ServoState& state, double taken, const Sources& sources) {
     PassivityObserver& energy = state.energy;
     if (!(taken > 0) && energy.brake == vec3(0)) return vec3(0);
     vec3 brake{};
-    // Without it, skips the velocity, which takes half the time of a quiet step.
+    // With no energy to take out, the velocity is not computed: it takes half the time of a quiet step.
     if (taken > 0) {
         const vec3 velocity = prompt_velocity(state, servo.quantum);
         brake = passivity_control(taken, velocity, controller_damping(servo, velocity));
     }
     const bool held_back = energy.held_back != 0;
-    // The brake of a fluid acts at once and without a limit. With the limit, a flow that comes late created
-    // more than the 0.02 J that are allowed.
+    // In a fluid the brake acts at once and without the limits of `steady_brake`. With them, a flow that is
+    // felt late created more than the 0.02 J that are allowed.
     if (state.fluid.number != 0 && !held_back) return energy.brake = brake;
     return steady_brake(energy, brake, glm::length(held_back ? sources.springs : sources.passive));
 }
@@ -328,7 +333,7 @@ EnergyLimits update_energy(const Servo& servo, ServoState& state, const HapticMo
     double stored = (stopped ? held : springs) +
                     other_energy(tether, surfaces, stopped ? felt : servo.limits.cap) + fluid.stored;
     if (tip.stops) stored = std::max(stored, energy_of_output(servo, state.safety));
-    // A tethered hand touches nothing else.
+    // A tethered hand touches no surfaces.
     const vec3 step = tether.stiffness > 0 ? tether.anchor_velocity * tick_seconds : surfaces.world_step;
     observe(state.energy, tip.position, step, stored, servo.latency, fluid.supplied);
     sources.active = within_budget(state.energy, sources.active);

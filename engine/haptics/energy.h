@@ -7,16 +7,18 @@
 // moves the spring's other end. Active sources (pulses, steady and directed forces, a fluid's flow)
 // may push the hand within a budget.
 //
-// A switch may leave springs that hold more than they received: material that grew at the hand, a largest
-// force that was raised, forces that come back. No damper takes that much out of a hand that rests. So from a
-// switch on, the springs have a reserve: what they received and still hold, plus `reserve_energy`. They pull
-// no harder than a spring of the device's largest stiffness with that energy, F <= sqrt(2 k reserve). A hand
-// that yields meets a spring that relaxes, and a hand that presses in again meets one that is stretched from
-// there. The reserve comes out of the account `created`, which a switch does not reset. So many switches
-// together give no more than one. What was created is forgotten in the course of time only.
+// A switch (a source of force comes, ends or jumps) may leave springs that hold more than they received:
+// material that grew at the hand, a largest force that was raised, forces that come back. No damper takes
+// that much out of a hand that rests. So from a switch on, a reserve holds the springs back: the energy that
+// they received and still hold, plus `reserve_energy`. They pull no harder than a spring of the device's
+// largest stiffness with that energy, F <= sqrt(2 k reserve). A hand that yields feels the spring relax, and
+// a hand that presses in again stretches it from there. The reserve is computed from the account `created`,
+// which a switch does not reset. So many switches together give no more than one. Created energy is forgotten
+// in the course of time only (`forgive`).
 //
-// A hand in the midst of a body that has just appeared feels nothing. The force comes when it leaves. So
-// where a field decides on the springs, the reserve lasts until the hand has pressed them.
+// A hand in the midst of a body that has just appeared feels nothing. The force comes when the hand leaves
+// the body. So where modes read a field to choose the springs, the reserve lasts until the hand has pressed
+// them.
 //
 // A commanded force acts over the tick that follows. Its work is known one tick later, from the position that
 // the device then measures.
@@ -32,14 +34,14 @@ namespace thaum::haptics {
 /// Force commanded in one tick, by kind of source (N).
 struct CommandedForce {
     vec3 passive{}, active{};
-    vec3 world{};    ///< part of the passive force that acts on things of the world
-    double share{};  ///< commanded share of the force that the sources asked for, 0 to 1
+    vec3 world{};    ///< part of `passive` that acts on moving things of the world
+    double share{};  ///< share of the force asked for by the sources that was commanded, 0 to 1
 };
 
-/// Parts of a second in which the work of active sources is counted.
+/// Length of a bin, in which the work of active sources is summed (ticks).
 inline constexpr std::uint32_t active_bin_ticks = 50;
-/// Bins of a second, the bin being filled, and one that has left the second and fades. Without the last one,
-/// the force would jump when the work of a bin is forgotten.
+/// Number of bins: those of one second, the bin being filled, and one older than a second that counts less
+/// and less. Without the last one, the force would jump when the work of a bin is forgotten.
 inline constexpr std::size_t active_bins = 22;
 
 /// Work of active sources in one bin.
@@ -60,10 +62,10 @@ struct PassivityObserver {
     /// Largest work of active sources from any tick of the last second until now (J).
     double active_work{};
     std::array<ActiveBin, active_bins> active{};  ///< work of active sources, a ring of bins
-    double reserve{};                             ///< energy that springs may still give while held back (J)
-    std::uint32_t active_bin{};                   ///< index of the bin being filled
-    std::uint32_t active_tick{};                  ///< ticks in the bin being filled
-    std::uint32_t newest{};
+    double reserve{};  ///< energy that springs may still give after a switch, while `held_back` is 1 (J)
+    std::uint32_t active_bin{};    ///< index of the bin being filled
+    std::uint32_t active_tick{};   ///< ticks in the bin being filled
+    std::uint32_t newest{};        ///< index of the last command in `forces`
     std::uint32_t has_position{};  ///< 1: `position` is the one of the last tick
     std::uint32_t held_back{};     ///< 1: after a switch, the reserve limits the springs
     std::uint32_t unsettled{};     ///< ticks left in which the primitives settle after a switch
@@ -78,8 +80,8 @@ inline constexpr double longest_step = 0.05;  ///< largest plausible motion of t
 /// Energy that active sources may give in any second (J).
 inline constexpr double active_budget = 0.5;
 
-/// Energy that springs may give after a switch beyond what they received (J). Together with the offset's, and
-/// with what a tick's delay adds, it stays below 0.02 J.
+/// Energy that springs may give after a switch beyond what they received (J). The sum of this, of the work of
+/// the fading offset, and of the energy that a tick's delay adds stays below 0.02 J.
 inline constexpr double reserve_energy = 0.008;
 
 /// Adds the work of the last tick, once the device has measured the resulting position. `world_step` is the
@@ -90,18 +92,18 @@ inline constexpr double reserve_energy = 0.008;
 void observe(PassivityObserver& observer, vec3 position, vec3 world_step, double stored, int latency,
              double supplied = 0);
 
-/// Energy that a spring may have created while it still holds more (J). Energy beyond it is taken out at
-/// once.
+/// Tolerance of the passivity controller (J). If the springs gave back all the energy that they hold now,
+/// `created` would rise by it. The controller takes out at once the part of that sum above this tolerance.
 inline constexpr double energy_slack = 0.003;
 
-/// Time in which the controller takes out energy that a switch created (s). The reserve bounds that energy,
-/// so there is no haste, and a brake that began at once would be a jump.
+/// Time constant with which the controller takes out energy that a switch created (s). The reserve bounds
+/// that energy, so there is no haste, and a brake that took all of it at once would be a jump of the force.
 inline constexpr double repayment_time = 0.1;
 
 /// Energy that the controller has to take out (J); 0 or less: none. `held` is the energy that springs hold,
 /// plus the energy that they will create before the next force acts (J). The controller must not wait until
-/// the springs have returned all of it. A damper at the device's limit takes out less than a stretched spring
-/// gives back.
+/// the springs have returned all of it: a damper at the device's limit takes out less energy than a stretched
+/// spring gives back.
 double surplus(const PassivityObserver& observer, double held);
 
 /// Force against the velocity (m/s) that takes out `energy` (J) within the next tick (N). Its damping is at
@@ -111,48 +113,49 @@ vec3 passivity_control(double energy, vec3 velocity, double most);
 /// Largest change of the brake in a tick (N).
 inline constexpr double brake_step = 0.3;
 
-/// Moves the brake towards the one that the controller wishes for (N), by at most `brake_step`, since a brake
-/// that began at once would be a jump. At most as strong as the force that it brakes, `most` (N): a brake
-/// cancels that force, and pulls no hand into a wall that it leaves.
+/// Moves the brake towards `wished`, the brake of the controller (N), by at most `brake_step`, since a brake
+/// that began at once would be a jump. The brake is at most as strong as the force that it brakes, `most`
+/// (N). So it can cancel that force, but cannot pull a hand that leaves a wall back into the wall.
 vec3 steady_brake(PassivityObserver& observer, vec3 wished, double most);
 
 /// Work of the passive forces that are commanded but have not acted yet (J), if the tip moves by `step` (m)
 /// in every tick.
 double pending_work(const PassivityObserver& observer, vec3 step, int latency);
 
-/// Limits the active force to its budget (N). It fades while the last fifth of the budget is used, and all of
-/// it alike: a force that pushed only against the motion would jump whenever the hand turns.
+/// Limits the active force (N) to the budget. The force fades while the last fifth of the budget is used. The
+/// part against the motion, which does negative work, fades too: otherwise the force would jump whenever the
+/// hand turns.
 vec3 within_budget(const PassivityObserver& observer, vec3 active);
 
-/// Work that fading offsets of switches may do now (J): less soon after other switches, so that
-/// many together do no more than one.
+/// Work that the fading offset of a switch may do now (J): less soon after other switches, so that the
+/// offsets of many switches together do no more than that of one.
 double fade_energy(const PassivityObserver& observer);
 
 /// Begins a reserve at a switch. A reserve that is already running is not reduced.
 void hold_back(PassivityObserver& observer);
 
-/// Forgets a part of the created energy in a tick, while springs are held back. What exceeds twice the
-/// reserve, as after a device has lost its place, is forgotten within seconds. All of it is forgotten within
-/// tens of seconds if the springs do not pull at all.
+/// Forgets a part of the created energy in a tick, while springs are held back. Created energy beyond twice
+/// `reserve_energy`, as after a device has lost its position, is forgotten within seconds. All of it is
+/// forgotten within tens of seconds if the springs do not pull at all.
 void forgive(PassivityObserver& observer, bool springs_pull);
 
 /// State of the springs after a switch.
 struct HeldSprings {
     double energy{};  ///< energy that the springs hold (J)
     double pull{};    ///< length of the springs' force (N)
-    /// true: they may push as soon as the hand moves, though they pull nothing
-    /// here: within a body of even density.
+    /// The springs may push as soon as the hand moves, even if they do not pull now, as within a body of even
+    /// density.
     bool may_lie_ahead{};
 };
 
-/// Ends the reserve once the springs hold no more energy than they received. For springs that do not pull, it
-/// ends once they owe nothing and cannot push as soon as the hand moves. `stiffness` is the device's largest
-/// (N/m).
+/// Ends the reserve once the springs hold no more energy than they received. For springs that do not pull,
+/// the reserve ends once `created` is about zero and they cannot push as soon as the hand moves. `stiffness`
+/// is the device's largest (N/m).
 void release_if_covered(PassivityObserver& observer, const HeldSprings& springs, double stiffness);
 
 /// Largest force of the springs that the reserve allows (N); infinite if they are not held back. `outward` is
-/// the motion of the tip along their force in a tick (m), `pending` their work that has yet to act (J),
-/// `stiffness` the device's largest (N/m).
+/// the motion of the tip along their force in a tick (m). `pending` is the work of their forces that are
+/// commanded but have not acted yet (J). `stiffness` is the device's largest (N/m).
 double force_of_reserve(const PassivityObserver& observer, double outward, double pending, double stiffness);
 
 /// Records the force commanded to the device (N). `passive` and `active` are the forces that the sources

@@ -11,8 +11,8 @@ using NodeValues = std::array<double, node_count>;
 
 /// The two samples of a grid on either side of a node, along one axis.
 struct Between {
-    std::ptrdiff_t low{}, high{};
-    double t{};  ///< position between them, 0 at low and 1 at high
+    std::ptrdiff_t low{}, high{};  ///< offsets of the two samples in the grid's array
+    double t{};                    ///< position of the node between them, 0 at `low` and 1 at `high`
 };
 using AxisOfNodes = std::array<Between, flow_nodes>;
 
@@ -77,7 +77,8 @@ Mixture mixture_of(const FlowSource& source, const FlowPatch& patch) {
     return mix;
 }
 
-/// Position on one axis of the nodes: the node below, and the fraction of the distance to the next.
+/// Position along one axis of the nodes: index of the node below, and fraction of the distance from there to
+/// the next node.
 struct Along {
     std::size_t low;
     double t;

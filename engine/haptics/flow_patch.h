@@ -48,7 +48,7 @@ struct FlowSample {
 /// Reads the flow at a place. Finite if the nodes around it are; all zero if the place is not finite.
 FlowSample flow_at(const FlowPatch& patch, vec3 place) noexcept;
 
-/// A substance in the mixture. Its viscosity and density are added where its amount is 1.
+/// A substance in the mixture. It adds its viscosity and density in proportion to its amount.
 struct FlowSubstance {
     field::Grid amount{};  ///< amount of the substance; no samples: none of it
     double viscosity{};    ///< viscosity that the amount 1 adds (Pa s)

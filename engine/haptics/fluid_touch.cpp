@@ -44,7 +44,7 @@ bool asks_for_flow(const FluidModes& modes) {
 
 vec3 finite_or_zero_force(vec3 v) { return is_finite(v) ? v : vec3(0); }
 
-/// Adds force and stored energy of one part, unless they are not finite.
+/// Adds the force and the stored energy of one part (surface, wall or ladle), unless they are not finite.
 void add(FluidForces& feel, vec3 passive, double stored) {
     if (!is_finite(passive) || !std::isfinite(stored)) return;
     feel.passive += passive;
@@ -58,8 +58,8 @@ bool has_mass(const FluidTouch& touch) {
     return touch.modes.inertia > 0 && mass > 0 && stiffness > 0 && damping >= 0;
 }
 
-/// Moves the mass on over the coming tick, tied to a tip that moves on evenly. So its force is not a tick
-/// late.
+/// Moves the ladle's mass on over the coming tick, tied to a tip that moves on at its velocity. So the force
+/// of the mass is not a tick late.
 void feel_mass(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip, DampingBudget& damping,
                FluidForces& feel) {
     if (!has_mass(touch)) return;
@@ -155,10 +155,10 @@ Drags drags_of(const FluidModes& modes, const LadleDrag& drag, const FlowSample&
     return {share * drags.viscosity, share * drags.flow, share * drags.resistance};
 }
 
-/// Forces on the hand (N), and their slope there (N s/m).
+/// Forces of the flow on the hand (N).
 struct FlowForces {
     vec3 viscosity{}, flow{}, resistance{};
-    double slope{};
+    double slope{};  ///< damping that the hand feels by them (N s/m)
 };
 
 FlowForces forces_of(const FluidTouch& touch, const FlowSample& sample, vec3 velocity, double immersed,
@@ -172,13 +172,14 @@ FlowForces forces_of(const FluidTouch& touch, const FlowSample& sample, vec3 vel
             scale * (drags.viscosity + drags.resistance)};
 }
 
-/// Mixes forces, not their causes. So a step that changes drag and flow at once is linear in time too.
+/// Mixes the forces of two fluid steps, not the flows that cause them. So the force changes linearly in time
+/// even if drag and flow change at once.
 FlowForces mixed(const FlowForces& a, const FlowForces& b, double share) {
     return {glm::mix(a.viscosity, b.viscosity, share), glm::mix(a.flow, b.flow, share),
             glm::mix(a.resistance, b.resistance, share), glm::mix(a.slope, b.slope, share)};
 }
 
-/// Share of the newer step, 0 to 1. The first tick after a step has one sixteenth of it.
+/// Share of the newer fluid step in the force, 0 to 1. In the first tick after that step it is 1/16.
 double share_of_newer(std::uint64_t step_age, std::uint32_t model_age) {
     const std::uint64_t age = std::min<std::uint64_t>(step_age, fluid_period) + model_age;
     return static_cast<double>(std::min<std::uint64_t>(age + 1, fluid_period)) / fluid_period;
@@ -210,7 +211,8 @@ void feel_flow(const FluidTouch& touch, FluidTouchState& state, const FluidTip& 
 
 // ---- wall -------------------------------------------------------------------------------------------------
 
-/// Adds the wall's force. `place` is the true place P, and `state.place` the one held inside.
+/// Adds the wall's force. `place` is the true place P of the tip, `state.place` the nearest place in the
+/// bowl.
 void feel_wall(const FluidTouch& touch, FluidTouchState& state, vec3 place, vec3 velocity,
                DampingBudget& damping, FluidForces& feel) {
     state.wall = {};

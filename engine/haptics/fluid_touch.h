@@ -38,9 +38,9 @@
 // time between their values for the two newest fluid steps. A step is felt as 16 changes of 1/16 of its size,
 // one fluid step late. The hand's push changes u one to two fluid steps later. This late loop oscillates. The
 // oscillation decays while (w_f viscous mu + w_r form rho) T / stirred_mass < 0.83, with T = 16 ms and a hand
-// that is held fast. All drags are scaled down together so that this stays below `loop_gain`. Their slope at
-// the hand, s_f s_x (w_v viscous mu + w_r form rho), stays below the device's damping limit. The ladle's
-// spring takes its share of that limit first, at most half.
+// that is held fast. All drags are scaled down together so that this gain stays below `loop_gain`. They also
+// keep the damping that the hand feels, s_f s_x (w_v viscous mu + w_r form rho), below the device's limit.
+// The damper of the ladle's mass takes its share of that limit first, at most half.
 //
 // Energy (energy.h): the observer is told the power F u of (3) in the newest step's flow, so it sees the
 // energy that the delay creates. It is told F dh for (4). (2) is within the budget of active sources.
@@ -106,11 +106,12 @@ struct BowlFrame {
 struct LadleDrag {
     double viscous{};  ///< coefficient of (1) and (2), >= 0 (m)
     double form{};     ///< coefficient of (3), >= 0 (m^3/s)
-    /// Mass of fluid that a push moves (kg): its density divided by the peak of the push's kernel (1/m^3).
-    /// For fluid::push with a radius r it is 32 pi / 105 r^3 times the density. 0: the flow does not react,
-    /// and no loop limits the drag.
+    /// Mass of fluid that a push of the ladle moves (kg): the fluid's density divided by the peak of the
+    /// kernel (1/m^3) over which the push is spread. For fluid::push with a radius r it is 32 pi / 105 r^3
+    /// times the density. 0: the flow does not react, and no loop limits the drag.
     double stirred_mass{};
-    /// Height of the part that dips in (m); the immersed share is (h - P_y) / height; 0: all at once.
+    /// Height of the part that dips in (m); the immersed share is (h - P_y) / height. 0: the ladle is
+    /// immersed all at once.
     double height{};
 };
 
@@ -136,7 +137,7 @@ struct BowlWall {
     std::array<vec2, wall_points> profile{};
     std::uint64_t points{};  ///< number of profile points; below 2: no wall
     double stiffness{};      ///< stiffness, >= 0 (N/m)
-    double damping{};        ///< damping, >= 0 (N s/m); only the share that the device can render
+    double damping{};        ///< damping, >= 0 (N s/m); felt as far as the device's damping limit allows
 };
 
 /// The ladle's own mass (6), which a spring ties to the hand.
@@ -148,6 +149,7 @@ struct LadleMass {
 };
 
 inline constexpr std::uint32_t fluid_period = 16;  ///< period of fluid steps (ticks)
+/// Largest gain of the loop from the hand through the fluid back to the hand (see above).
 inline constexpr double loop_gain = 0.4;
 
 /// Fluid part of the haptic model.
@@ -165,7 +167,8 @@ struct FluidTouch {
 };
 static_assert(sizeof(FluidTouch) == 58 * sizeof(double) + 2 * sizeof(FlowPatch), "no padding");
 
-/// Adds the patch of a new fluid step: `newest` becomes the newer of the two, or both if it is the first.
+/// Adds the patch of a new fluid step: `newest` becomes `newer` and the patch before it `older`. The first
+/// patch becomes both.
 void add_fluid_step(FluidTouch& touch, const FlowPatch& newest);
 
 /// State of the fluid forces; no padding. All zero without a fluid.
@@ -179,7 +182,7 @@ struct FluidTouchState {
     /// Energy that the flow gives by (3) in the coming tick, at the hand's scale (J).
     double flow_work{};
     double immersed{};       ///< immersed share of the ladle, 0 to 1
-    std::uint64_t number{};  ///< number of the model; 0: there was none
+    std::uint64_t number{};  ///< FluidTouch::number of the last tick; 0: there was no fluid
     std::uint32_t inside{};  ///< BrewSurface::inside of the last tick
     std::uint32_t begun{};   ///< 0: mass and surface have no earlier state
 };
@@ -209,14 +212,14 @@ FluidForces feel_fluid(const FluidTouch& touch, FluidTouchState& state, const Fl
 /// Force of the flow on the ladle as commanded in the last tick (N, bowl frame). The fluid gets the opposite.
 vec3 force_on_ladle(const FluidTouch& touch, const FluidTouchState& state);
 
-/// Force (1) + (2) + (3) on a ladle at full strength, without any limit by a device (N, bowl frame). It
-/// equals force_on_ladle at full strengths that the device can render. A world gives its opposite to the
-/// fluid if its hands may feel less of it, or nothing.
+/// Force (1) + (2) + (3) on a ladle at full strengths, without any limit by a device (N, bowl frame). It
+/// equals force_on_ladle if all strengths are full and the device can render them. A world whose hands may
+/// feel less of this force, or nothing, gives the opposite of it to the fluid.
 vec3 full_drag(const FluidTouch& touch, vec3 place, vec3 velocity, double immersed,
                std::uint32_t model_age = 0);
 
-/// Peak of a pulse of `length` ticks that gives the hand an impulse (N s, bowl frame), at the mode's strength
-/// (N, device frame). For a ladle that throws something in.
+/// Peak (N, device frame) of a pulse of `length` ticks that gives the hand `impulse` (N s, bowl frame) times
+/// the strength of the mode recoil. For a ladle that throws something in.
 vec3 recoil_peak(const FluidTouch& touch, vec3 impulse, std::uint32_t length);
 
 /// A place of the device frame in the bowl's frame (m).

@@ -74,7 +74,7 @@ std::size_t add_modes(std::span<const ModeUse> uses, const ModeInput& input, Pri
 Direction direction_of(vec3 v) noexcept {
     const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     if (!(largest > 1e-300) || !is_finite(v)) return {};
-    const vec3 scaled = v / largest;  // so that no square overflows
+    const vec3 scaled = v / largest;  // the squares of its components cannot overflow
     const double length = glm::length(scaled);
     return {scaled / length, std::min(length * largest, 1e300)};
 }

@@ -9,16 +9,16 @@
 // maps the property that the mode reads to the strength of its primitives. Modes are independent of each
 // other, so any of them act together, up to primitive_capacity primitives.
 //
-// A mode always adds the same number of primitives, because the servo takes another number for a
-// switch. Where it has nothing to push with, they have no strength: a gradient or vector of length
-// zero, a field that is not finite, a strength that is not finite or, for point and line,
-// negative. Then directions are arbitrary.
+// A mode always adds the same number of primitives, because the servo takes a change of the number for a
+// switch, and fades. Where the mode cannot push, its primitives have strength 0 and any direction. That is
+// where the gradient or vector has length zero, where the field or the strength is not finite, and where the
+// strength of a point or line would be negative.
 //
 // A directed force makes the whole set an active source, with a budget of energy (haptics/energy.h). So
 // together with gradient, force or vortex_core the other modes count as active too.
 //
-// Whoever chooses other modes or settings gives HapticModel::set_number a new value, so that the servo
-// fades from one feel to the other.
+// A caller that changes the modes or settings also changes HapticModel::set_number, so that the servo fades
+// from the old force to the new one.
 //
 // A mode is one .cpp in haptics/modes that registers a Mode. Link to thaum_modes, which keeps all of them.
 #pragma once
@@ -38,30 +38,31 @@ namespace thaum::haptics {
 struct ModeInput {
     vec3 proxy{};           ///< position of the proxy (m)
     vec3 tip{};             ///< position of the tip (m)
-    vec3 step{};            ///< motion of the tip until the primitives act, as far as it can be foreseen (m)
+    vec3 step{};            ///< expected motion of the tip until the primitives act (m)
     double stiffness{300};  ///< stiffness of the spring between tip and proxy (N/m)
     vec3 motion{};          ///< motion of the tip in a tick (m); zero: at rest, or not known
 
     /// Force of the spring on the hand (N).
     vec3 pull() const { return stiffness * (proxy - tip); }
-    /// Place of the tip when the primitives act, as far as it can be foreseen (m).
+    /// Expected place of the tip when the primitives act (m).
     vec3 next_tip() const { return tip + step; }
 };
 
 /// Settings of a mode. A mode ignores those that it has no use for.
 struct ModeSettings {
-    /// Strength of the primitives by the mode's property (N). A negative strength turns a direction that the
-    /// field gives, such as the side from which a surface is felt.
+    /// Strength of the primitives (N) as a function of the mode's property (Mode::property). A negative
+    /// strength reverses a direction that the field gives, such as the side from which a surface is felt.
     field::TransferFunction strength{};
-    /// Coefficient of friction. Surface: by the field's value. Isosurface: by the depth of the tip (m).
+    /// Coefficient of friction as a function of the field's value (mode surface) or of the tip's depth in
+    /// metres (mode isosurface).
     field::TransferFunction friction{};
     double level{};      ///< isosurface: value of the field on the surface
     bool solid_below{};  ///< isosurface: the solid has smaller values than the level, not larger ones
-    /// Isosurface: strength with which it holds a tip that is outside, within reach (N). So the spring pulls
-    /// with at most the stiffness times the reach.
+    /// Isosurface: strength with which it holds a tip that is outside, within reach (N). Since it lets go at
+    /// the end of the reach, the spring pulls the tip with at most its stiffness times the reach.
     double magnet{};
-    /// Isosurface: depth at which it lets the proxy through, and distance at which it is sought. Snap modes:
-    /// distance within which they act (m).
+    /// Isosurface: depth at which the surface lets the proxy through, and largest distance at which a proxy
+    /// finds it. Snap modes: distance within which they act (m).
     double reach{0.002};
     double pitch{0.01};  ///< snap to grid: distance between its points (m)
     bool operator==(const ModeSettings&) const = default;
@@ -81,12 +82,12 @@ struct Mode {
     std::string_view property{};  ///< what the strength's transfer function maps: "length of the vector"
     FieldKind reads{};
     bool slope{};                ///< the property is the length of a gradient (per m)
-    bool derivatives{};          ///< it reads derivatives of the field, not the value alone
-    std::uint32_t primitives{};  ///< number of primitives that it adds
-    /// Whether it creates no energy in any field: it pushes nothing and only resists.
+    bool derivatives{};          ///< the mode reads derivatives of the field, not the value alone
+    std::uint32_t primitives{};  ///< number of primitives that the mode adds
+    /// The mode creates no energy in any field: it only resists motion and never pushes.
     bool passive{};
-    bool ends_at_box{};  ///< it ends by itself where the samples of its field do (field::SampleBox)
-    /// Adds the primitives. There is room for them.
+    bool ends_at_box{};  ///< the mode gives no force outside the samples of its field (field::SampleBox)
+    /// Adds the primitives. The caller has checked that the set has room for them.
     void (*add)(const field::AnyField& field, const ModeSettings& settings, const ModeInput& input,
                 PrimitiveSet& set){};
 };
@@ -115,7 +116,8 @@ struct ModeOffer {
 /// its length, divergence and curl.
 std::vector<ModeOffer> mode_offers(FieldKind kind);
 
-/// The field that a mode should read behind filters: the quick one if it needs no derivatives.
+/// The output of filters that a mode should read: the quick one, which has values only, if the mode needs no
+/// derivatives.
 const field::AnyField& field_for(const Mode& mode, const field::FilteredField& filtered);
 
 /// A chosen mode with its field and settings. The field must outlive it.
@@ -140,21 +142,21 @@ struct Direction {
 /// Length and direction of `v`.
 Direction direction_of(vec3 v) noexcept;
 
-/// Direction towards the core of a vortex, and length of (curl V) x V (paper 001, eq.
-/// 2, whose minus would point away).
+/// Direction and length of (curl V) x V, which points towards the core of a vortex. Paper 001, eq. 2, without
+/// its minus sign, which would point away from the core.
 Direction towards_core(const field::Vector& here) noexcept;
 
-/// Strength by a transfer function at x (N): within +- primitive_limit, and 0
-/// if x or the result is not finite.
+/// Value of a transfer function at x as a strength (N): clamped to +- primitive_limit, and 0 if x or the
+/// value is not finite.
 double strength_at(const field::TransferFunction& strength, double x) noexcept;
 
-/// Largest strength of a primitive whose point, line or plane is not at the proxy (N), beyond what any device
-/// renders. Such a primitive moves the proxy. Two that contradict each other, nearly parallel and without
-/// bounds, would throw it to where their planes meet, metres away.
+/// Largest strength of a primitive whose point, line or plane is not at the proxy (N); no device renders as
+/// much. Such a primitive moves the proxy. Without this limit, two nearly parallel planes that contradict
+/// each other would throw the proxy to where they meet, metres away.
 inline constexpr double max_pull = 10;
 
-/// Place that a proxy heads for along a plane with this normal (m): the next tip, held back by the friction
-/// of the last tick, which is at most `friction` (N).
+/// Place that a proxy heads for along a plane with this normal (m): the next tip, moved back towards the
+/// proxy by as much as friction on the plane resists, at most `friction` (N).
 vec3 held_back(const ModeInput& input, vec3 normal, double friction) noexcept;
 
 /// Adds a primitive. One with a fault, such as a negative strength or a place that is not finite, is added

@@ -5,18 +5,19 @@
 
 #include "core/maths.h"
 
-// Three methods, each used where it loses no digits, all in units of t. With x = decay t and q = frequency2
-// t^2, the roots of the characteristic polynomial are -x +- sqrt(z), where z = x^2 - q.
+// Three methods (by_series, by_two_rates, by_equation), each used where it loses no digits. Times are in
+// units of t. With x = decay t and q = frequency2 t^2, the roots of the characteristic polynomial are -x +-
+// sqrt(z), where z = x^2 - q.
 namespace thaum::haptics {
 namespace {
 
-// for larger x, q <= 1 gives z > 1, and the series is not used
+// Largest x for the series. For a larger x and q <= 1, z is above 1 and `by_two_rates` serves.
 constexpr double max_x_of_series = 1.5;
 
 constexpr int max_terms = 40;  // enough for x = 1.5; most calls need 8
 
-/// Tables of 1 / ((n + 1) n), 1 / (n + 2) and 1 / ((n + 2) (n + 3)). One division takes as long as the rest
-/// of a term.
+/// Tables of 1 / ((n + 1) n), 1 / (n + 2) and 1 / ((n + 2) (n + 3)). A division would take as long as all
+/// else that a term of the series needs.
 struct Reciprocals {
     std::array<double, max_terms + 1> term{}, once{}, twice{};
     constexpr Reciprocals() {
@@ -63,8 +64,8 @@ double phi2(double x) {
     return (1 + sum) / 2;
 }
 
-/// Differences of two exponentials. For z > 1 and a slow root below 1: the rates are far enough apart to
-/// subtract.
+/// S and its integrals as differences of two exponentials. For z > 1 and `slow` < 1: the two rates are then
+/// so far apart that the subtraction loses no digits.
 Response by_two_rates(double slow, double fast) {
     const double apart = fast - slow;
     return {.t = 1,
@@ -78,8 +79,8 @@ struct Waves {
         s;  // e^-x cosh(sqrt z) and e^-x sinh(sqrt z) / sqrt z: entire functions of z, regular at z = 0
 };
 
-/// A number as an unevaluated sum of two, so that a product is exact (Dekker 1971). Old processors have no
-/// fused multiply-add.
+/// A number as the sum of two doubles, so that a product of doubles is exact (Dekker 1971). A fused
+/// multiply-add would do it too, but old processors have none.
 struct Twofold {
     double high{}, low{};
 };
@@ -106,8 +107,8 @@ struct Scaled {
 // value of x; below it, the rounding of x^2 does not matter to z
 constexpr double rounding_matters_from = 8;
 
-/// Near critical damping with large x, z is a small difference of large numbers. Their rounding would be its
-/// error.
+/// Computes x, q and z. Near critical damping with large x, z is a small difference of large numbers, so
+/// their rounding would be an error of z. There the products are computed exactly.
 Scaled scaled(Oscillator o, double t) {
     const double x = o.decay * t, q = o.frequency2 * t * t;
     const double z = x * x - q;
@@ -143,7 +144,7 @@ Waves waves(const Scaled& in) {
     return {decayed * (1 + c), decayed * (1 + s)};
 }
 
-/// Derives the integrals from the oscillator's own equation. For q > 1 without a slow root.
+/// Derives the integrals of S from the oscillator's equation. For all cases that the other two methods leave.
 Response by_equation(const Scaled& in) {
     const double x = in.x, q = in.q;
     const auto [c, s] = waves(in);

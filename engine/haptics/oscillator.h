@@ -2,9 +2,9 @@
 //
 //     x'' + 2 decay x' + frequency2 x = 0
 //
-// S is the response to a unit velocity: S(0) = 0, S'(0) = 1. S and its integrals S1 and S2 describe all
-// motion under forces that stay constant over the time t. With the start velocity v, the start acceleration
-// a, and the constant velocity w of the spring's other end:
+// S is the motion after a start with unit velocity: S(0) = 0, S'(0) = 1. S and its integrals S1 and S2
+// describe all motion under forces that stay constant over the time t. With the start velocity v, the start
+// acceleration a, and the constant velocity w of the spring's other end:
 //
 //     v(t) = v + S a + frequency2 S1 (w - v)         (obeys v'' + 2 decay v' + frequency2 (v - w) = 0)
 //     x(t) = x + t v + S1 a + frequency2 S2 (w - v)  (the integral of v)
@@ -29,7 +29,7 @@ constexpr Oscillator oscillator(double mass, double damping, double stiffness) {
     return {damping / (2 * mass), stiffness / mass};
 }
 
-/// S(t) and its first and second integral from 0 to t.
+/// S(t), the motion after a start with unit velocity, and its first and second integral from 0 to t.
 struct Response {
     double t{};   ///< time (s)
     double s{};   ///< S(t) (s)

@@ -6,7 +6,7 @@ namespace thaum::haptics {
 namespace {
 
 bool newer(std::uint32_t number, std::uint32_t than) {
-    const std::uint32_t ahead = number - than;  // wraps like the numbers
+    const std::uint32_t ahead = number - than;  // right even after the numbers have wrapped round
     return ahead != 0 && ahead < 1U << 31U;
 }
 
@@ -35,8 +35,8 @@ vec3 play_pulses(ServoState& state) {
 
 }  // namespace
 
-/// (n/pi) (cos(pi k/n) - cos(pi (k+1)/n)), written as a product so that no nearly equal numbers are
-/// subtracted.
+/// (n/pi) (cos(pi k/n) - cos(pi (k+1)/n)) for tick k = `at` of n = `length`, written as a product so that no
+/// nearly equal numbers are subtracted.
 double half_sine(std::uint32_t at, std::uint32_t length) {
     if (at >= length) return 0;
     const double half_tick = pi / (2.0 * length);

@@ -11,8 +11,8 @@ namespace thaum::haptics {
 struct ServoState;
 
 /// A kick: half a sine wave over `length` ticks. An active source: it may push the hand. It starts and ends
-/// at zero, so it is no switch for the slew limit. That limit would leave little of it: 1.2 N in 15 ms rises
-/// at 251 N/s.
+/// at zero, so the safety stage need not fade it as a switch. Its slew limit of 40 N/s would leave little of
+/// a kick: 1.2 N in 15 ms rises at 251 N/s.
 struct Pulse {
     vec3 peak{};             ///< largest force (N, device frame)
     std::uint32_t length{};  ///< duration, > 0 (ticks)
@@ -26,7 +26,7 @@ struct SteadyForce {
     std::uint64_t number{};  ///< changes when the force jumps, which is a switch
 };
 
-/// A fifth pulse replaces the oldest, which is a switch.
+/// Number of pulses that can play at once. One more replaces the oldest, which is a switch.
 inline constexpr std::size_t pulses_at_once = 4;
 
 /// A pulse that has begun.
@@ -36,8 +36,8 @@ struct PlayingPulse {
     std::uint32_t at{};  ///< ticks played; equal to `length` at the end
 };
 
-/// Mean force of a pulse over its tick `at`, as a share of its peak. It is exact: the impulse is 2/pi peak
-/// length.
+/// Mean force of a pulse over its tick `at`, as a share of its peak. Summed over all ticks it is exact: the
+/// impulse of the pulse is 2/pi times peak times duration.
 double half_sine(std::uint32_t at, std::uint32_t length);
 
 /// Force of pulses and steady force in one tick.

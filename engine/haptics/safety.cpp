@@ -6,39 +6,44 @@
 
 #include "haptics/energy.h"
 
-// The stage holds the force back in two ways. Danger for the hand (a panic, a shut-off, a hand that is
-// too fast) makes the force zero at once. With an old model, and for a player who wants no forces any
-// more, it ramps to zero, because nothing says that the last force was wrong. After either, the force
-// returns from zero through the slew limit.
+// The stage stops the force in two ways. Danger for the hand (a panic, a shut-off, a hand that is too fast)
+// makes the force zero at once. With an old model, and for a player who wants no forces any more, the force
+// ramps to zero, because nothing says that the last force was wrong. After either, the force returns from
+// zero through the slew limit.
 //
 // Every comparison is written so that NaN falls on the safe side.
 
 namespace thaum::haptics {
 namespace {
 
-constexpr double excess_over_peak = 4;  // multiple of the device's peak
-// Multiple of the device's peak. A small thing caught behind a corner stretches the lift wand's spring to 125
-// N before it slips away. That is 38 times the peak of a Touch. Such a force is clipped and is no fault.
+// SafetyLimits::excess as a multiple of the device's peak.
+constexpr double excess_over_peak = 4;
+// SafetyLimits::spring_excess as a multiple of the device's peak. A small thing caught behind a corner
+// stretches the lift wand's spring to 125 N before it slips away. That is 38 times the peak of a Touch. Such
+// a force is clipped and is no fault.
 constexpr double stretched_over_peak = 50;
-/// Continuous force of a device that does not tell its own, as a share of its peak. The smallest share of the
-/// known ones: a Premium holds 1.4 of 8.5 N, a Touch 0.88 of 3.3 N, a Falcon 3 of 8 N.
+/// Continuous force of a device that does not specify it, as a share of its peak. The smallest share of the
+/// devices that do: a Premium holds 1.4 of 8.5 N, a Touch 0.88 of 3.3 N, a Falcon 3 of 8 N.
 constexpr double unknown_continuous = 0.16;
-constexpr double switching_slew = 40;  // change of force at a switch (N/s)
+constexpr double switching_slew = 40;  // rate at which the offset of a switch fades (N/s)
 // Speed limit (m/s). A simulated hand that is flung across a Touch reaches 3.8 m/s, across a Premium 4.5 m/s.
-// Chosen, without a source.
+// The limit is our choice; it has no source.
 constexpr double fastest_hand = 4;
 constexpr auto ramp_length = static_cast<std::uint32_t>(ticks(ramp_seconds));
 // Ticks below half the speed limit before an over-speed cut ends.
 constexpr std::uint32_t calm_ticks = 100;
-constexpr std::uint32_t apart_ticks = 20;  // ticks without excess between two episodes of it
-constexpr std::uint32_t episode_ticks = 10'000;
-constexpr std::uint32_t bin_ticks = 500;
-// Without it, rounding may leave a slew one tick short of its end.
+// Excess: a wanted force beyond what any correct source asks for. An episode ends after so many ticks
+// without.
+constexpr std::uint32_t apart_ticks = 20;
+constexpr std::uint32_t episode_ticks = 10'000;  // ticks after which an episode is forgotten
+constexpr std::uint32_t bin_ticks = 500;         // length of a bin of heat (ticks)
+// Tolerance for the end of a fade. Without it, rounding may make a fade one tick too long.
 constexpr double almost_there = 1 + 1e-9;
-// Shares of the thermal budget: a burst is held back from the first one and ends at the second one. The rest
-// is for a hand that presses on.
+// Shares of the thermal budget that a burst (a short force above the sustained one) may use. From the first
+// share on the force is reduced; at the second one the burst is over. The rest of the budget is for a hand
+// that presses on.
 constexpr double warm_from = 0.8, burst_until = 0.9;
-// Time constant with which a held-back force rises to the sustained one (s).
+// Time constant with which a force reduced by heat rises to the largest force that can be sustained (s).
 constexpr double rise_time = 0.5;
 static_assert((thermal_bins - 2) * bin_ticks == ticks(thermal_window));
 
@@ -50,8 +55,8 @@ void latch(SafetyState& state, SafetyCause cause) {
     state.latched = std::max(state.latched, static_cast<std::uint32_t>(cause));
 }
 
-/// Shortens a force to `most`. Components come first because the length of a huge vector overflows. The
-/// result ends slightly below `most`, so that rounding cannot exceed it.
+/// Shortens a force to the length `most` (N). It first scales by the largest component, because the length of
+/// a huge vector overflows. The result is slightly shorter than `most`, so that rounding cannot exceed it.
 vec3 shortened(vec3 force, double most) {
     constexpr double below = 1 - 2e-15;
     const double largest = std::max({std::abs(force.x), std::abs(force.y), std::abs(force.z)});
@@ -82,8 +87,8 @@ void begin_episode(SafetyState& state) {
     state.episodes[state.excess_count++] = 0;
 }
 
-/// Counts episodes of excess. One wild tick may be a glitch. Three bursts in ten seconds are a fault, and
-/// shut the device off.
+/// Counts episodes of excess, wanted forces beyond what any correct source asks for. One such tick may be a
+/// glitch. Three episodes in ten seconds are a fault, and shut the device off.
 void count_excess(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) {
     forget_old_episodes(state);
     const bool sane = is_finite(input.wanted) && glm::length(input.wanted - input.spring) <= limits.excess &&
@@ -109,8 +114,8 @@ bool update_speed(const SafetyLimits& limits, SafetyState& state, const SafetyIn
     return true;
 }
 
-/// Returns true if the model is stale. Counts the ticks of the ramp itself because the age may jump; the ramp
-/// then still starts at its beginning.
+/// Returns true if the model is stale. The ticks of the ramp are counted here, not taken from the model's
+/// age: the age may jump, but the ramp must start at its beginning.
 bool update_ramp(SafetyState& state, const SafetyInput& input) {
     const bool stale = input.model_age > freshest_ticks;
     state.ramp_ticks = stale || !input.on ? std::min(state.ramp_ticks + 1, ramp_length) : 0;
@@ -145,8 +150,8 @@ SafetyCause process(const SafetyLimits& limits, SafetyState& state, const Safety
 // ---- heat
 // ---------------------------------------------------------------------------------------------------------
 
-/// Heat of the window (N^2 s). It covers up to one bin more than the window, never less: the oldest bin fades
-/// while the newest fills.
+/// Heat of the thermal window (N^2 s), the integral of the squared output. It covers up to one bin more than
+/// the window, never less: the oldest bin counts less and less while the newest is being filled.
 double heat_of(const SafetyState& state) {
     const std::size_t oldest = (state.bin + 1) % thermal_bins;
     double sum = 0;
@@ -158,9 +163,10 @@ double budget_of(const SafetyLimits& limits) {
     return limits.continuous * limits.continuous * thermal_window;
 }
 
-/// Square of the largest force that can be sustained from now on (N^2): at the end of no bin, when another
-/// has faded, does the heat exceed the budget. Sustaining it never lowers it, since what was possible stays
-/// possible. It approaches the square of the continuous force, less the cost of the bin beyond the window.
+/// Square of the largest force that can be sustained from now on (N^2). With this force, the heat stays
+/// within the budget at the end of every coming bin, when the oldest bin no longer counts. While the force is
+/// sustained, this limit never falls: what was possible stays possible. It approaches the square of the
+/// continuous force, less the heat of the bin beyond the window.
 double sustained(const SafetyLimits& limits, const SafetyState& state, double heat) {
     const double budget = budget_of(limits);
     const std::size_t oldest = (state.bin + 1) % thermal_bins;
@@ -175,9 +181,9 @@ double sustained(const SafetyLimits& limits, const SafetyState& state, double he
     return std::max(most, 0.0);
 }
 
-/// Force that the motors can still take (N). A burst after rest may use most of the budget. While the force
-/// is held back, it rises only if a larger force can be sustained. Otherwise a hand that presses on would get
-/// a burst whenever the last one leaves the window, and nothing in between.
+/// Force that the motors can still take (N). A burst after rest may use most of the budget. Once heat limits
+/// the force, it rises only if a larger force can be sustained. Otherwise a hand that presses on would get a
+/// burst whenever the last burst leaves the window, and nothing in between.
 double thermal_limit(const SafetyLimits& limits, const SafetyState& state) {
     const double budget = budget_of(limits), heat = heat_of(state), left = budget - heat;
     if (!(left > 0)) return 0;
@@ -186,14 +192,14 @@ double thermal_limit(const SafetyLimits& limits, const SafetyState& state) {
     const bool was_stopped = state.cause >= static_cast<std::uint32_t>(SafetyCause::waiting);
     if (share >= 1 && (!held_back || was_stopped)) return limits.cap;
     const double cool = std::clamp(share, 0.0, 1.0);
-    double burst = limits.cap * cool * (2 - cool);  // no kink where it starts
+    double burst = limits.cap * cool * (2 - cool);  // its slope is 0 where the reduction starts
     double kept_up = std::sqrt(sustained(limits, state, heat));
     if (held_back) {
         const double before = state.heat_limit;
         burst = std::min(burst, before);
         kept_up = std::min(kept_up, before + (kept_up - before) * (tick_seconds / rise_time));
     }
-    // A cap that is lowered lowers the burst. The force comes down to both alike.
+    // A cap that is lowered lowers the burst too. The force falls to either no faster than by `cap_slew`.
     const double falling = glm::length(state.output) - cap_slew * tick_seconds;
     const double at_most = std::sqrt(left / tick_seconds);  // stays within the budget in this tick
     return std::min({std::max({burst, kept_up, falling}), at_most, limits.cap});
@@ -209,23 +215,24 @@ void add_heat(SafetyState& state, vec3 force) {
 
 // ---- force ------------------------------------------------------------------------------------------------
 
-/// Length by which the offset fades in a tick (N): the less work it may still do, the more.
+/// Length by which the offset fades in a tick (N). The less work offsets may still do, the faster it fades.
 double fade_step(const SafetyLimits& limits, const SafetyInput& input) {
     const double used = 1 - std::clamp(input.fade_energy / switch_energy, 0.0, 1.0);
     return (limits.slew + used * std::max(0.0, cap_slew - limits.slew)) * tick_seconds;
 }
 
-/// Lets the offset take up the difference between the last output and the sources. The last output may exceed
-/// the present limit, because the cap may have been lowered.
+/// Sets the offset to the difference between the last output and the goal, so that the output makes no jump.
+/// The last output is cut to `most` (N), which it exceeds if the cap has been lowered.
 void take_up(double most, SafetyState& state, vec3 goal) {
     state.remnant = shortened(state.output, most);
     state.offset = state.remnant - goal;
 }
 
-/// Adds the offset's work since the last tick. A step that no hand makes is a measurement error and
-/// does no work. With a reserve, springs that resist count against the offset: if it gave way to a hand
-/// that presses in, the force would rise twice as steeply as the springs alone. Of an offset that
-/// begins, the last output did the work.
+/// Adds the offset's work since the last tick. A step longer than any hand makes is a measurement error and
+/// does no work. While the springs have a reserve, the work of the offset counts as at most that of the whole
+/// output: if the offset gave way to a hand that presses in, the force would rise twice as steeply as that of
+/// the springs alone. The same holds in the tick in which an offset begins, since the last output did the
+/// work.
 void add_fade_work(SafetyState& state, const SafetyInput& input, bool begins) {
     const vec3 step = input.tip - state.tip;
     double work = glm::dot(state.offset, step);
@@ -234,15 +241,16 @@ void add_fade_work(SafetyState& state, const SafetyInput& input, bool begins) {
     if (glm::length(step) <= longest_step) state.fade_work = std::max(0.0, state.fade_work + work);
 }
 
-/// Work that an offset of `length` (N) may do (J). It is at least that of a spring of the device's stiffness,
-/// so that a small motion of the hand does not take the whole force away.
+/// Work that an offset of `length` (N) may do (J). It is at least the energy of a spring with that force and
+/// the device's largest stiffness, so that a small motion of the hand does not take the whole force away.
 double work_of_offset(double length, const SafetyInput& input) {
     const double of_spring = input.stiffness > 0 ? length * length / (2 * input.stiffness) : 0;
     return std::clamp(input.fade_energy, std::min(of_spring, switch_energy), switch_energy);
 }
 
-/// Starts a switch. The output stays. But if another offset still faded, the work of its last tick counts:
-/// else no offset would ever give way while there is a switch in every tick.
+/// Starts the fade of a switch; the output stays what it was. If another offset was still fading, the work of
+/// its last tick counts for the new one. Otherwise no offset would ever give way while every tick has a
+/// switch.
 void begin_fade(const SafetyLimits& limits, double most, SafetyState& state, vec3 goal,
                 const SafetyInput& input) {
     const bool goes_on = glm::length(state.offset) > fade_step(limits, input);
@@ -260,25 +268,25 @@ void settle(double most, SafetyState& state, vec3 goal) {
     state.initial_offset = std::max(state.initial_offset, glm::length(state.offset));
 }
 
-/// Length that the work done so far allows (N). An offset that falls in proportion to the distance along it,
-/// like a relaxing spring, follows this law exactly. It is zero when it has done all its work.
+/// Length of the offset that its work so far allows (N); zero once it has done all its work. A relaxing
+/// spring follows the same law: its force falls in proportion to the distance that it moves the hand.
 double length_after_work(const SafetyState& state) {
     if (!(state.fade_budget > 0)) return 0;
     const double left = std::clamp(1 - state.fade_work / state.fade_budget, 0.0, 1.0);
     return state.initial_offset * std::sqrt(left);
 }
 
-/// Length that the offset keeps in this tick even if it has done all its work (N): it makes no larger jump
-/// than a spring of the device's stiffness and a cap that comes down.
+/// Length that the offset keeps in this tick even if it has done all its work (N): the force falls no faster
+/// than that of a spring with the device's stiffness and that of a falling cap together.
 double min_length(const SafetyState& state, const SafetyInput& input, double size) {
     if (!(input.stiffness > 0 && size > 0)) return 0;
     const double outward = glm::dot(state.offset, input.tip - state.tip) / size;
     return size - cap_slew * tick_seconds - input.stiffness * std::max(0.0, outward);
 }
 
-/// Largest share of the offset, 0 to 1, that is no farther from what is left of the last force than the
-/// goal is long. While the goal stays, it is all of it. An offset that hides a goal which ends would else
-/// pull the hand where no source does.
+/// Largest share of the offset, 0 to 1, whose distance from the remnant (what is left of the force before the
+/// switch) is at most the length of the goal. While the goal does not change, the share is 1. Without this
+/// limit, an offset that cancels a goal would pull the hand where no source does once that goal ends.
 double part_that_hides(const SafetyState& state, vec3 goal) {
     const double square = glm::dot(state.offset, state.offset);
     if (!(square > 0)) return 1;
@@ -288,8 +296,8 @@ double part_that_hides(const SafetyState& state, vec3 goal) {
     return std::clamp(nearest + std::sqrt(std::max(0.0, room) / square), 0.0, 1.0);
 }
 
-/// Smallest share of the offset, 0 to 1, with which the output jumps no farther than a cap that comes down
-/// and a spring of the device's stiffness explain; if none does, the share with the smallest jump.
+/// Smallest share of the offset, 0 to 1, with which the output jumps no farther than a falling cap and a
+/// spring of the device's stiffness explain. If every share jumps farther, the share with the smallest jump.
 double steady_part(const SafetyState& state, vec3 goal, const SafetyInput& input) {
     const double square = glm::dot(state.offset, state.offset);
     if (!(input.stiffness > 0 && square > 0)) return 0;
@@ -333,8 +341,8 @@ vec3 faded(const SafetyLimits& limits, double most, SafetyState& state, vec3 goa
     state.offset *= share;
     const double hiding = share * part_that_hides(state, goal);
     state.offset = std::min(std::max(hiding, steady), share) * before;
-    // The nearest force within the cap: so the offset gets shorter, and a goal that
-    // comes to the cap makes no jump.
+    // A sum beyond the cap is shortened, not its parts: so the offset only gets shorter, and the output does
+    // not jump when the goal reaches the cap.
     const vec3 force = goal + state.offset, within = shortened(force, most);
     if (within != force) state.offset = within - goal;
     if (state.offset == vec3(0)) return without_offset(state, goal);
@@ -352,8 +360,8 @@ SafetyCause shortening(const SafetyLimits& limits, double most, vec3 wanted) {
     return most < limits.cap ? SafetyCause::warm : SafetyCause::capped;
 }
 
-/// Largest force of a ramp to zero (N): that of the reserve, or else one that
-/// is no jump from the last output.
+/// Largest force of a ramp to zero (N): the limit by the springs' reserve of energy, but no less than what
+/// makes no jump from the last output.
 double max_of_ramp(const SafetyState& state, const SafetyInput& input) {
     const double size = glm::length(state.output);
     const double outward = size > 0 ? glm::dot(state.output, input.tip - state.tip) / size : 0;
@@ -361,13 +369,13 @@ double max_of_ramp(const SafetyState& state, const SafetyInput& input) {
     return std::max(input.reserve_force, size - falls);
 }
 
-/// Whether a stopped force ramps down. A hand that is too fast gets none at once.
+/// Whether a stopped force ramps to zero. If the hand is too fast, the force is zero at once.
 bool ramps(const SafetyState& state, SafetyCause cause) {
     return (cause == SafetyCause::stale || cause == SafetyCause::off) && state.fast_ticks == 0;
 }
 
-/// Moves the cap in force to the player's, and returns the limits with it. Each move is a switch. A lower cap
-/// comes down from the last output, so that the force does not jump.
+/// Moves the cap in use towards the player's, and returns the limits with it. Each move is a switch. To a
+/// lower cap, the cap in use falls from the last output, so that the force does not jump.
 SafetyLimits with_moved_cap(SafetyLimits limits, SafetyState& state) {
     if (limits.cap != state.cap) state.fade = static_cast<std::uint32_t>(Fade::begins);
     const double lower = std::min(state.cap, glm::length(state.output)) - cap_slew * tick_seconds;

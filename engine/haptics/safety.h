@@ -17,9 +17,10 @@
 //   - work: the offset may do the work `switch_energy` on the hand and no more, so it fades if the hand
 //     yields;
 //   - the cap: if the sum of wanted force and offset exceeds it;
-//   - what it hides: it leads from the wanted force to what is left of the force at the switch. An offset
-//     that hides the force of a wall ends with that force when the wall breaks. But it does not end in one
-//     tick, if that made a larger jump than a spring of the device's stiffness and a cap that comes down.
+//   - the wanted force that it hides: the offset leads from the wanted force to what is left of the force
+//     before the switch. An offset that cancels the force of a wall ends with that force when the wall
+//     breaks. But it does not end in one tick if the jump would be larger than that of a spring with the
+//     device's stiffness and of a falling cap together.
 // The wanted force itself is never delayed. A passive source therefore stays passive while the offset fades.
 // An offset that only shrinks returns no more energy than it was given. So the whole switch creates at most
 // `switch_energy`.
@@ -42,10 +43,10 @@ namespace thaum::haptics {
 struct SafetyLimits {
     /// Largest length of the output: the smaller of the device's peak and the player's own cap (N).
     double cap{};
-    /// Force that no correct source asks for; asking for it repeatedly shuts the device off (N).
+    /// Largest force that a correct source asks for (N); asking for more repeatedly shuts the device off.
     double excess{};
     double spring_excess{};  ///< the same limit for a spring that the world stretches (N)
-    double continuous{};     ///< limit of the root mean square over any thermal_window (N)
+    double continuous{};     ///< limit of the output's root mean square over any thermal_window (N)
     double slew{};           ///< rate at which the offset of a switch fades (N/s)
     /// Speed of the tip beyond which the force is cut until the hand is slow again (m/s).
     double max_speed{};
@@ -59,8 +60,8 @@ inline constexpr std::uint32_t freshest_ticks = 20;
 inline constexpr double switch_energy = 0.01;
 /// Time in which the force of a stale model, or one that the player switches off, ramps to zero (s).
 inline constexpr double ramp_seconds = 0.05;
-/// Rate at which the output comes down to a cap that was lowered, and at which an offset fades that may do no
-/// more work (N/s): 12 N in 30 ms, and less than 0.5 N a tick.
+/// Rate at which the output falls to a cap that was lowered, and at which an offset fades that may do no more
+/// work (N/s): 12 N in 30 ms, and less than 0.5 N a tick.
 inline constexpr double cap_slew = 400;
 
 /// Limits for a device. `share` is the player's cap as a share of the device's peak, 0 to 1.
@@ -69,8 +70,8 @@ SafetyLimits safety_limits(const DeviceSpec& spec, double share);
 /// The same limits with another cap, as a share of the device's peak, 0 to 1.
 SafetyLimits with_share(SafetyLimits limits, double share);
 
-/// Reason why the device gets less than was asked for; the gravest one, in this order. Each has a caption on
-/// the screen.
+/// Reason why the device gets less than was asked for; of several, the last in this order. The screen shows a
+/// caption for each.
 enum class SafetyCause : std::uint32_t {
     none,
     capped,      ///< clipped to the cap
@@ -79,15 +80,16 @@ enum class SafetyCause : std::uint32_t {
     stale,       ///< no fresh model: the force ramps to zero or is zero
     over_speed,  ///< cut until the hand is slow
     off,         ///< the player wants no forces
-    shut_off,    ///< repeated excess; until re-armed
-    panic,       ///< panic key; until re-armed
+    shut_off,    ///< sources repeatedly asked for more than SafetyLimits::excess; until re-armed
+    panic,       ///< the panic key was pressed; until re-armed
 };
 
 inline constexpr std::array<std::string_view, 9> safety_cause_names{
     "none", "capped", "warm", "waiting", "stale", "over_speed", "off", "shut_off", "panic"};
 
-/// Number of heat bins of half a second: the window, the bin being filled, and one bin that has left the
-/// window and fades. Without the last one, the force would jump up when half a second of heat is forgotten.
+/// Number of heat bins of half a second: those of the window, the bin being filled, and one that is older
+/// than the window and counts less and less. Without the last one, the force would jump up when half a second
+/// of heat is forgotten.
 inline constexpr std::size_t thermal_bins = 22;
 
 /// Progress of a switch.
@@ -106,23 +108,22 @@ struct SafetyState {
     double initial_offset{};                  ///< length of the offset at the switch (N)
     double fade_work{};                       ///< work of the offset on the hand since the switch (J)
     double fade_budget{};                     ///< largest work that this offset may do (J)
-    double cap{};                             ///< cap in force, above the player's while it comes down (N)
-    std::array<double, thermal_bins> heat{};  ///< heat of the output, a ring of bins (N^2 s)
+    double cap{};                             ///< cap in use, above the player's while it falls to it (N)
+    std::array<double, thermal_bins> heat{};  ///< integral of the squared output, a ring of bins (N^2 s)
     std::uint32_t tick{};                     ///< ticks in the bin being filled
     std::uint32_t bin{};                      ///< index of the bin being filled
-    std::uint32_t gate_open{};                ///< 1 once a wanted force was in range
+    std::uint32_t gate_open{};                ///< 1 once a wanted force was within the cap
     std::uint32_t fade{};                     ///< Fade
     std::uint32_t fast_ticks{};               ///< ticks left before an over-speed cut may end
     std::uint32_t latched{};                  ///< SafetyCause shut_off or panic; 0: none
-    std::uint32_t excess_ticks{};             ///< ticks left before excess starts another episode
+    std::uint32_t excess_ticks{};             ///< ticks left until more excess would start a new episode
     std::uint32_t excess_count{};             ///< number of recent episodes of excess, at most two
     std::uint32_t cause{};                    ///< SafetyCause of the last tick
     /// Ticks without a fresh model or without the player's wish for forces, up to the end of the ramp.
     std::uint32_t ramp_ticks{};
     std::array<std::uint32_t, 2> episodes{};  ///< ticks since each episode began, the older one first
-    /// Output of the tick before the switch, shortened since then by as much as time shortens the offset (N):
-    /// what that force would still be if it faded alone. An offset may hide the wanted force down to this,
-    /// and no more.
+    /// Output of the tick before the switch, shortened since then by as much as time shortens the offset (N).
+    /// The offset may lead from the wanted force to this force, and no farther.
     vec3 remnant{};
     double heat_limit{};  ///< limit by heat in the last tick, if it held the force back (N); 0: it did not
 };
@@ -131,16 +132,16 @@ static_assert(sizeof(SafetyState) == (20 + thermal_bins) * sizeof(double) + 12 *
 /// Input of the safety stage in one tick.
 struct SafetyInput {
     vec3 wanted{};  ///< force asked for by all sources (N, device frame)
-    /// Part of `wanted` by a spring whose other end the world holds and may stretch far (N).
+    /// Part of `wanted` by the tether, a spring whose other end the world holds and may pull far away (N).
     vec3 spring{};
-    /// Damping of the passivity controller beyond `wanted`; the cap cuts `wanted` first (N).
+    /// Damping force of the passivity controller, added to `wanted` after the cap has cut that (N).
     vec3 brake{};
     vec3 tip{};       ///< measured position (m, device frame)
     vec3 velocity{};  ///< measured velocity of the tip (m/s)
     /// Speed along the tip's path; a tip that vibrates in place is fast too (m/s).
     double path_speed{};
-    /// Largest force of springs that the reserve of energy allows (N, haptics/energy.h); also of a ramp to
-    /// zero. Infinite: the springs are not held back.
+    /// Largest force of springs that the reserve of energy allows (N, haptics/energy.h). It limits a ramp to
+    /// zero too. Infinite: the springs are not held back.
     double reserve_force{HUGE_VAL};
     /// Work that offsets may still do (J); less than `switch_energy` soon after other switches.
     double fade_energy{switch_energy};
@@ -150,7 +151,7 @@ struct SafetyInput {
     double stiffness{};
     std::uint32_t model_age{};  ///< ticks since the model was made
     bool switched{};            ///< a source appeared or went, or the model jumped
-    /// The sources still settle after a switch: the offset takes up what they jump by.
+    /// The sources still settle after a switch: the offset takes up their jumps in this tick.
     bool settles{};
     bool on{true};  ///< the player wants forces
     bool panic{};   ///< a panic key is down

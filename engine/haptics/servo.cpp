@@ -9,9 +9,9 @@
 namespace thaum::haptics {
 namespace {
 
-/// Ticks after a resume in which the offset of the switch takes up what the sources change. Velocities
-/// come back with the second sample, and the damping of springs and fluids with them. So few ticks
-/// hardly weaken a kick that begins then.
+/// Ticks after a resume in which the offset of the switch takes up every jump of the sources. Velocities are
+/// known again from the second sample on, and with them the damping of springs and fluids returns. So few
+/// ticks hardly weaken a kick that begins then.
 constexpr std::uint32_t resume_ticks = 3;
 
 }  // namespace
@@ -46,7 +46,8 @@ ServoState resumed(const ServoState& before) {
     return state;
 }
 
-// The steps are called nowhere else. Inlined, they save a seventh of a quiet step.
+// The functions called here are called nowhere else. To inline them saves a seventh of the time of a quiet
+// step.
 [[gnu::flatten]] vec3 servo_step(const Servo& device, ServoState& state, const HapticModel& model,
                                  const ServoSample& sample) {
     Servo servo = device;

@@ -23,8 +23,9 @@
 
 namespace thaum::haptics {
 
-/// Motion of the world in the device frame while the player turns or walks: a place p moves by velocity +
-/// spin x p. Bodies of a patch include this motion. It is also given alone because it must not push the hand.
+/// Motion of the world in the device frame while the player turns or walks: a place p moves at velocity +
+/// spin x p. The velocities of a patch's bodies include this motion. It is also given alone because it must
+/// not push the hand.
 struct FrameMotion {
     vec3 velocity{};  ///< velocity of the world at the frame's origin (m/s)
     vec3 spin{};      ///< angular velocity about the frame's origin (rad/s)
@@ -37,8 +38,8 @@ struct HapticModel {
     Tether tether{};
     bool on{true};  ///< the player wants forces
     bool panic{};   ///< a panic key is down
-    bool rearm{};
-    /// Largest force that the player has chosen meanwhile (% of the device's peak); 0: as Servo::limits say.
+    bool rearm{};   ///< the player asks for forces again after a panic or shut-off
+    /// Largest force chosen by the player (% of the device's peak); 0: the one of Servo::limits.
     std::uint8_t force_percent{};
     /// Changes when the primitives jump, which is a switch; not when they move smoothly.
     std::uint32_t set_number{};
@@ -46,15 +47,15 @@ struct HapticModel {
     /// Spring and damper from the tip to the proxy on which the primitives act.
     ProxyCoupling coupling{.stiffness = 300};
     SurfacePatch patch{};        ///< surfaces near the tip; usually empty, at no cost
-    FrameMotion frame_motion{};  ///< frame motion contained in the patch's bodies
+    FrameMotion frame_motion{};  ///< motion of the player's frame, which the patch's bodies include
     /// Viscosity of the space around the tip, for a hand that draws a stroke (N s/m); usually 0, at no cost.
     /// At most the damping that the device renders takes effect.
     double viscosity{};
     vec3 start{};                  ///< free place at which the proxy starts after a jump (m)
     std::uint64_t patch_number{};  ///< changes when the patch jumps, which is a switch
     FluidTouch fluid{};            ///< fluid around the tip; usually number 0, at no cost
-    /// Motion of the fields that the primitives' modes read, since the last model (m, at the tip). A hand
-    /// that rests feels a force that hardly changes unless this says that the world moves.
+    /// Motion of the fields that the primitives' modes read, since the last model (m, at the tip). While it
+    /// is 0, the force on a hand that rests hardly changes (haptics/primitives/settling.h).
     double field_motion{};
 };
 static_assert(sizeof(Pulse) == sizeof(vec3) + 2 * sizeof(std::uint32_t) &&
@@ -81,8 +82,8 @@ struct Servo {
     double max_damping{};
     int latency{};     ///< delay of the device (ticks)
     double quantum{};  ///< position per encoder count (m)
-    /// Largest stiffness that the device renders (N/m). Springs that hold more after a switch than they
-    /// received act like one of this stiffness; 0: they are not held back.
+    /// Largest stiffness that the device renders (N/m). After a switch, springs that hold more energy than
+    /// they received pull no harder than a spring of this stiffness with that energy; 0: no such limit.
     double max_stiffness{};
 };
 
@@ -116,13 +117,13 @@ struct ServoState {
     std::uint64_t tether_number{};
     PassivityObserver energy{};
     SurfaceState surface{};
-    /// Displacement from the tip to the point that touches surfaces (m). It takes up what the frame motion
-    /// would have pressed into them.
+    /// Displacement from the tip to the point that touches surfaces (m). It takes up the depth by which the
+    /// motion of the player's frame would have pressed the tip into them.
     vec3 contact_offset{};
     std::uint64_t patch_number{};
     FluidTouchState fluid{};
     double viscosity{};   ///< viscosity of the space that acted in the last tick (N s/m)
-    Settling settling{};  ///< way of the proxy of the primitives
+    Settling settling{};  ///< how far the proxy of the primitives may move in a tick
     SeenBodies seen{};
 };
 static_assert(sizeof(ServoState) ==
@@ -139,8 +140,9 @@ inline constexpr double contact_offset_decay = 0.3;
 /// Advances the servo by one tick. Returns the force for the device (N, device frame).
 vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model, const ServoSample& sample);
 
-/// State after a device was disconnected. It keeps the motors' heat, latches and counters, the used part of
-/// the energy budget, and which pulses are over. The force starts at zero and grows slowly.
+/// State for a device that is back after it was disconnected. It keeps the motors' heat, the latches and
+/// counters of the safety stage, the used part of the energy budget, and the number of the last pulse. The
+/// force starts at zero and grows slowly.
 ServoState resumed(const ServoState& before);
 
 }  // namespace thaum::haptics

@@ -54,9 +54,9 @@ struct Value {
     double value, slope;
 };
 
-/// Finds the zero of a function between low and high, where its values have different signs. Newton's method;
-/// it bisects where a step would leave the bracket. A last step of 1e-10 of the bracket leaves an error of
-/// the square of that.
+/// Finds the zero of a function between low and high, where its values have different signs. Newton's method,
+/// with bisection where a step would leave the bracket. It ends with a step below 1e-10 of the bracket. Since
+/// it converges quadratically, the error is then about the square of that.
 template <class Of>
 double root(Of of, double low, double high, bool positive_at_low, double guess) {
     const double small = 1e-10 * (high - low);
@@ -175,7 +175,7 @@ vec3 delayed(const SimulatedDevice& d, SimulatedState& state, vec3 command) {
 
 vec3 saturated(vec3 force, double most) {
     if (!is_finite(force)) return {};
-    // Components come first because the length of a huge vector overflows.
+    // Scales by the largest component first, because the length of a huge vector overflows.
     const double largest = std::max({std::abs(force.x), std::abs(force.y), std::abs(force.z)});
     if (largest > most) force *= most / largest;
     return limited(force, most);

@@ -8,12 +8,12 @@
 // and 50 g. That pair rings above the servo's band, so at 1 kHz it cannot be told from a rigid grip. With one
 // body, the motion and the moments at which dry friction stops and releases it have closed forms.
 //
-// The force is constant and the target moves evenly within a tick. The motion between two such moments is
-// therefore exact (haptics/oscillator.h). The stop is the first zero of the velocity, found to rounding by a
-// bracketed Newton's method. The release is the solution of a linear equation. The error of a tick is
-// rounding only, with friction too. Dry friction acts on each axis by itself, like the friction of three
-// joints. Its static and sliding values are equal. Along a diagonal it therefore holds up to sqrt 3 times as
-// much.
+// The force is constant and the target moves evenly within a tick. The motion between a stop and the next
+// release, or between a release and the next stop, is therefore exact (haptics/oscillator.h). The stop is the
+// first zero of the velocity, found to rounding by a bracketed Newton's method. The release is the solution
+// of a linear equation. The error of a tick is rounding only, with friction too. Dry friction acts on each
+// axis by itself, like the friction of three joints, so along a diagonal it holds up to sqrt 3 times as much.
+// Its static and sliding values are equal.
 //
 // Results have the same bits on every processor. No allocation. SimulatedState is the whole state.
 #pragma once

@@ -31,17 +31,17 @@ inline constexpr double finest_motion = 5e-5;
 
 /// Velocity of the tip (m/s) with the least delay that the quantum (m) allows. It is the mean over the
 /// longest part of the window in which the samples lie on a line. The tolerance is one quantum, or
-/// `finest_motion` if that is larger. That part is the whole window at rest, and two samples in a quick turn.
-/// A damper that acts on a velocity of four ticks ago excites a stiff spring instead of calming it. Source:
+/// `finest_motion` if that is larger. At rest this is the whole window, in a quick turn two samples. A damper
+/// that acts on a velocity of four ticks ago excites a stiff spring instead of calming it. Source:
 /// first-order adaptive windowing, Janabi-Sharifi, Hayward and Chen 2000.
 vec3 prompt_velocity(const ServoState& state, double quantum);
 
 /// Motion of the tip in the last tick that the servo has seen, by `prompt_velocity` (m).
 vec3 tip_motion(const ServoState& state, double quantum);
 
-/// Speed along the path from sample to sample, less the share that a quantum (m) can add (m/s). A tip that
-/// vibrates between two places has no velocity over the window but is fast. The mean is over the window
-/// because samples may come late and then close together.
+/// Speed along the path from sample to sample, less the part that the rounding of positions to a quantum (m)
+/// can add (m/s). A tip that vibrates between two places has no velocity over the window but is fast. The
+/// mean is over the window because samples may come late and then close together.
 double path_speed(const ServoState& state, double quantum);
 
 }  // namespace thaum::haptics

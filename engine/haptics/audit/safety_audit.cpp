@@ -6,17 +6,20 @@
 namespace thaum::haptics {
 namespace {
 
-// Written down beside the stage, not read from it: tests compare the stage with these figures.
-constexpr std::uint64_t window_ticks = 10'000;
-constexpr std::uint64_t memory_ticks = 11'000;
-constexpr double longest_hand_step = 0.05;  // m
-// Share of the budget below which nothing may be scaled.
+// The figures are written down here anew, not taken from the safety stage: the audit compares the stage with
+// them.
+constexpr std::uint64_t window_ticks = 10'000;  // time over which the thermal budget is averaged
+constexpr std::uint64_t memory_ticks = 11'000;  // longest time of which the bins of the stage hold outputs
+constexpr double longest_hand_step = 0.05;      // longest plausible motion of the tip in a tick (m)
+// Share of the thermal budget below which the stage may not scale a force down.
 constexpr double surely_cool = 0.8 * (1 - 1e-9);
-constexpr std::uint64_t fresh_for = 20;
-constexpr double ramp_to_zero = 50;
+constexpr std::uint64_t fresh_for = 20;      // largest age of a model whose force is played in full (ticks)
+constexpr double ramp_to_zero = 50;          // length of a ramp (ticks)
 constexpr double cap_falls_by = 0.4;         // fall of the output in a tick to a cap that was lowered (N)
 constexpr double energy_of_a_switch = 0.01;  // largest work of the offsets of switches (J)
-constexpr std::uint64_t calm_after = 100;
+constexpr std::uint64_t calm_after = 100;    // ticks at low speed that end a cut because of speed
+// Wanted forces that are far too large belong to one episode if at most `episodes_apart` ticks lie between
+// them. Three episodes that start within `episodes_within` ticks shut the device off.
 constexpr std::uint64_t episodes_apart = 20;
 constexpr std::uint64_t episodes_within = 10'000;
 
@@ -24,7 +27,7 @@ double length_of_vector(vec3 v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z *
 
 double rounding(vec3 v) { return 1e-12 * (1 + length_of_vector(v)); }
 
-/// Distance from the line between zero and `end`.
+/// Distance of a point from the line segment between zero and `end`.
 double distance_from_line(vec3 point, vec3 end) {
     const double square = glm::dot(end, end);
     const double along = square > 0 ? glm::clamp(glm::dot(point, end) / square, 0.0, 1.0) : 0;
@@ -149,7 +152,8 @@ void SafetyAudit::follow_ramp(const SafetyInput& input) {
         ramp_start_ = last_output_;
 }
 
-/// Follows the cap, each change of which is a switch. A lower one comes down from the force that there was.
+/// Follows the cap; each change of the cap is a switch. After a lower cap, the limit falls tick by tick from
+/// the last output down to the cap.
 SafetyLimits SafetyAudit::follow_cap(SafetyLimits limits) {
     if (limits.cap != cap_) next_is_switch_ = true;
     const double falling = std::fmin(cap_, length_of_vector(last_output_)) - cap_falls_by;
@@ -164,7 +168,7 @@ void SafetyAudit::judge_always(const SafetyLimits& limits, vec3 output) {
     count(SafetyRule::budget, window_sum_ > most * (1 + 1e-9));
 }
 
-/// Whether the output lies below the line from the start of the ramp to zero.
+/// Whether the output points along the ramp's start and is no longer than the ramp allows in this tick.
 bool SafetyAudit::is_on_ramp(vec3 output) const {
     const double left = 1 - static_cast<double>(now_ - last_felt_) / ramp_to_zero;
     if (!(left > 0)) return output == vec3(0);
@@ -203,22 +207,22 @@ bool SafetyAudit::is_cool(const SafetyLimits& limits) const {
     return memory_sum_ <= surely_cool * budget;
 }
 
-/// Length by which an offset fades in a tick: by the slew, and by that of a cap which
-/// comes down if no energy is left.
+/// Length by which an offset fades in a tick (N): between the step of the slew limit and that of a falling
+/// cap. The less energy is left for the fade, the nearer it is to the latter.
 double fading_step(const SafetyLimits& limits, const SafetyInput& input) {
     const double slow = limits.slew * tick_seconds;
     const double left = std::fmin(1, std::fmax(0, input.fade_energy / energy_of_a_switch));
     return std::fmax(slow, slow * left + cap_falls_by * (1 - left));
 }
 
-/// Checks that the force does not jump at a switch, unless it has to shrink.
+/// Starts a fade at a switch. Checks that the force does not jump there, unless it has to shrink.
 void SafetyAudit::begin_fade(const SafetyLimits& limits, const SafetyInput& input, vec3 goal, vec3 output,
                              bool cool) {
     const bool may_shrink = !cool || length_of_vector(last_output_) > limits.cap;
     const double moved =
         may_shrink ? distance_from_line(output, last_output_) : length_of_vector(output - last_output_);
     const double step = limits.slew * tick_seconds;
-    // If an offset goes on, it also gives way to the hand, and the check of the offset itself judges that.
+    // An offset that was fading already also gives way to the hand. `fade_on` checks that.
     if (!may_be_fading_)
         count(SafetyRule::slew, moved > fading_step(limits, input) * (1 + 1e-8) + rounding(last_output_));
 
@@ -236,8 +240,8 @@ void SafetyAudit::begin_fade(const SafetyLimits& limits, const SafetyInput& inpu
     may_be_fading_ = true;
 }
 
-/// Largest share of the offset that is no farther from the remnant than the goal
-/// is long, or else the nearest one.
+/// Largest share of the offset, 0 to 1, whose distance from the remnant is at most the length of the goal. If
+/// no share is that near, the nearest one.
 double SafetyAudit::share_that_hides(vec3 goal) const {
     const double square = glm::dot(offset_, offset_);
     if (!(square > 0)) return 1;
@@ -245,9 +249,9 @@ double SafetyAudit::share_that_hides(vec3 goal) const {
     return std::fmax(nearest, share_within(length_of_vector(goal), -remnant_, offset_));
 }
 
-/// Smallest share of the offset with which the output jumps no farther than a cap that comes
-/// down and a spring of the device's stiffness explain, found by bisection; if none does,
-/// the share with the smallest jump.
+/// Smallest share of the offset, 0 to 1, with which the output jumps no farther than a falling cap and a
+/// spring of the device's stiffness explain, found by bisection. If every share jumps farther, the share with
+/// the smallest jump.
 double SafetyAudit::steady_share(vec3 goal, const SafetyInput& input) const {
     const double square = glm::dot(offset_, offset_);
     if (!(input.stiffness > 0 && square > 0)) return 0;
@@ -266,8 +270,9 @@ double SafetyAudit::steady_share(vec3 goal, const SafetyInput& input) const {
     return steady;
 }
 
-/// Shortens the offset by time, by the work that it does, so far that the sum stays within the cap, and to
-/// what it hides. At its beginning and with a reserve, its work is at most that of the whole output.
+/// Shortens the offset: by time; by the work that it has done; to the share that the remnant allows; and
+/// until goal plus offset is within the cap. In the first tick of a fade, and while the springs have a
+/// reserve of energy (haptics/energy.h), the work of the offset counts as at most that of the whole output.
 void SafetyAudit::fade_on(const SafetyLimits& limits, vec3 goal, const SafetyInput& input, bool begins,
                           bool goes_on) {
     const vec3 moved = begins && !goes_on ? vec3(0) : input.tip - tip_;
@@ -329,8 +334,8 @@ void SafetyAudit::heat(vec3 output) {
     window_sum_ += square - squared_outputs_[leaves_window];
     squared_outputs_[at] = square;
     if (at != 0) return;
-    // Sums again from the start now and then, so that rounding does not accumulate. Index 0 is the newest;
-    // the indices after it are the oldest, which only the longer memory holds.
+    // Both sums are computed anew once in `memory_ticks`, so that rounding does not accumulate. Index 0 is
+    // the newest output; the indices after it are the oldest, which only `memory_sum_` contains.
     const auto in_memory_only = static_cast<std::ptrdiff_t>(memory_ticks - window_ticks);
     const double older =
         std::accumulate(squared_outputs_.begin() + 1, squared_outputs_.begin() + 1 + in_memory_only, 0.0);

@@ -1,13 +1,14 @@
 // haptics/audit/safety_audit.h: an independent audit of the safety stage. It counts violations of its rules.
 //
-//     wanted ---- make_safe ---- output ---- device
+//     wanted ---- make_safe ---- output ---- device     (make_safe: the stage, haptics/safety.h)
 //        |                         |
 //        +----- SafetyAudit -------+
 //
-// The audit checks the output against the rules of HAPTICS.md, "Safety". It shares no code with the
-// stage and does not see the stage's state. It keeps moments where the stage keeps counters, and every square
-// of the window where the stage keeps bins. The rules leave one thing free: how the stage scales down near
-// the thermal budget. Only there the audit accepts any choice.
+// The audit checks the output against the rules of HAPTICS.md, "Safety". It shares no code with the stage and
+// does not see the stage's state. It keeps tick numbers where the stage keeps counters, and the squared
+// output of every tick of the last seconds where the stage keeps sums of many ticks. The rules leave one
+// thing free: how the stage scales the force down near the thermal budget (the largest mean square of the
+// output over 10 s). Only there the audit accepts any choice.
 //
 // One audit follows one device from its start and must see every tick. It takes 90 kB at construction and
 // allocates nothing later.
@@ -25,18 +26,19 @@ namespace thaum::haptics {
 /// Rules that every commanded force must obey.
 enum class SafetyRule : std::uint32_t {
     finite,
-    cap,     ///< length at most the cap, to the bit, or on the way down to a lowered one
-    budget,  ///< mean square over exactly the last 10 s
-    /// No jump at a switch; then the wanted force plus an offset that fades by time, work and cap.
+    cap,     ///< length of the output at most the cap, to the bit; a lowered cap is reached over some ticks
+    budget,  ///< mean square of the output over exactly the last 10 s at most the continuous force squared
+    /// No jump at a switch (a source of force came, ended or jumped); then the wanted force plus an offset
+    /// that fades by time, by its own work and by the cap.
     slew,
     /// Without a switch: wanted force and brake in full, or parts of both while the motors are warm.
     unasked,
-    stale,    ///< not above the line to zero in 50 ms
-    waiting,  ///< zero before the first wanted force in range; the causes below likewise
-    over_speed,
-    off,  ///< not above the line to zero in 50 ms
-    shut_off,
-    panic,
+    stale,       ///< with an old model, the output falls to zero within 50 ms, at least as fast as a line
+    waiting,     ///< zero before the first wanted force within the cap
+    over_speed,  ///< zero while the tip is too fast
+    off,         ///< once the player wants no forces, as for `stale`; zero if the tip is too fast
+    shut_off,    ///< zero after the third time that the wanted force was far too large
+    panic,       ///< zero after a panic
 };
 inline constexpr std::size_t safety_rules = 11;
 
@@ -85,29 +87,31 @@ private:
     bool panicked_{};
     bool shut_off_{};
     bool gate_open_{};
-    Moment last_excess_{};
-    std::array<Moment, 3> episodes_{};  // starts of the last three, the newest last
-    Moment last_too_fast_{};            // last tick too fast; 0: no cut
-    Moment last_felt_{};                // last tick with a fresh model and a player who wants forces
-    vec3 ramp_start_{};                 // start of the ramp (N)
-    double cap_{};                      // cap, or what is left above it of a higher one (N)
+    Moment last_excess_{};  // last tick in which the wanted force was far too large
+    // Starts of the last three episodes of far too large wanted forces, the newest last.
+    std::array<Moment, 3> episodes_{};
+    Moment last_too_fast_{};  // last tick in which the tip was too fast; 0: the force is not cut
+    Moment last_felt_{};      // last tick with a fresh model and a player who wants forces
+    vec3 ramp_start_{};       // output from which a ramp to zero starts (N)
+    double cap_{};            // cap; after it was lowered, a value that falls to it (N)
 
-    bool next_is_switch_ = true;  // the next force let through is a switch; so is the first one
-    bool may_be_fading_ = false;  // an offset may be left
-    bool offset_known_ = true;    // `offset_` is known
-    // The stage neither scales down to keep the motors cool nor recovers from that.
+    bool next_is_switch_ = true;  // the next force let through counts as a switch, as the first one does
+    bool may_be_fading_ = false;  // the stage may still be fading an offset
+    bool offset_known_ = true;    // `offset_` is the stage's offset; unknown after it scaled the force down
+    // The stage neither scales the force down to keep the motors cool, nor is it on the way back from that.
     bool unscaled_ = true;
-    vec3 offset_{};            // rest of an old force that fades (N)
-    vec3 remnant_{};           // output before the switch, shortened by what time took off the offset (N)
-    vec3 tip_{};               // position of the tip (m)
+    vec3 offset_{};   // offset from the wanted force that fades after a switch (N)
+    vec3 remnant_{};  // output before the switch, shortened by as much as time shortens the offset (N)
+    vec3 tip_{};      // position of the tip (m)
     double initial_length_{};  // length of the offset at the switch (N)
-    double fade_work_{};       // work of the offset (J)
-    double fade_budget_{};     // work that it may do (J)
+    double fade_work_{};       // work of the offset since the switch (J)
+    double fade_budget_{};     // largest work that the offset may do (J)
     Moment last_fading_{};     // last tick in which there may be an offset
 
     std::vector<double> squared_outputs_;  // squares of the output, a ring (N^2)
-    double window_sum_{};                  // sum over the last 10 s (N^2)
-    double memory_sum_{};                  // sum over the longest time that the stage may remember (N^2)
+    double window_sum_{};                  // sum of the squared outputs of the last 10 s (N^2)
+    // Sum of the squared outputs of the last 11 s, the longest time that the stage's bins may hold (N^2).
+    double memory_sum_{};
 };
 
 }  // namespace thaum::haptics

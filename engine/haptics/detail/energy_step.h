@@ -8,9 +8,10 @@ namespace thaum::haptics {
 
 /// What the energy account allows in this tick.
 struct EnergyLimits {
-    vec3 brake{};                    ///< damping that keeps passive sources passive (N)
-    double reserve_force{HUGE_VAL};  ///< largest force of springs (N)
-    double fade_energy{};            ///< work that fading offsets may do (J)
+    vec3 brake{};  ///< damping force that keeps passive sources passive (N)
+    double reserve_force{
+        HUGE_VAL};         ///< largest force of the springs by their reserve (N); infinite: no limit
+    double fade_energy{};  ///< work that the fading offset of a switch may do (J)
 };
 
 /// Updates the passivity observer. Limits active sources to their budget, and after a
@@ -19,7 +20,7 @@ EnergyLimits update_energy(const Servo& servo, ServoState& state, const HapticMo
                            const Tether& tether, const Tip& tip, const SurfaceForces& surfaces,
                            const FluidForces& fluid, Sources& sources);
 
-/// Records the force that the safety stage lets through (N), by kind of source.
+/// Records the force that the safety stage lets through (N), split into its passive and active parts.
 void record_force(ServoState& state, vec3 output, const Sources& sources);
 
 }  // namespace thaum::haptics

@@ -5,11 +5,12 @@
 namespace thaum::haptics {
 namespace {
 
-/// Share of the device's damping by which the viscosity of a space changes in a tick. Beside each other, two
-/// materials may differ tenfold, and which of them is at the tip is known by whole voxels.
+/// Largest change of the felt viscosity in a tick, as a share of the device's largest damping. Neighbouring
+/// materials of a volume may differ tenfold, and the material at the tip changes from one voxel to the next.
 constexpr double viscosity_pace = 1.0 / 32;
 
-/// Leads the viscosity to that of the space. Returns true if the space became viscous or free.
+/// Moves the felt viscosity towards that of the space. Returns true if the space became viscous, or ceased to
+/// be.
 bool follow_viscosity(const Servo& servo, ServoState& state, const HapticModel& model) {
     const double wanted = model.viscosity > 0 ? std::min(model.viscosity, servo.max_damping) : 0;
     const bool jumped = (wanted > 0) != (state.viscosity > 0);

@@ -5,9 +5,9 @@
 namespace thaum::haptics {
 namespace {
 
-/// Tip that touches a patch.
+/// Tip that touches a patch of surfaces.
 struct TouchingTip {
-    vec3 position{}, velocity{};  ///< (m, m/s; device frame)
+    vec3 position{}, velocity{};  ///< position and velocity (m, m/s; device frame)
     bool switched{};              ///< the patch jumped
 };
 
@@ -21,7 +21,7 @@ bool contains(const SurfacePatch& patch, std::uint32_t key) {
                        [key](const SurfaceBody& body) { return body.key == key; });
 }
 
-/// Returns true if a touched body is no longer there.
+/// Returns true if a touched body is no longer in the patch.
 bool has_lost_body(const SurfacePatch& patch, const SurfaceState& surface) {
     if (patch.count == 0) return surface.contacts != 0;
     for (std::uint32_t i = 0; i < surface.contacts; ++i)
@@ -40,7 +40,7 @@ bool detect_patch_jump(ServoState& state, const HapticModel& model) {
     return jumped;
 }
 
-/// Whether the last patch had the body with the key and stiffness of one of this patch.
+/// Whether the last patch had this body, with the same stiffness.
 bool knows(const SeenBodies& seen, const SurfaceBody& body) {
     for (std::size_t i = 0; i < seen.count; ++i)
         if (seen.keys[i] == body.key) return seen.stiffness[i] == body.material.stiffness;
@@ -80,10 +80,11 @@ bool has_active_texture(const SurfacePatch& patch) {
                        [](const SurfaceBody& b) { return b.material.texture.kind == TextureKind::impact; });
 }
 
-/// Computes the contact with the patch. Frame motion and the decaying offset bring the world closer but must
-/// not press the tip in, so the offset grows by as much. The force therefore grows only by the motion of the
-/// hand and of things. A player who stands with the wand at a wall feels the same force after turning. After
-/// a jump, nothing is pressed in at all.
+/// Computes the contact of the patch with the tip moved by the contact offset. The motion of the player's
+/// frame and the decay of the offset bring the world closer. Neither may press the tip in, so the offset
+/// grows by the depth that they cause. The force therefore grows only by the motion of the hand and of
+/// bodies. A player who stands with the wand at a wall feels the same force after turning. After a jump of
+/// the patch, the offset takes the whole depth and the force starts at zero.
 ContactResult touch_with_offset(ServoState& state, const SurfacePatch& patch, const FrameMotion& drifting,
                                 const TouchingTip& probe, double dt) {
     const vec3 fading = state.contact_offset * (tick_seconds / contact_offset_decay);
@@ -116,7 +117,8 @@ SurfaceForces feel_patch(ServoState& state, const SurfacePatch& patch, const Fra
             .active = has_active_texture(patch)};
 }
 
-/// Evaluates the patch. Things stand still if the model is too old; the force soon ends then.
+/// Evaluates the patch. Bodies stand still if the model is too old. The safety stage then ends the force
+/// soon.
 SurfaceForces feel_bodies(ServoState& state, const HapticModel& model, std::uint32_t age,
                           const TouchingTip& probe) {
     if (model.patch.count == 0) {

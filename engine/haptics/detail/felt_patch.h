@@ -1,5 +1,5 @@
-// haptics/detail/felt_patch.h: what the servo feels of a patch of surfaces: its force, what moves and what it
-// stores, and whether a body came or went under the tip.
+// haptics/detail/felt_patch.h: the patch of surfaces in one tick of the servo: the force on the hand, the
+// motion of the touched body, the stored energy, and whether a body came or went under the tip.
 #pragma once
 #include "haptics/servo.h"
 
@@ -8,9 +8,9 @@ namespace thaum::haptics {
 struct SurfaceForces {
     vec3 force{};       ///< force on the hand (N)
     vec3 world_step{};  ///< motion of the touched body over the tip in the last tick (m)
-    double stored{};    ///< energy that a spring of this force and stretch would hold (J)
+    double stored{};    ///< energy that a spring of `force` and `stretch` would hold (J)
     double stretch{};   ///< distance from the tip to the proxy (m)
-    bool active{};      ///< a texture is an active source
+    bool active{};      ///< a texture of the patch is an active source: it may give more energy than it got
     /// The patch jumped, or a touched body appeared, went or has another stiffness.
     bool switched{};
 };

@@ -6,12 +6,12 @@
 namespace thaum::haptics {
 namespace {
 
-/// Residual up to which the balance counts as solved (N). Beyond it, the spring to the best proxy gives the
-/// better of two forces. It is right for the found proxy even if the shares of the primitives are unknown.
+/// Residual up to which the balance counts as solved (N). Beyond it, the forces found for the primitives may
+/// be wrong. The hand then feels the spring's force instead, which is right for the found proxy.
 constexpr double solved_residual = 1e-9;
 
-/// Ticks after a jump of the set in which the proxy may still find its place:
-/// modes read their fields where it was.
+/// Ticks after a jump of the set until the proxy has found its place. It takes some ticks because modes read
+/// their fields where the proxy was in the last tick.
 constexpr std::uint32_t unsettled_ticks = first_ticks;
 
 /// Returns true if the set appeared, ended or jumped.
@@ -26,7 +26,7 @@ bool detect_set_switch(ServoState& state, const HapticModel& model) {
 }
 
 /// Moves the proxy to the balance of spring and primitives. Returns the force on the hand (N). The force is
-/// zero if the tip's position is not finite or out of range; the coupling then starts anew.
+/// zero if the tip's position is not finite or out of range; the proxy then restarts at the tip.
 vec3 force_on_proxy(ServoState& state, const HapticModel& model, vec3 tip, vec3 velocity) {
     const vec3 before = state.primitives == 0 ? tip : state.proxy;
     const Spring spring = effective_spring(model.coupling, tip, velocity, before, tick_seconds);

@@ -4,12 +4,13 @@
 
 namespace thaum::haptics {
 
-/// Forces on the tip by kind of source (N).
+/// Forces on the tip by kind of source (N). Passive sources give back at most the energy that they received;
+/// active ones have a budget (haptics/energy.h).
 struct Sources {
     vec3 passive{}, active{};
-    vec3 world{};    ///< part of the passive force whose other end the world holds
-    vec3 springs{};  ///< part of the passive force that can give energy back
-    vec3 tether{};   ///< part of the springs by the tether
+    vec3 world{};    ///< part of the passive force by springs whose other end moves with a thing of the world
+    vec3 springs{};  ///< part of the passive force by springs, which can give energy back
+    vec3 tether{};   ///< the tether's part of `springs`
 };
 
 }  // namespace thaum::haptics

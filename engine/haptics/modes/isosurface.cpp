@@ -1,12 +1,13 @@
 // A wall on the surface where the field has one value: a bone in a scan, or an implicit
 // object (haptics/volume/implicit.h).
 //
-// A plane holds the proxy at the true surface (haptics/volume/level_contact.h); of a field of samples, that
-// is the one that is drawn. The plane gives way at its strength, and a proxy that was pressed in deeper than
-// the reach is through. Friction grows with the depth of the tip (paper 004, 3.1): its coefficient is a
-// function of the depth, and it acts on the normal force of the last tick. A magnetic surface also holds a
-// proxy that lies in front of it, by a plane that faces inward. It goes by the height of the tip: by that of
-// the proxy it would let go all at once, because a proxy that is let go is farther away.
+// A plane holds the proxy at the surface (haptics/volume/level_contact.h); in a field of samples, at the
+// surface that the picture shows. The plane gives way to a force above its strength, and a proxy that was
+// pressed in deeper than the reach has got through. Friction grows with the depth of the tip (paper 004,
+// 3.1): its coefficient is a function of the depth, times the normal force of the last tick. A magnetic
+// surface also holds a proxy that lies in front of it, by a plane that faces inward. The strength of that
+// plane depends on the height of the tip, not of the proxy: a proxy that is let go moves away, so its height
+// would end the force in one tick.
 #include <algorithm>
 
 #include "haptics/modes.h"
@@ -15,7 +16,7 @@
 namespace thaum::haptics {
 namespace {
 
-/// Way of the tip over which a magnetic surface takes hold and lets go (m).
+/// Width of the layer at the end of the reach in which the pull of a magnetic surface fades to zero (m).
 constexpr double magnet_fade = 1e-4;
 
 /// Largest friction on a plane (N).
@@ -32,7 +33,7 @@ double strength_of(const LevelContact& contact, const ModeSettings& settings) {
     return contact.behind ? std::min(strength, max_pull) : strength;
 }
 
-/// Strength with which a magnetic surface holds the proxy (N). It fades before the end of the reach.
+/// Strength with which a magnetic surface holds the proxy (N). It fades to zero at the end of the reach.
 double magnet_of(const LevelContact& contact, const ModeSettings& settings, const ModeInput& input) {
     if (contact.behind) return 0;
     const ContactPlane& first = contact.planes[0];

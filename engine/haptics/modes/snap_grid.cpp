@@ -1,6 +1,6 @@
-// The hand snaps to the points of a grid: a point primitive at the nearest one (paper 001, snap-drag).
-// The grid begins at the middle of the volume and turns and moves with it. Its pitch is that at the
-// hand, whatever the volume's scale.
+// The hand snaps to the points of a grid: a point primitive at the nearest one (paper 001, snap-drag). One
+// point of the grid is the origin of the volume; the grid turns and moves with the volume. Its pitch is a
+// length at the hand, whatever the volume's scale.
 #include <algorithm>
 #include <cmath>
 

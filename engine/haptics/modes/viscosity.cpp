@@ -1,4 +1,4 @@
-// The space resists motion of the proxy: a point at its old place (paper 001, eq. 9).
+// The space resists motion of the proxy: a point at the proxy's place of the last tick (paper 001, eq. 9).
 #include "haptics/modes.h"
 
 namespace thaum::haptics {

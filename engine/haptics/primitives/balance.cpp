@@ -6,7 +6,9 @@
 #include "haptics/primitives/detail/balance_descent.h"
 #include "haptics/primitives/detail/smoothed_problem.h"
 
-// Method. All kinks have the same form, a norm (balance_problem.h).
+// Method. Each primitive adds a term s |m| to the energy: s is its strength and m the vector from its point,
+// line or plane to x (balance_problem.h). Where m is zero, the term has a kink. A kink is active if it is
+// assumed to hold x.
 //
 //  1. Smoothed problem (smoothed_problem.h): Newton's method, with a smaller smoothing d at each step.
 //  2. Active set (active_set.h): the kinks with |m|^2 < d * (length of the problem). On the path, m falls
@@ -14,20 +16,20 @@
 //     kinks the rest is smooth.
 //  3. Optimality check (optimality_check.h): can the active kinks exert the missing force? If not, back to 1.
 //
-// The best kink to start from is tried before step 1, which solves most small sets. If step 1 fails with
-// three settings, the proxy descends from kink to kink (balance_descent.h). The descent is not the usual way
-// because it needs the steepest direction where several kinks meet, which is the same problem again.
-// Coordinates are relative to a point on the nearest kink, because a unit vector m / |m| is only as accurate
-// as m. If everything fails or the steps run out, the best forces so far are improved one by one
-// (optimality_check.h). The duality gap then bounds the error: lines that differ from parallel by 1e-12 end
-// there, within 1 mN.
+// Before step 1, the kink with the least energy is tried as the active one, which solves most small sets. If
+// step 1 fails with three settings, the proxy descends from kink to kink (balance_descent.h). The descent is
+// not the usual way because where several kinks meet it needs the steepest direction, which is as hard to
+// find as the minimum. Coordinates are relative to a point on the nearest kink, because a unit vector m / |m|
+// is only as accurate as m. If everything fails or the steps run out, the best forces so far are improved one
+// by one (optimality_check.h). The duality gap then bounds the error: lines that differ from parallel by
+// 1e-12 end there, within 1 mN.
 
 namespace thaum::haptics {
 namespace balancing {
 namespace {
 
-/// Rotates the frame so that the active kinks lie along its axes. If they are many times stiffer than the
-/// rest, the matrix needs exact zeros in the directions that they leave free.
+/// Rotates the problem's frame so that the active kinks lie along its axes. If their terms are many times
+/// stiffer than the others, the matrix needs exact zeros in the directions that the kinks leave free.
 void align(Problem& problem, vec3& x) {
     vec3 unused{};
     const Flat flat = flat_of_active(problem, unused);
@@ -52,9 +54,9 @@ void align(Problem& problem, vec3& x) {
     measure_distances(problem, x);
 }
 
-/// Does steps 2 and 3 from the smoothed state, with the kinks up to a distance active. Improves `best` by up
-/// to four guesses. Returns the distance by which the active kinks miss each other if that was the obstacle
-/// (m), else 0.
+/// Does steps 2 and 3 from the smoothed state. Kinks at a squared distance below `square` (m^2) are active at
+/// first. Improves `best` by up to four active sets. If the active kinks do not meet in a point, returns the
+/// distance by which they miss each other (m), else 0.
 double try_active_sets(Problem& problem, vec3 x, double square, double accepted, Solution& best, int& steps) {
     move_origin(problem, x);
     guess_active_set(problem, square);
@@ -65,7 +67,8 @@ double try_active_sets(Problem& problem, vec3 x, double square, double accepted,
         Symmetric matrix;
         if (!minimise_near(problem, flat, x, matrix, steps)) break;
         const vec3 missing = balance_active(problem, x);
-        // Inactive terms have their force at x. So have the active ones if x is still on their kinks.
+        // The forces of inactive terms are those at x. The forces of active terms are right only if x is
+        // still on their kinks.
         const bool stayed = spread_of_active(problem, x) == 0;
         keep_if_better(best, problem, x, stayed ? glm::length(missing) : residual_at(problem, x));
         if (best.residual <= accepted || !release(problem, matrix, missing, x)) break;
@@ -73,7 +76,8 @@ double try_active_sets(Problem& problem, vec3 x, double square, double accepted,
     return 0;
 }
 
-/// Largest distance by which the terms can move x from its place without them; at least the rounding there.
+/// Length of the problem (m): the largest distance by which the terms can move x from where the spring and
+/// the constant forces alone would put it; at least the rounding of coordinates there.
 double length_of(Problem& problem) {
     double farthest = 0;
     for (const Term& term : terms_of(problem)) farthest = std::max(farthest, glm::length(term.distance));
@@ -81,16 +85,17 @@ double length_of(Problem& problem) {
                     4 * rounding_of(problem.centre));
 }
 
-/// Rate at which the smoothing follows the gap.
+/// Rate at which the smoothing shrinks with the gap of next_smoothing().
 struct Pace {
-    double good;   ///< share of the gap after a step that went as for a quadratic problem
-    double poor;   ///< share of the gap after any other step
-    double least;  ///< smallest ratio to the last smoothing
-    int rounds;
+    double good;   ///< factor of the gap after a step as exact as on a quadratic problem
+    double poor;   ///< factor of the gap after any other step
+    double least;  ///< smallest ratio of the new smoothing to the last one
+    int rounds;    ///< largest number of Newton steps
 };
 
-/// Computes the next smoothing. On the path, the gap between |m| and its lower bound y.m / s is at most 0.3
-/// of the smoothing. Far from the path the gap is larger, and the smoothing must not get ahead.
+/// Computes the next smoothing (m). The gap is the largest difference of |m| and its lower bound y.m / s over
+/// all terms, with the term's force -y. On the path of the smoothed minima it is at most 0.3 of the
+/// smoothing. Far from the path it is larger, and the smoothing must not shrink before x has come nearer.
 double next_smoothing(Problem& problem, double smoothing, bool good, const Pace& pace) {
     double gap = 0;
     for (const Term& term : terms_of(problem))
@@ -98,11 +103,11 @@ double next_smoothing(Problem& problem, double smoothing, bool good, const Pace&
     return std::clamp((good ? pace.good : pace.poor) * 3 * gap, pace.least * smoothing, 3 * smoothing);
 }
 
-/// Few sets take more rounds. From then on the smoothed solution is kept too, in case the optimality check
-/// never succeeds.
+/// Number of Newton steps that nearly all sets need at most. From then on the smoothed solution counts for
+/// `best` too, in case the optimality check never succeeds.
 constexpr int hard_rounds = 12;
 
-/// Follows the path from x until the optimality check succeeds. Improves `best`.
+/// Follows the path of the smoothed minima from x until the optimality check succeeds. Improves `best`.
 void follow_path(Problem problem, vec3 x, const Pace& pace, double accepted, Solution& best, int& steps) {
     double length = length_of(problem);
     x = start_of(problem, x);
@@ -127,7 +132,8 @@ void follow_path(Problem problem, vec3 x, const Pace& pace, double accepted, Sol
             const double spread = try_active_sets(guess, x, square, accepted, best, steps);
             if (best.residual <= accepted) return;
             if (spread > 0 && spread < smoothing) {
-                // From here these kinks look like one, so the search restarts at their scale.
+                // Kinks that miss each other by less than the smoothing look like one. The search goes on at
+                // the scale of that distance.
                 move_origin(problem, x);
                 length = 4 * spread;
             }
@@ -143,7 +149,8 @@ void reset(Problem& problem, vec3 x) {
     measure_distances(problem, x);
 }
 
-/// Tries the best start with its kink active, and the guesses that follow. Solves nine of ten small sets.
+/// Tries the best start with its kink active, then the active sets that follow from it. Solves nine of ten
+/// small sets.
 void try_start(Problem& problem, vec3 x, double accepted, Solution& best, int& steps) {
     x = start_of(problem, x);
     measure_distances(problem, x);
@@ -200,7 +207,8 @@ Spring effective_spring(const ProxyCoupling& coupling, vec3 probe, vec3 probe_ve
                         double period) noexcept {
     const double damper = coupling.damping / period;
     const double stiffness = coupling.stiffness + damper;
-    // A sum of small parts, so that rounding does not move a still probe far from the origin.
+    // The shift is a sum of small parts, so that rounding does not move a probe that rests far from the
+    // origin.
     const vec3 shift = damper * (proxy_before - probe) + coupling.damping * probe_velocity;
     return {probe + shift / stiffness, stiffness};
 }

@@ -1,12 +1,15 @@
 // haptics/primitives/balance.h: the balance of a spring and the forces of haptic primitives on a proxy.
 //
-// Every force is minus the gradient of a convex function with a kink at its point, line or plane. The
-// spring's energy is strictly convex. So the place where all forces cancel (eq. 8) is the only minimum of
+// The force of each primitive is minus the gradient of a convex function that has a kink at the primitive's
+// point, line or plane. The spring's energy is strictly convex. So the place x of the proxy at which all
+// forces cancel (paper 001, eq. 8) is the only minimum of the energy
 //
 //     f(x) = k/2 |x - c|^2 + sum s |x - p| + sum s dist(x, line) + sum s max(0, -(x - p).q) - sum s q.x
 //
-// The proxy is a proximal map of the spring's centre: the proxies of two centres are never farther apart than
-// the centres. A call keeps no state, so a proxy depends on the arguments alone.
+// with stiffness k and centre c of the spring; strength s, position p and direction q of each primitive. The
+// terms are spring, points, lines, planes and directed forces. The proxy is a proximal map of the spring's
+// centre: the proxies of two centres are never farther apart than the centres. A call keeps no state, so a
+// proxy depends on the arguments alone.
 #pragma once
 #include <array>
 
@@ -41,11 +44,12 @@ struct Balance {
     /// Bound of the error of force and of stiffness * proxy, for every set (N). Infinite if the spring is out
     /// of range.
     ///
-    /// Solved if it is <= 1e-9. It is then the remainder of the sum of all forces, each being one that its
-    /// primitive can exert at x. All of 8 million random sets at the scale of a hand (0.01 m, 3 N, 300 N/m)
-    /// are solved; half of them were degenerate. If strength / stiffness is 1e12 times the set's size, one in
-    /// a thousand is unsolved, by any amount. Of sets with lines that differ from parallel by 1e-8 to 1e-14,
-    /// up to one in ten is unsolved. In 280,000 such sets the error is at most 0.3 mN.
+    /// A residual <= 1e-9 counts as solved. It is then the length of the sum of all forces, each of which is
+    /// one that its primitive can exert at x. All of 8 million random sets at the scale of a hand (0.01 m, 3
+    /// N, 300 N/m) are solved; half of them were degenerate (kinks parallel, coincident or meeting in a
+    /// point). If strength / stiffness is 1e12 times the set's size, one in a thousand is unsolved, by any
+    /// amount. Of sets with lines that differ from parallel by 1e-8 to 1e-14, up to one in ten is unsolved.
+    /// In 280,000 such sets the error is at most 0.3 mN.
     double residual{};
     int steps{};  ///< number of Newton steps, and of other work of the same cost
 };
@@ -55,9 +59,9 @@ struct Balance {
 /// 128 steps were unsolved at 500 too.
 inline constexpr int balance_step_budget = 128;
 
-/// Balances spring and primitives (eq. 8). A kink counts as touched if it is closer to x than the rounding of
-/// positions. That is 4e-15 of the coordinates of its position or of x, or 2e-16 of those of the farthest
-/// position.
+/// Balances spring and primitives (eq. 8). x counts as on a kink if it is closer to the kink than the
+/// rounding of positions: 4e-15 of the coordinates of x or of the primitive's position, or 2e-16 of those of
+/// the farthest position.
 Balance balance(const PrimitiveSet& set, const Spring& spring) noexcept;
 
 }  // namespace thaum::haptics

@@ -29,15 +29,16 @@ struct Primitive {
     PrimitiveKind kind{};
     vec3 position{};   ///< p (m); not used by directed
     vec3 direction{};  ///< q (unit); not used by point
-    /// S, >= 0 (N): a repelling force is not the gradient of a convex function. Below 1e-300 it counts as 0.
+    /// s (N), >= 0 because a repelling force is not minus the gradient of a convex function. Below 1e-300 it
+    /// counts as 0.
     double strength{};
 };
 static_assert(sizeof(Primitive) == sizeof(PrimitiveKind) + 2 * sizeof(vec3) + sizeof(double), "no padding");
 
 inline constexpr std::size_t primitive_capacity = 16;
 
-/// Limit of |position| (m), |centre| (m) and strength (N): far beyond any device, and no product of them
-/// overflows.
+/// Limit of a primitive's |position| (m) and strength (N), and of each coordinate of a spring's centre (m):
+/// far beyond any device, and no product of them overflows.
 inline constexpr double primitive_limit = 1e6;
 
 /// Why a primitive was refused.
@@ -54,17 +55,17 @@ public:
     PrimitiveFault add(const Primitive& primitive) noexcept;
 
     void clear() noexcept { count_ = by_proxy_ = 0; }
-    /// Multiplies the strengths from the primitive `first` on by a share from 0 to 1.
+    /// Multiplies the strengths of the primitives from index `first` on by a share from 0 to 1.
     void weaken(std::size_t first, double share) noexcept {
         for (std::size_t i = first; i < count_; ++i) items_[i].strength *= share;
     }
     /// The primitives in the order of their addition.
     std::span<const Primitive> items() const noexcept { return {items_.data(), count_}; }
 
-    /// Whether some primitives were chosen by where the proxy was in the last tick, as modes choose them. The
-    /// servo lets the proxy of such a set settle (haptics/primitives/settling.h).
+    /// Whether some primitives depend on the place of the proxy in the last tick, as those of modes do. The
+    /// servo then limits the proxy's motion in a tick (haptics/primitives/settling.h).
     bool by_proxy() const noexcept { return by_proxy_ != 0; }
-    /// Marks the set as chosen by the proxy's place.
+    /// Marks the set as depending on the place of the proxy.
     void set_by_proxy() noexcept { by_proxy_ = 1; }
 
 private:
@@ -77,7 +78,8 @@ static_assert(sizeof(PrimitiveSet) == primitive_capacity * sizeof(Primitive) + 2
 /// Checks a list and returns it as a set. The error names the index and the fault of the first bad primitive.
 Expected<PrimitiveSet> checked(std::span<const Primitive> primitives);
 
-/// A directed force has no minimum of energy. It may push for ever and is an active source.
+/// Whether the set has no directed force. The energy of a directed force has no minimum: it may push for
+/// ever, and is an active source.
 inline bool conservative(const PrimitiveSet& set) {
     const auto items = set.items();
     return std::none_of(items.begin(), items.end(),

@@ -6,23 +6,26 @@
 namespace thaum::haptics {
 namespace {
 
-/// Factors of the bound in each tick: from first_pace to max_pace in `first_ticks`, and
-/// from there to min_pace in 227.
+/// Factors by which Settling::bound falls in each tick: `beginning` from first_pace to max_pace, which takes
+/// `first_ticks`, and `calming` from there to min_pace, which takes 227 ticks.
 constexpr double beginning = 0.7, calming = 0.97;
-/// Rise of the bound for each newton by which motion stretches the spring. At a steady speed, the bound is
-/// thus 5 times the stretch of one tick.
+/// Rise of the bound for each newton by which motion stretches the spring in a tick. At a steady speed, the
+/// bound thus settles at 5 times the force by which one tick stretches the spring.
 constexpr double freeing = 5 * (1 - calming);
-/// Cosines of the angle between two ways from which on the proxy goes straight on: if the balance moves as
-/// the proxy and the tip explain, and if it moves farther.
+/// Smallest cosine of the angle between the proxy's last step and its way to the balance at which the proxy
+/// counts as going straight on, not as turning. `straight_astray` applies if the balance is astray
+/// (is_astray).
 constexpr double straight_on = 0.5, straight_astray = 0.97;
-/// Factors of the pace. The first one shrinks it at a turn. The second is so small that a proxy that crosses
-/// a ridge every second or third tick still comes to rest. No such proxy goes straight on for longer than
-/// `few` ticks, so the last one may be large.
+/// Factors of the pace in a tick. `at_turn` shrinks the pace when the proxy turns. `after_turn` lets it grow
+/// in the first `few` ticks that go straight on. It is so small that a proxy that crosses a ridge every
+/// second or third tick still comes to rest. After more straight ticks no ridge is crossed, so `later` may be
+/// large.
 constexpr double at_turn = 0.5, after_turn = 1.2, later = 2;
 constexpr std::uint64_t few = 2;
 
-/// Whether the balance has moved farther than the proxy and the tip together. Then the proxy's own step was
-/// too large: a whole step to the balance would not come nearer to where all forces cancel.
+/// Whether the balance is astray: it has moved farther since the last tick than proxy, tip and fields
+/// together, where `moved` is the way of tip and fields (m). Then the proxy's last step was too large: a
+/// whole step to the balance would come no nearer to the place where all forces cancel.
 bool is_astray(const Settling& state, const ProxyWay& way, double moved) {
     const double own = glm::length(state.step) + moved + min_pace / way.spring.stiffness;
     return glm::distance(way.balance, state.balance) > own;
@@ -31,7 +34,7 @@ bool is_astray(const Settling& state, const ProxyWay& way, double moved) {
 void adapt_pace(Settling& state, const ProxyWay& way, double moved) {
     const vec3 wanted = way.balance - way.from;
     const double before = glm::length(state.step);
-    const bool counts = way.spring.stiffness * before > min_pace;  // not the noise of rounding
+    const bool counts = way.spring.stiffness * before > min_pace;  // the last step was more than rounding
     const bool astray = is_astray(state, way, moved);
     const double straight = astray ? straight_astray : straight_on;
     if (counts && glm::dot(wanted, state.step) < straight * glm::length(wanted) * before) {
@@ -57,18 +60,19 @@ void adapt_bound(Settling& state, const ProxyWay& way, double field_motion) {
     }
 }
 
-/// Force of the spring on the hand (N).
+/// Force of the spring on the hand for a place of the proxy (N).
 vec3 force_at(const ProxyWay& way, vec3 proxy) { return way.spring.stiffness * (proxy - way.spring.centre); }
 
-/// Pull of the hand's place and velocity at the proxy (N), up to a constant, since only its changes are used.
-/// The damper's hold on the place where the proxy was is left out.
+/// Part of the spring's and damper's pull on the proxy that is due to the hand's place and velocity (N). Only
+/// its changes are used, so it may lack a constant. The damper's pull towards the proxy's last place is left
+/// out.
 vec3 pull_of_hand(const ProxyWay& way) {
     return way.spring.stiffness * way.spring.centre - (way.spring.stiffness - way.stiffness) * way.from;
 }
 
-/// Largest share of a way, 0 to 1, that changes the force by at most `most` (N). `start`
-/// is the change without any of the way, `along` that by the way itself (N). If no share
-/// does, the one with the least change.
+/// Largest share of a way, 0 to 1, that changes the force by at most `most` (N). `start` is the change of the
+/// force if the proxy stays, and `along` the change that the whole way adds (N). If every share changes it by
+/// more, the share with the least change.
 double share_within(vec3 start, vec3 along, double most) {
     const double square = glm::dot(along, along);
     if (!(square > 0)) return 0;

@@ -13,16 +13,16 @@
 // takes the proxy through anything in the patch. If its moves are used up, the last walls go on holding it:
 // the force never vanishes inside a body.
 //
-// Friction follows Coulomb, in metres of penetration, because with one stiffness forces are lengths. The
-// proxy sticks while the pull along the touched surfaces is at most their sum of friction x penetration.
-// Beyond that it slides in the direction of the pull until dynamic friction holds it. A resting proxy is held
-// by static friction.
+// Friction follows Coulomb. Forces are compared as lengths in metres, since with one stiffness they are in
+// proportion. The proxy sticks while its distance to the tip along the touched surfaces is at most the sum of
+// friction x depth over these surfaces. Beyond that it slides towards the tip until dynamic friction holds
+// it. A resting proxy is held by static friction.
 //
 // Force: the stiffness is the mean of the touched surfaces, weighted by their share of the push. The
 // direction is therefore that of proxy - tip for any mixture. With one stiffness and no friction, the force
 // is minus the gradient of stiffness/2 times the squared distance, and creates no energy. Sliding under load
-// from one stiffness to another creates half the difference times depth squared. Damping acts along the push
-// and only on the way in (paper 004), so it never pulls.
+// from one stiffness to another creates energy: half their difference times depth squared. Damping acts along
+// the push and only on the way in (paper 004), so it never pulls.
 //
 // Textures are heights h above the surface, from 0 to their top, at the place of the proxy. The proxy moves
 // on the top. The depth that is felt is the depth below the top, less the distance between top and texture:
@@ -36,8 +36,8 @@
 // curved surface the proxy does not move as far as the tip, and in a crease the heights of the walls change
 // each other's depth. There the force is no gradient, and a closed loop of the tip can gain energy (1.4 mJ in
 // the crease of two planes, 6 mJ in a corner). Vibration differs from bumps by the length of its normal,
-// sqrt(1 + |grad h|^2). Impact is an active source: it jumps by h at the surface. Pressing in over a trough
-// and sliding to a crest gains energy.
+// sqrt(1 + |grad h|^2). Impact is an active source: its depth jumps by h at the surface. A hand that presses
+// in over a trough and slides to a crest gains energy.
 //
 // Device frame, lengths in m. Plain data, no allocation, no clock. SurfaceState is the whole state.
 #pragma once
@@ -80,7 +80,8 @@ enum class TextureKind : std::uint64_t {
     bumps,      ///< a height map
 };
 
-/// Heights above a surface, fixed to its body. On a curved surface they are cut as from a solid block.
+/// Heights above a surface, fixed to its body. They depend on the place in two directions of the body, u and
+/// v, so on a curved surface they look as if cut from a solid block.
 ///
 ///     grating   h = amplitude (1 + sin(2 pi u / wavelength)), u = axes[0] . (place - origin)
 ///     bumps     h = 2 amplitude times the patch's map at (u, v) / wavelength, which repeats; v by axes[1]
@@ -96,8 +97,8 @@ static_assert(sizeof(Texture) == sizeof(TextureKind) + 2 * sizeof(double) + 3 * 
 
 inline constexpr std::size_t bump_cells = 16;
 
-/// Heights 0 to 1 at the nodes of a square of one wavelength; u is the fast index. A quadratic B-spline
-/// between the nodes has a continuous slope and never rises above them.
+/// Heights 0 to 1 at the nodes of a square of one wavelength; neighbours in memory differ in u. A quadratic
+/// B-spline between the nodes has a continuous slope and never rises above them.
 using BumpMap = std::array<float, bump_cells * bump_cells>;
 
 /// Contact properties of a surface.
@@ -180,7 +181,7 @@ struct ContactResult {
 
 /// Advances the contact by one tick of `dt` seconds. If the tip is not finite, the force is zero and the
 /// proxy restarts at the tip. The proxy stays `surface_gap` in front of a surface, so forces are exact up to
-/// stiffness times that.
+/// the stiffness times `surface_gap`.
 ContactResult touch(const SurfacePatch& patch, SurfaceState& state, const SurfaceTip& tip,
                     double dt) noexcept;
 

@@ -8,8 +8,8 @@ namespace {
 
 using field::Scalar;
 
-/// Distance to a core that has the offset `off` to the place, less a radius. On
-/// the core any direction is right.
+/// Distance of a place from a core (a point or line of a shape), less a radius. `off` leads from the nearest
+/// point of the core to the place. On the core itself any direction is right.
 Scalar round_about(vec3 off, double radius) {
     const double length = glm::length(off);
     return {length - radius, length > 0 ? off / length : vec3(0, 1, 0)};
@@ -57,7 +57,7 @@ Scalar Ring::operator()(vec3 place) const {
 
 Scalar Merged::operator()(vec3 place) const {
     if (parts.empty() || !(blend > 0)) return {.value = HUGE_VAL};
-    // The exponents are relative to the least potential so far, so that none overflows.
+    // The exponents are relative to the smallest potential so far, so that none overflows.
     double least = HUGE_VAL, sum = 0;
     vec3 slope(0);
     for (const field::ScalarField& part : parts) {

@@ -5,11 +5,11 @@
 //     shapes (f in metres) --> Merged (one surface of several objects) --> Thickened, Decorated
 //                          --> mode isosurface
 //
-// Each is a scalar field. The mode isosurface, with level 0 and solid_below, gives the contact point,
+// Each shape is a scalar field. The mode isosurface, with level 0 and solid_below, gives the contact point,
 // friction that grows with depth, and the magnetic surface. Away from edges and from the middle of a shape,
 // the length of the gradient of each shape is 1, so f is the distance to the surface.
 //
-// Wholly constant: views and numbers, no allocation.
+// Each shape is constant data, views and numbers; reading it allocates nothing.
 #pragma once
 #include <span>
 
@@ -21,7 +21,7 @@ namespace thaum::haptics {
 /// A ball.
 struct Ball {
     vec3 centre{};    ///< place of the centre (m)
-    double radius{};  ///< distance of the surface from the centre or axis (m)
+    double radius{};  ///< distance of the surface from the centre (m)
 
     field::Scalar operator()(vec3 place) const;
 };
@@ -37,7 +37,7 @@ struct HalfSpace {
 /// A bar with round ends.
 struct Bar {
     vec3 from{}, to{};  ///< ends of the axis (m)
-    double radius{};    ///< distance of the surface from the centre or axis (m)
+    double radius{};    ///< distance of the surface from the axis (m)
 
     field::Scalar operator()(vec3 place) const;
 };
@@ -66,14 +66,13 @@ struct Ring {
 /// of the parts changes nothing but rounding.
 struct Merged {
     std::span<const field::ScalarField> parts{};
-    double blend{};  ///< > 0 (m)
+    double blend{};  ///< size of the fillets, > 0 (m)
 
     field::Scalar operator()(vec3 place) const;
 };
 
-/// The offset surface of an object: larger by a distance. A tip cannot fall through a sheet thinner
-/// than its motion in a tick if the sheet is felt `distance` before it. The gradient, and so the
-/// force's direction, is the object's own.
+/// An object that is thicker by a distance on all sides. So a tip cannot pass through a sheet that is thinner
+/// than the tip's motion in a tick. The gradient, and so the force's direction, is that of the object.
 struct Thickened {
     field::ScalarField object{};
     double distance{};  ///< distance by which the object grows (m)

@@ -10,12 +10,13 @@
 namespace thaum::haptics {
 namespace {
 
-/// Newton steps up to this share of the reach need no check at their end.
+/// Largest length of a Newton step, as a share of the reach, after which the search ends without another
+/// read.
 constexpr double short_step = 0.05;
 
-/// What the field says about a place.
+/// Side, direction and distance of the surface from a place, by the field's value and gradient there.
 struct Reading {
-    double inside{};    ///< > 0: in the solid; in the field's units
+    double inside{};    ///< the value's distance from the level, > 0 in the solid (field's units)
     vec3 out{};         ///< unit vector out of the solid
     double gradient{};  ///< length of the gradient (1/m); 0: no direction
 
@@ -23,7 +24,7 @@ struct Reading {
     double depth() const { return inside / gradient; }  ///< depth by the tangent (m)
 };
 
-/// Search in a field whose gradient is that of its value.
+/// Search for planes in a field that is no box of samples. Its gradient must be exactly that of its value.
 class Search {
 public:
     Search(const LevelSurface& surface, LevelContact& contact) : surface_(surface), contact_(contact) {}
@@ -82,9 +83,9 @@ private:
         return std::nullopt;
     }
 
-    /// A Newton search that leaves the neighbourhood has found another part of the surface.
-    /// Where two faces meet the gradient may be that of the other face. The way that the
-    /// search took is a better normal there.
+    /// The plane at the end x of a Newton search from `place`; none if x is so far away that it lies on
+    /// another part of the surface. Where two faces meet, the gradient at x may be that of the other face.
+    /// The way that the search took is a better normal there.
     std::optional<ContactPlane> kept(vec3 x, vec3 place, const Reading& here) const {
         constexpr double near_enough = 1.5, same_face = 0.8;
         const vec3 way = x - place;
@@ -139,8 +140,9 @@ vec3 onto_three(std::span<const ContactPlane> p, vec3 x) {
                    volume;
 }
 
-/// Moves a plane back if the place on the first plane is behind it. All planes then have that place in
-/// common, so that planes of a rough field cannot wedge the proxy out and away from the tip.
+/// Moves a plane back until it goes through the place of the first plane, if that place lies behind it. So
+/// the place of the first plane is behind none of the planes, and the proxy can always land there. Planes of
+/// a rough field could otherwise leave free only a wedge of space far from the tip.
 ContactPlane in_front(ContactPlane plane, const ContactPlane& first) {
     if (behind(plane, first.place, 0)) plane.place = first.place;
     return plane;
@@ -168,12 +170,12 @@ vec3 landing_of(const LevelContact& contact, vec3 target) noexcept {
         for (std::size_t j = i + 1; j < planes.size(); ++j) offer(onto_both(planes[i], planes[j], target));
     }
     if (planes.size() == 3) offer(onto_three(planes, target));
-    if (nearest == HUGE_VAL) offer(planes[0].place);  // no plane is in front of it (in_front)
+    if (nearest == HUGE_VAL) offer(planes[0].place);  // behind no plane (in_front)
     return best;
 }
 
 ContactPlane holding_plane(const LevelContact& contact, vec3 target) noexcept {
-    constexpr double shortest = 1e-10;  // push from which on its direction is not noise (m)
+    constexpr double shortest = 1e-10;  // length of a push from which on its direction is not rounding (m)
     ContactPlane held = contact.planes[0];
     if (contact.count < 2 || !is_finite(target)) return held;
     const vec3 landing = landing_of(contact, target), push = landing - target;
@@ -191,7 +193,7 @@ double pressing_force(const ContactPlane& plane, vec3 next_tip, vec3 pull, doubl
 
 namespace {
 
-/// Adds the plane that a search finds first, and those that bound the proxy's way on it.
+/// Adds the plane that a search finds first, then those that keep the proxy's landing place out of the solid.
 template <class AnySearch>
 void add_planes(AnySearch search, const LevelSurface& surface, vec3 proxy, vec3 target,
                 LevelContact& contact) {

@@ -4,13 +4,14 @@
 //         --> holding_plane --> the plane that holds the proxy
 //
 // A proxy that was held by the tangent plane of the last tick lies next to the surface. One Newton step along
-// the gradient finds the surface from there. The force of a plane at that place does not depend on how deep
+// the gradient finds the surface from there. The force of a plane at the surface does not depend on how deep
 // the tip is in samples, or on how the density rises behind the surface. If the proxy would land inside the
 // solid on the far side of a groove or in a corner, a second and a third plane bound its way there.
 //
-// One plane holds the proxy. It goes through the place where the proxy lands, across the push. The tangent
-// plane of the first wall alone would throw it from wall to wall. All three at once would hold up to three
-// times the strength, since in a hollow they are nearly parallel.
+// Only one plane holds the proxy. It goes through the place where the proxy lands, at right angles to the
+// push from the tip to that place. The first of the planes alone would throw the proxy from one wall of a
+// groove to the other. All three at once would hold up to three times the strength, since in a hollow they
+// are nearly parallel.
 //
 // The surface is found if the proxy is within reach of it, or if it lies between the proxy and the place that
 // the proxy heads for. So a flat field in front of the surface needs no gradient. A proxy that is deeper than
@@ -29,9 +30,9 @@ struct LevelSurface {
     field::ScalarField field{};
     double level{};
     bool solid_below{};  ///< the solid has smaller values than the level, not larger ones
-    double reach{};      ///< depth at which a proxy has got through, and distance of the search, > 0 (m)
-    /// Largest change of a sampled surface's place along its normal in a tick,
-    /// while a tip slides on its steps (m).
+    double reach{};  ///< depth at which a proxy has got through, and largest distance of the search, > 0 (m)
+    /// Largest motion along its normal, in a tick, of the plane that stands for a sampled surface (m). It
+    /// limits how fast the plane follows the steps of samples under a tip that slides.
     double slew{HUGE_VAL};
     vec3 motion{};  ///< motion of the tip in a tick (m)
 };
@@ -48,24 +49,23 @@ struct LevelContact {
     std::array<ContactPlane, 3>
         planes{};  ///< the first `count` are in use; the first one is nearest to the proxy
     std::uint32_t count{};
-    /// Whether the proxy lies behind the surface, so that the first plane has to
-    /// move it and not only to hold it.
+    /// The proxy lies behind the surface, so the first plane has to move the proxy and not only to hold it.
     bool behind{};
-    bool late{};            ///< whether the slew keeps a plane from its place
-    double depth{};         ///< how deep the place that the proxy heads for lies in a body of samples (m)
+    bool late{};            ///< LevelSurface::slew keeps a plane from where it should be
+    double depth{};         ///< depth of the place that the proxy heads for, in a body of samples (m)
     std::uint32_t reads{};  ///< number of times that the field was read
 };
 
-/// Largest change of the force in a tick by the steps of samples (N), as
-/// LevelSurface::slew times the stiffness.
+/// Largest change of the force in a tick by the steps of samples (N): LevelSurface::slew times the stiffness.
 inline constexpr double max_step = 0.012;
 
 /// Finds the planes that hold a proxy which would move from `proxy` to `target` (m). No allocation. A field
 /// that is not finite gives no contact.
 LevelContact find_contact(const LevelSurface& surface, vec3 proxy, vec3 target) noexcept;
 
-/// The contact of a proxy on a spring (N/m). A plane that can hardly hold a tip so deep gives way to the
-/// proxy, and must not follow it in. `strength_of` gives the strength of a contact (N).
+/// The contact of a proxy on a spring of a stiffness (N/m), with the slew that max_step allows. The slew does
+/// not apply if the tip presses with nearly the strength of the plane: a plane that gives way must not follow
+/// the proxy into the solid, tick by tick. `strength_of` gives the strength of a contact (N).
 template <class StrengthOf>
 LevelContact find_contact(LevelSurface surface, vec3 proxy, vec3 target, double stiffness,
                           StrengthOf strength_of) {
@@ -81,13 +81,13 @@ LevelContact find_contact(LevelSurface surface, vec3 proxy, vec3 target, double 
 /// The nearest place to `target` that is behind none of the planes (m).
 vec3 landing_of(const LevelContact& contact, vec3 target) noexcept;
 
-/// The plane that holds a proxy on its way to `target`: through its landing place, and across the way from
-/// there to the target. The first plane if the way is free. The contact must have a plane.
+/// The plane that holds a proxy on its way to `target`: it goes through the landing place, at right angles to
+/// the way from there to the target. The first plane if the way is free. The contact must have a plane.
 ContactPlane holding_plane(const LevelContact& contact, vec3 target) noexcept;
 
-/// Force (N) by which a proxy presses a plane, at most `strength`. `pull` is the force of its spring
-/// on the hand (N). It is 0 while the tip is in front of the plane: a proxy that is a tick late then
-/// looks pressed, but nothing holds it.
+/// Force (N) with which a proxy presses a plane, at most `strength`. `pull` is the force of the proxy's
+/// spring on the hand (N). The result is 0 while the tip is in front of the plane: `pull` is a tick old and
+/// may still point out of the plane then, but the plane holds nothing.
 double pressing_force(const ContactPlane& plane, vec3 next_tip, vec3 pull, double strength) noexcept;
 
 }  // namespace thaum::haptics

@@ -17,7 +17,7 @@ struct SmoothTaps {
     bool adjacent{};  ///< the samples follow each other in memory
 };
 
-/// Averages four weights 1 : 4 : 6 : 4 : 1.
+/// Weights of eight samples, from the weights of four averages; each is over five samples, 1 : 4 : 6 : 4 : 1.
 SmoothRow spread(const std::array<double, 4>& w) {
     constexpr std::array<double, 5> binomial{1.0 / 16, 4.0 / 16, 6.0 / 16, 4.0 / 16, 1.0 / 16};
     SmoothRow result{};
@@ -27,7 +27,8 @@ SmoothRow spread(const std::array<double, 4>& w) {
     return result;
 }
 
-/// Computes the taps at x, counted in samples from the first one. `per_metre` is the sample density (1/m).
+/// Computes the samples and weights for a place x (in samples from the first one). `per_metre` is the number
+/// of samples in a metre (1/m).
 SmoothTaps smooth_taps_at(double x, int count, std::ptrdiff_t stride, double per_metre) {
     const double inside = std::clamp(x, 0.0, static_cast<double>(count - 1));
     const int low = std::min(static_cast<int>(inside), std::max(count - 2, 0));
@@ -74,13 +75,14 @@ SmoothLanes adjacent_samples(const float* row) {
     return {__builtin_convertvector(low, Doubles4), __builtin_convertvector(high, Doubles4)};
 }
 
-/// Sums over y and z for each sample along x. Along x nothing is added up, so that vectors serve.
+/// Weighted sums over y and z for each of the eight samples along x. The sum along x comes last, so that
+/// vector instructions handle the eight samples at once.
 struct SmoothSums {
     SmoothLanes value{}, along_y{}, along_z{};
 };
 
-/// Acts on differences from `base`, so that equal samples give exact zeros (as in field::Grid). `lanes_of`
-/// gives the samples of a row along x.
+/// Computes the sums of the samples' differences from `base`, so that equal samples give exact zeros (as in
+/// field::Grid). `lanes_of` gives the samples of a row along x.
 template <class LanesOf>
 SmoothSums sums_of(const float* first, double base, const SmoothTaps& y, const SmoothTaps& z,
                    LanesOf lanes_of) {
@@ -125,7 +127,7 @@ field::Scalar SmoothGrid::operator()(vec3 place) const {
         return x.adjacent ? adjacent_samples(row + x.offset[0]) : samples_of(row, x);
     };
     const field::Scalar result = scalar_of(sums_of(grid.first, middle, y, z, as_stored), middle, x);
-    // One sample that is not finite spreads through all sums.
+    // A sample that is not finite makes the result so. Only then are samples read as a picture shows them.
     if (std::isfinite(result.value)) return result;
     const auto as_shown = [&](const float* row) { return samples_of(row, x, shown); };
     const double base = shown(middle);

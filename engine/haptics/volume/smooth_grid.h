@@ -25,9 +25,9 @@
 
 namespace thaum::haptics {
 
-/// A view of a grid's samples. Its own kernel replaces the grid's. Outside the samples the value is that of
-/// the nearest place inside. A grid without samples and a place that is not finite give zeros. Near a sample
-/// that is not finite, all samples count as a picture shows them.
+/// A view of a grid's samples. The smoothing kernel above replaces the grid's. Outside the samples the value
+/// is that of the nearest place inside. A grid without samples and a place that is not finite give zeros.
+/// Near a sample that is not finite, all samples count as a picture shows them.
 struct SmoothGrid {
     field::Grid grid{};
     field::Grid averages{};     ///< averages of blocks of its samples (field/block_averages.h); may have none

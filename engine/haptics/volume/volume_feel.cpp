@@ -23,7 +23,7 @@ double share_of(const field::TransferFunction& function, double x) {
     return std::clamp(finite_or_zero(function(x)), 0.0, 1.0);
 }
 
-/// Adds what the opacity gives: S (N, negative towards larger densities) and R (N s/m).
+/// Adds the opacity's part of the force S (N, negative: towards larger densities) and of the drag R (N s/m).
 void feel_opacity(const OpacityFeel& feel, const field::Scalar& here, double length, VolumeFelt& felt) {
     felt.opacity = share_of(feel.density, here.value) * share_of(feel.gradient, length);
     felt.stiff += feel.attracts ? -feel.stiffness * (1 - felt.opacity) : feel.stiffness * felt.opacity;
@@ -37,8 +37,8 @@ void feel_shell(const DensityShell& shell, double density, VolumeFelt& felt) {
     felt.viscosity += shell.retarding * share + shell.retarding_always;
 }
 
-/// Adds S as a plane at which the spring has just that force. It faces against the gradient, or along it if
-/// S pulls towards larger densities.
+/// Adds the force S as a plane, placed so that the spring to a proxy on it has just this force. The plane
+/// faces against the gradient, or along it if S pulls towards larger densities.
 void add_stiffness(double stiff, const Direction& up, const ModeInput& input, PrimitiveSet& set) {
     const double strength = up.length > 0 ? std::min(std::abs(stiff), max_pull) : 0;
     const vec3 way = stiff < 0 ? up.unit : -up.unit;
@@ -47,7 +47,8 @@ void add_stiffness(double stiff, const Direction& up, const ModeInput& input, Pr
 
 void add_ambient(const VolumeFeel& feel, PrimitiveSet& set) {
     const Direction down = direction_of(feel.gravity);
-    // A directed force makes the whole set an active source, even without strength.
+    // Without gravity a point takes the place of the directed force: even with strength 0, a directed force
+    // would make the whole set an active source.
     if (down.length > 0)
         add_or_rest(set, {PrimitiveKind::directed, {}, down.unit, std::min(down.length, primitive_limit)});
     else
@@ -61,7 +62,7 @@ void add_ambient(const VolumeFeel& feel, PrimitiveSet& set) {
     }
 }
 
-/// Adds the planes and the friction of a wall. Returns whether it is near.
+/// Adds the plane and the friction of a wall. Returns whether the wall is near the proxy.
 bool add_wall(const VolumeFeel& feel, const DensityWall& wall, const ModeInput& input, PrimitiveSet& set) {
     const LevelSurface surface{
         .field = feel.density, .level = wall.density, .reach = wall.reach, .motion = input.motion};

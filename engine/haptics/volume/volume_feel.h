@@ -18,8 +18,9 @@
 // the noise of the device's quantum.
 //
 // S of a shell in a density that rises evenly is the gradient of a potential. Any other S may create energy
-// in a closed loop. As a plane it counts as a passive source, so the passivity controller takes most of that
-// out: of 64 hostile volumes, the worst gave 27 mJ in 20 s. R goes to HapticModel::viscosity.
+// in a closed loop of the hand. As a plane it counts as a passive source, so the passivity controller takes
+// most of that energy out: of 64 hostile volumes, the worst gave 27 mJ in 20 s. R goes to
+// HapticModel::viscosity.
 //
 // All functions are plain and do not allocate. Device frame, lengths in m.
 #pragma once
@@ -80,7 +81,7 @@ struct OpacityFeel {
 };
 
 /// A penetrable shell between two densities, viscous inside: S rises from 0 at `low` to `stiffness` at
-/// `high`, and is none beyond. R = (retarding (d - low) / (high - low) + retarding_always) v within.
+/// `high`, and is 0 beyond. R = (retarding (d - low) / (high - low) + retarding_always) v within.
 struct DensityShell {
     double low{}, high{};       ///< densities, low < high
     double stiffness{};         ///< force at the density `high` (N)
@@ -94,7 +95,7 @@ struct DensityWall {
     double density{};
     double strength{};  ///< push at which it lets the hand through (N)
     double friction{};  ///< coefficient of friction, >= 0
-    double reach{};     ///< depth at which the proxy is through, about the size of a voxel (m)
+    double reach{};     ///< depth at which the proxy has got through the wall, about the size of a voxel (m)
 };
 
 inline constexpr std::size_t max_guides = 3;
@@ -112,7 +113,8 @@ struct VolumeFeel {
     std::uint32_t wall_count{};
     OpacityFeel opacity{};
     DensityShell shell{};
-    double share{1};  ///< factor of opacity and shell, for a volume that ends; walls end by themselves
+    double share{
+        1};  ///< factor of opacity and shell, to fade them where a volume ends; walls end by themselves
 };
 
 /// What the hand feels of a volume besides the primitives.

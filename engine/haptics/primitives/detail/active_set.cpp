@@ -41,7 +41,7 @@ void fix(Flat& flat, vec3& x, vec3 q, double height) {
     flat.normals[flat.count++] = normal;
 }
 
-/// The unit vector normal to a kink that the flat leaves most free.
+/// Of the unit vectors normal to a kink, the one along which the flat leaves x most free.
 vec3 freest_normal(const Flat& flat, const Term& term) {
     if (term.identity == 0) return term.q;
     if (flat.count == 0) return normals_to(term.q)[0];
@@ -111,7 +111,8 @@ vec3 smooth_gradient(Problem& problem, vec3 x, Symmetric& matrix) {
 
 namespace {
 
-/// The matrix restricted to the flat, with k in the fixed directions to keep it invertible.
+/// The matrix restricted to the flat. In the directions fixed by the flat, it has the spring's stiffness, so
+/// that it stays invertible.
 Symmetric restricted(const Symmetric& m, const Flat& flat, double stiffness) {
     Symmetric result = m;
     for (std::size_t i = 0; i < flat.count; ++i) {
@@ -137,14 +138,14 @@ vec3 newton_step(const Symmetric& m, const Flat& flat, vec3 slope, double stiffn
 
 namespace {
 
-/// Sum of the strengths of the active terms (N).
+/// Sum of the strengths of the active terms (N), those on whose kink x is assumed to lie.
 double strength_of_active(const Problem& problem) {
     double result = 0;
     for (const Term& term : terms_of(problem)) result += term.active ? term.strength : 0;
     return result;
 }
 
-/// Newton's method with one origin.
+/// Newton's method on the flat, without a change of the frame's origin. Returns as minimise_near().
 bool minimise_on(Problem& problem, const Flat& flat, vec3& x, Symmetric& matrix, int& steps) {
     const double rounding = 4 * epsilon * (problem.strength + glm::length(problem.target));
     const double holding = strength_of_active(problem);
@@ -155,7 +156,7 @@ bool minimise_on(Problem& problem, const Flat& flat, vec3& x, Symmetric& matrix,
         const double size = glm::length(slope);
         if (size <= rounding) return true;
         if (flat.count > 0 && glm::length(gradient - slope) > holding + size) return true;
-        // The size cannot fall further once rounding limits it.
+        // The slope no longer falls: either rounding limits it, or the method does not converge.
         if (!(size < 0.5 * before)) return before <= 16 * rounding && size <= 16 * rounding;
         before = size;
         x += newton_step(matrix, flat, slope, problem.stiffness);

@@ -1,6 +1,6 @@
 // haptics/primitives/detail/active_set.h: step 2 of balance.cpp: finds the minimum on the intersection of
-// the active kinks. That is a flat, an affine subspace of dimension 0 to 3. The other terms are smooth
-// there, so Newton's method applies.
+// the active kinks, those on which x is assumed to lie. The intersection is a flat, an affine subspace of
+// dimension 0 to 3. The other terms are smooth there, so Newton's method applies.
 #pragma once
 #include "haptics/primitives/detail/balance_problem.h"
 
@@ -9,8 +9,9 @@ namespace thaum::haptics::balancing {
 /// Intersection of the active kinks: all x whose components along the normals are fixed.
 struct Flat {
     std::array<vec3, 3> normals{};  ///< orthonormal
-    std::size_t count{};
+    std::size_t count{};            ///< number of fixed directions, 0 to 3
 
+    /// Component of v within the flat.
     vec3 along(vec3 v) const {
         for (std::size_t i = 0; i < count; ++i) v -= glm::dot(normals[i], v) * normals[i];
         return v;
@@ -23,11 +24,12 @@ std::array<vec3, 2> normals_to(vec3 q);
 Term* only_active(Problem& problem);
 /// Makes active exactly the terms whose squared distance is below `square` (m^2).
 void guess_active_set(Problem& problem, double square);
-/// Moves x onto all active kinks. The kink that the others leave most free comes first, because a nearly
-/// fixed direction is badly known. A direction that is already fixed is left to the check of distances.
+/// Moves x onto all active kinks. In each round it takes the kink whose normal the flat so far leaves most
+/// free, because a nearly fixed direction is badly known. A kink whose directions are all fixed already is
+/// skipped; spread_of_active() checks later whether x lies on it.
 Flat flat_of_active(Problem& problem, vec3& x);
-/// Gradient of the smooth rest at x (N); infinite on the kink of an inactive term. `matrix` becomes its
-/// derivative. Updates distances and forces of the inactive terms.
+/// Gradient at x of the energy without the active terms (N); infinite on the kink of an inactive term.
+/// `matrix` becomes the derivative of the gradient. Updates distances and forces of the inactive terms.
 vec3 smooth_gradient(Problem& problem, vec3 x, Symmetric& matrix);
 /// Newton's step from a slope along the flat.
 vec3 newton_step(const Symmetric& m, const Flat& flat, vec3 slope, double stiffness);
@@ -35,8 +37,9 @@ vec3 newton_step(const Symmetric& m, const Flat& flat, vec3 slope, double stiffn
 /// does not converge: x is not near the minimum, or an inactive kink holds x. Ends early if the active kinks
 /// clearly cannot hold x.
 bool minimise_near(Problem& problem, Flat& flat, vec3& x, Symmetric& matrix, int& steps);
-/// Removes the kinks whose force is at its limit from the active set. Moves x in the direction that becomes
-/// free, to the minimum for unchanged forces. Returns false if no kink is at its limit.
+/// Removes the kinks whose force has reached their strength from the active set. Moves x along the missing
+/// force, in the direction that becomes free, to the minimum that unchanged forces would have. Returns false
+/// if no kink has reached its strength.
 bool release(Problem& problem, const Symmetric& matrix, vec3 missing, vec3& x);
 
 }  // namespace thaum::haptics::balancing

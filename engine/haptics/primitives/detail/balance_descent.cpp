@@ -5,8 +5,8 @@
 namespace thaum::haptics::balancing {
 namespace {
 
-/// Minimises the sum of the gradient and the active forces. Each force in turn takes its best value, which
-/// converges.
+/// Minimises the length of the missing force, the sum of all forces at x, and returns that sum (N). Each
+/// active force in turn takes its best value while the others keep theirs, which converges.
 vec3 least_missing(Problem& problem, vec3 x, int& steps) {
     const vec3 gradient = problem.stiffness * x - problem.target;
     vec3 missing = gradient;
@@ -28,7 +28,7 @@ vec3 least_missing(Problem& problem, vec3 x, int& steps) {
     return missing;
 }
 
-/// Slope along the step without the term `but` and without smoothing.
+/// Slope of the energy along the step, at the fraction t of it, without the term `but` and without smoothing.
 double sharp_slope(const Problem& problem, vec3 x, vec3 step, double t, const Term* but) {
     double slope = glm::dot(problem.stiffness * (x + t * step) - problem.target, step);
     for (const Term& term : terms_of(problem)) {
@@ -41,7 +41,8 @@ double sharp_slope(const Problem& problem, vec3 x, vec3 step, double t, const Te
     return slope;
 }
 
-/// First kink between low and high that the step meets, with its position in `high`.
+/// First kink that the step meets between its fractions `low` and `high`; `high` becomes the fraction at the
+/// kink.
 Term* first_hit(Problem& problem, vec3 x, vec3 step, double low, double& high) {
     Term* result = nullptr;
     const double rounding = rounding_of(world_of(problem, x));
@@ -61,7 +62,7 @@ Term* first_hit(Problem& problem, vec3 x, vec3 step, double low, double& high) {
     return result;
 }
 
-/// Moves along the step to the lowest place, at most eight times the step. If that is a kink, it becomes
+/// Moves x along the step to the place of least energy, at most eight times the step. A kink there becomes
 /// active.
 void go_down(Problem& problem, vec3& x, vec3 step) {
     const double fall = -sharp_slope(problem, x, step, 0, nullptr);

@@ -5,14 +5,16 @@
 namespace thaum::haptics::balancing {
 namespace {
 
-/// Factors by kind, for strength and direction. Tables avoid branches, because kinds come in any order.
+/// Factors by PrimitiveKind (directed, point, line, plane): of the constant force, of I and q q^T in the
+/// projector, and of the strength. Tables, because kinds come in any order and branches would be
+/// mispredicted.
 constexpr std::array<double, 4> load_of_kind{1, 0, 0, 0.5}, identity_of_kind{0, 1, 1, 0},
     dyad_of_kind{0, 0, -1, 1}, strength_of_kind{0, 1, 1, 0.5};
 
 /// Fills a term except for its rounding and the values that set_origin computes.
 void fill(Term& term, const Primitive& primitive, std::size_t source) {
     const auto kind = static_cast<std::size_t>(primitive.kind);
-    // The direction of a point may have any value. It is left out without a branch too.
+    // The direction of a point may have any value, so zero replaces it, also without a branch.
     static constexpr vec3 none{};
     const vec3& direction = primitive.kind == PrimitiveKind::point ? none : primitive.direction;
     term.q = term.direction = direction;
@@ -94,7 +96,7 @@ Problem problem_of(const PrimitiveSet& set, const Spring& spring) {
     problem.stiffness = spring.stiffness;
     problem.centre = spring.centre;
     take_primitives(problem, set);
-    // Kinks may meet at the world's origin, where coordinates have no size of their own.
+    // Kinks may meet at the world's origin, where rounding by the size of coordinates would be zero.
     double farthest = 0;
     for (Term& term : terms_of(problem)) {
         const double size = glm::length(term.position);

@@ -1,5 +1,5 @@
 // haptics/primitives/detail/balance_problem.h: the problem that balance() solves, in a frame of its own: a
-// spring, constant forces, and terms with kinks. Only balance.cpp and its steps use it.
+// spring, constant forces, and terms with kinks. For balance.cpp and the files of its steps only.
 //
 // A plane is a directed force of s/2 plus s/2 |q.(x - p)|. So all kinks have one form, s |P (x - p)|, with an
 // orthogonal projector P of rank 3 (point), 2 (line) or 1 (plane): a sum of Euclidean norms.
@@ -28,9 +28,9 @@ struct Term {
     vec3 offset;
     vec3 dual;      ///< y: the term's force is -y; |y| <= strength
     vec3 distance;  ///< m = P x - offset at the x measured last
-    /// Rounding of the coordinates of its position, and some of the farthest position (m).
+    /// Error of a distance from the kink by rounding of the term's position and of the farthest position (m).
     double rounding;
-    std::size_t source;  ///< index in the set
+    std::size_t source;  ///< index of the primitive in the set
     bool active;         ///< x is assumed to lie on its kink
 };
 
@@ -87,8 +87,8 @@ inline vec3 world_of(const Problem& problem, vec3 x) { return problem.origin + t
 
 inline double rounding_of(vec3 position) { return 16 * epsilon * (1e-30 + glm::length(position)); }
 
-/// Whether x is so near to the kink that world coordinates cannot tell them apart. The rounding at the place
-/// without the terms does not count, because that place may be 1e12 times as far away.
+/// Whether x is so near to the kink that world coordinates cannot tell them apart. The rounding of the
+/// spring's centre does not count, because the centre may be 1e12 times as far away.
 inline bool touches(const Term& term, double rounding_of_x) {
     const double least = std::max(term.rounding, rounding_of_x);
     return glm::dot(term.distance, term.distance) <= least * least;
@@ -102,12 +102,13 @@ inline void limit_dual(Term& term) {
 Problem problem_of(const PrimitiveSet& set, const Spring& spring);
 /// Sets the origin (world frame) and the offsets of all terms. The caller updates distances and x.
 void set_origin(Problem& problem, vec3 origin);
-/// Moves the origin to the point of the nearest kink next to x, so that small distances have full precision.
-/// Does nothing if the origin is nearer.
+/// Moves the origin to the point nearest to x on the nearest kink, so that small distances have full
+/// precision. Does nothing if the present origin is nearer to x.
 void move_origin(Problem& problem, vec3& x);
 /// Measures the distances of all terms from x.
 void measure_distances(Problem& problem, vec3 x);
-/// The best start: `free`, the place without the terms, or one of its nearest places on their kinks.
+/// The start with the least energy: `free`, where the spring and the constant forces alone would put x, or
+/// the place nearest to it on one of the kinks.
 vec3 start_of(const Problem& problem, vec3 free);
 
 }  // namespace thaum::haptics::balancing

@@ -5,7 +5,7 @@
 namespace thaum::haptics::balancing {
 namespace {
 
-/// residual up to which a set counts as solved (N)
+/// Residual up to which a set counts as solved (N).
 constexpr double solved = 1e-9;
 
 /// Computes the distances at x and limits the forces to the strengths.
@@ -17,7 +17,7 @@ void refresh_terms(Problem& problem, vec3 x) {
     }
 }
 
-/// Largest difference between a force and the one that its primitive exerts at x (N).
+/// Largest difference between the force of a term and the force that its primitive exerts at x (N).
 double worst_misfit(const Problem& problem, vec3 x) {
     const double rounding = rounding_of(world_of(problem, x));
     double worst = 0;
@@ -29,14 +29,14 @@ double worst_misfit(const Problem& problem, vec3 x) {
     return worst;
 }
 
-/// Force by which an active term can still grow in each of its directions (N).
+/// Force by which an active term can still grow (N); 1 % more than exact, so that it never is zero.
 double remaining_strength(const Term& term) { return 1.01 * term.strength - glm::length(term.dual); }
 
-/// Force that the present terms leave, and the strength by which the active ones could still exert it.
+/// Sum of all forces at x, which must vanish, and the strength that the active terms have left to cancel it.
 struct Shortfall {
     vec3 force{};      ///< missing force (N)
     Symmetric room{};  ///< sum of the active terms' projectors, weighted by their remaining strength (N)
-    double most{};     ///< sum of the remaining strengths (N)
+    double most{};     ///< sum of the active terms' remaining strengths (N)
 };
 
 Shortfall shortfall(Problem& problem, vec3 gradient) {
@@ -105,13 +105,14 @@ double duality_bound(Problem& problem, vec3 x) {
         gap += std::max(0.0, term.strength * glm::length(term.distance) - glm::dot(term.dual, term.distance));
     }
     const double bound = std::sqrt(glm::dot(missing, missing) + 2 * problem.stiffness * gap);
-    // The sum may be accurate while a strong force next to its kink is not. That does not count as solved.
+    // The bound may be small although the force of a strong term next to its kink is wrong. That does not
+    // count as solved.
     return bound <= solved && worst_misfit(problem, x) > solved ? 2 * solved : bound;
 }
 
 void improve_by_dual_ascent(Problem& problem, double accepted, Solution& best, int& steps) {
     constexpr int max_passes = 12;
-    // Updates of single terms, which cost as much as a Newton step of a full set.
+    // So many updates of single terms cost as much as a Newton step of a full set.
     constexpr std::size_t updates_of_a_pass = 256;
     std::size_t i = 0;
     vec3 sum{};

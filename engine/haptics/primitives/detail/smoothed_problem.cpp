@@ -14,8 +14,8 @@ double slope_along(const Problem& problem, vec3 x, double smoothing, vec3 step, 
     return slope;
 }
 
-/// Position between low and high at which a kink is nearest to the step: the slope jumps there. The middle if
-/// there is none.
+/// Fraction of the step between `low` and `high` at which the step passes a kink most closely, because the
+/// slope jumps there. The middle if it passes none.
 double next_try(const Problem& problem, vec3 step, double low, double high) {
     for (const Term& term : terms_of(problem)) {
         const vec3 moved = project(term, step);
@@ -25,14 +25,15 @@ double next_try(const Problem& problem, vec3 step, double low, double high) {
     return 0.5 * (low + high);
 }
 
+/// Fraction of a Newton step to take.
 struct Part {
-    double taken = 1;
+    double taken = 1;       ///< the fraction, 0 to 1
     bool good = false;      ///< the whole step was taken and the slope at its end is small
     bool falls_on = false;  ///< the whole step was taken and the problem still falls at its end
 };
 
-/// Chooses the fraction of the step. The whole step, unless the smoothed problem rises at its end more
-/// steeply than a quarter of the initial fall; then about the fraction up to the lowest place.
+/// Chooses the fraction of the step: the whole step, unless the energy at its end rises more steeply than a
+/// quarter of its fall at the start; then about the fraction up to the least energy.
 Part part_of(const Problem& problem, vec3 x, double smoothing, vec3 step, double fall) {
     double low = 0, high = 1, t = 1;
     for (int tries = 0; tries < 24; ++tries) {

@@ -6,7 +6,7 @@
 
 namespace thaum::haptics {
 
-/// Push of a wall with its texture.
+/// Push of a wall on the tip, with the wall's texture.
 struct TexturedPush {
     double depth{};    ///< depth that the hand feels (m)
     vec3 direction{};  ///< direction of the push; a unit vector except for bumps, where it is longer
@@ -16,13 +16,13 @@ TexturedPush textured_push(const Scene& scene, const Wall& wall, vec3 x);
 
 /// Share of a wall in the force on the hand.
 struct Share {
-    vec3 force{};    ///< N
-    double depth{};  ///< depth that is felt (m)
+    vec3 force{};    ///< part of the force on the hand by this wall (N)
+    double depth{};  ///< depth of the tip behind the wall that the hand feels, texture included (m)
 };
 using Shares = std::array<Share, max_walls>;
 
-/// Computes the force on the hand (N). Each wall's share is its own push, plus a part of the common force in
-/// proportion to its depth.
+/// Computes the force on the hand (N). Each wall's share is the force of its own push, plus a part of
+/// friction and damping, which belong to all walls together, in proportion to its depth.
 vec3 force_of(const Scene& scene, const SlideState& slide, const SurfaceTip& tip, Shares& shares);
 
 }  // namespace thaum::haptics

@@ -14,14 +14,14 @@ namespace {
 /// Smooth part of a surface: a plane, or all places at one distance from a point or a line.
 struct Piece {
     enum class Kind : std::uint8_t { plane, about_point, about_line } kind{};
-    /// Part of its solid: -1, 0 and 1 are the lower end, the side and the upper end of a capsule.
+    /// Part of the solid: -1, 0 and 1 are the lower end, the side and the upper end of a capsule.
     int zone{};
     vec3 centre{};    ///< a point of the core (m)
     vec3 axis{};      ///< direction of the line, or normal of the plane (unit)
-    double radius{};  ///< distance from the core with the gap; for a plane its offset (m)
+    double radius{};  ///< distance of the proxy from the core, gap included; for a plane its offset (m)
 };
 
-constexpr int not_round = 2;  // zone of the caps and edges of a solid
+constexpr int not_round = 2;  // zone of the flat parts and edges of a solid
 
 /// Part of a solid nearest to x, which lies outside.
 int zone_of(const Surface& s, quat orientation, vec3 x) {
@@ -81,7 +81,7 @@ double bend_along(const Piece& piece, vec3 y, vec3 tangent) {
 struct Path {
     std::array<Piece, 2> pieces{};
     std::size_t count{};
-    vec3 from{}, way{};  ///< two pieces: straight line that is projected onto both
+    vec3 from{}, way{};  ///< two pieces: straight line; its places are moved onto both pieces
     bool has_end{};      ///< two pieces: the last place is known
     vec3 end{};          ///< last place (m)
     vec3 core{};         ///< one piece, here and below: point of the core nearest to the tip (m)
@@ -96,7 +96,7 @@ struct Path {
 bool onto_both(const std::array<Piece, 2>& pieces, vec3& y) {
     constexpr int max_steps = 12;
     constexpr double parallel = 1e-12;
-    // m; after a step this short, the error is its square over the radius, which is rounding.
+    // Length of the last step (m). The error after it is its square over the radius, which is below rounding.
     constexpr double last = 1e-9;
     for (int n = 0; n < max_steps; ++n) {
         const Distance a = distance_to(pieces[0], y), b = distance_to(pieces[1], y);
@@ -128,7 +128,8 @@ bool place_on(const Path& path, double s, vec3& y) {
 
 /// Path of steepest descent to the place on one piece that is nearest to the tip.
 Path path_on_one(const Piece& piece, vec3 x, vec3 tip) {
-    constexpr double opposite = 1e-15;  // sine below which the pull has no direction round the core
+    // Sine of the angle between proxy and tip below which the pull has no direction round the core.
+    constexpr double opposite = 1e-15;
     Path path{.pieces = {piece}, .count = 1};
     const double height =
         piece.kind == Piece::Kind::about_line ? glm::dot(tip - piece.centre, piece.axis) : 0;
@@ -150,7 +151,8 @@ Path path_on_one(const Piece& piece, vec3 x, vec3 tip) {
     return path;
 }
 
-/// Newton's step along the curve of two pieces, to the place where the pull has no component along it.
+/// Newton's step along the curve in which two pieces meet, towards the place where the pull has no component
+/// along the curve.
 Path path_on_two(const Piece& a, const Piece& b, vec3 x, vec3 tip, vec3 direction) {
     // Smallest trusted second derivative, relative to that of a straight curve.
     constexpr double flattest = 1e-3;
@@ -175,7 +177,8 @@ Path path_on_two(const Piece& a, const Piece& b, vec3 x, vec3 tip, vec3 directio
 
 // ---- where a path ends ------------------------------------------------------------------------------------
 
-/// Loads of the walls that hold the proxy on a path.
+/// Loads of the walls that hold the proxy on a path, as lengths: with one stiffness, forces are in
+/// proportion.
 struct Loads {
     double least{};   ///< smallest depth of a wall; at zero the wall releases the proxy (m)
     double pull{};    ///< pull along the walls (m)
@@ -214,7 +217,8 @@ struct WallLoad {
 };
 using WallLoads = std::array<WallLoad, 2>;
 
-/// Loads of the walls at the place y of a path. Two walls share the push that both have together.
+/// Loads of the walls at the place y of a path. Two walls share the displacement by which both together push
+/// the proxy away from the tip.
 WallLoads wall_loads(const Path& path, vec3 y, vec3 pull) {
     WallLoads walls;
     for (std::size_t i = 0; i < path.count; ++i) {
@@ -264,9 +268,9 @@ struct Sample {
     double s{}, value{};
 };
 
-/// Place where a function falls to zero between two samples, one above and one below zero. Uses the secant of
-/// the last two samples, or bisection if the secant leaves the bracket. The value there is at most zero, or
-/// within the tolerance.
+/// Place at which a function falls to zero between two samples, one above and one below zero. Uses the secant
+/// of the last two samples, or bisection if the secant leaves the bracket. The value there is at most zero,
+/// or within the tolerance.
 template <class Function>
 double fall_to_zero(const Function& function, Sample above, Sample below, double guess, double tolerance) {
     constexpr int max_samples = 64;
@@ -284,7 +288,8 @@ double fall_to_zero(const Function& function, Sample above, Sample below, double
     return below.s;
 }
 
-/// Finds by bisection the last place of a path up to which a condition holds. It fails at `end`.
+/// Place on a path, from 0 to `end`, from which on a condition no longer holds, found by bisection. The
+/// caller knows that the condition does not hold at `end`.
 template <class Condition>
 double fails_at(const Condition& condition, double end) {
     constexpr int halvings = 60;
@@ -296,8 +301,8 @@ double fails_at(const Condition& condition, double end) {
     return first;
 }
 
-/// First place between two where the walls release the proxy or friction holds it, else the second one.
-/// Neither is true at the first one.
+/// First place on the path between `from` and `to` where the walls release the proxy or friction holds it;
+/// `to` if there is none. At `from`, with the loads `start`, neither happens.
 double hold_between(const Track& track, double from, const Loads& start, double to) {
     constexpr double exact = 1e-16;
     double end = to;
@@ -314,8 +319,8 @@ double hold_between(const Track& track, double from, const Loads& start, double 
                         {end, loads.excess}, if_straight, 0.5 * place_tolerance);
 }
 
-/// Whether a path turns far up to a place. Its walls may then release the proxy and hold it again on the way,
-/// or friction may.
+/// Whether a path turns by a large angle up to the place `end`. Walls or friction may then release the proxy
+/// and hold it again on the way.
 bool is_long(const Path& path, double end) {
     constexpr double far = 0.1;  // rad
     if (path.count == 1) return path.half_tan > 1 && path.axial != 0;
@@ -325,8 +330,8 @@ bool is_long(const Path& path, double end) {
     });
 }
 
-/// First place where the walls release the proxy or friction holds it, else the end. A long path is examined
-/// again, in parts.
+/// First place of the path where the walls release the proxy or friction holds it; 1, its end, if there is
+/// none. A long path is examined again, in parts.
 double hold_at(const Track& track, const Loads& start) {
     constexpr int parts = 8;
     const double last = hold_between(track, 0, start, 1);
@@ -343,7 +348,7 @@ double hold_at(const Track& track, const Loads& start) {
     return last;
 }
 
-/// Whether all walls have the same piece at a place as at the start of the path.
+/// Whether all walls are on the same piece of their surface at a place as at the start of the path.
 bool on_its_pieces(const Track& track, double s) {
     const vec3 y = track.at(s);
     for (std::size_t i = 0; i < track.walls->count; ++i) {
@@ -356,9 +361,9 @@ bool on_its_pieces(const Track& track, double s) {
     return true;
 }
 
-/// Place where a path leaves its pieces. The rounding of an edge is as wide as the gap. A path that starts on
-/// it continues beyond it, along tangent planes that have the whole of each body behind them. Otherwise the
-/// proxy would hang on the edge.
+/// Place where a path leaves its pieces. Round an edge of a body, the surface on which the proxy moves is an
+/// arc as wide as the gap. A path that starts on this arc continues beyond it, along tangent planes that have
+/// the whole of each body behind them. Otherwise the proxy would hang on the edge.
 double end_of_pieces(const Track& track, double end) {
     constexpr double over_an_edge = 5 * surface_gap;  // m
     const double last = fails_at([&](double s) { return on_its_pieces(track, s); }, end);
@@ -376,7 +381,7 @@ bool within_reach(const Track& track, double s) {
 
 // ---- the sweep --------------------------------------------------------------------------------------------
 
-/// Direction that rises by one above each piece.
+/// Vector out of the surface. A step along it rises by its own length above each piece.
 vec3 outward(const Path& path, vec3 y) {
     constexpr double steepest = 0.1;
     const vec3 a = distance_to(path.pieces[0], y).normal;
@@ -385,7 +390,7 @@ vec3 outward(const Path& path, vec3 y) {
     return (a + b) / std::max(steepest, 1 + glm::dot(a, b));
 }
 
-/// Another surface on a path, or none.
+/// A surface that a path meets besides its own, or none.
 struct Obstacle {
     bool met{};
     vec3 place{};  ///< place on the path's tangents where it is met (m)
@@ -397,13 +402,14 @@ Obstacle obstacle_on(const Scene& scene, const Sweep& way, SurfaceSet passed_ove
     return {hit.at <= 1, way.from + std::min(hit.at, 1.0) * way.step, hit.wall};
 }
 
-/// Two tangents between places of a path, outside the path's own surfaces.
+/// Two straight lines from one place of a path over an apex to another place, outside the path's own
+/// surfaces.
 struct Tangents {
     vec3 from{}, apex{}, to{};
-    double reach{};  ///< no place of them is farther from the first one (m)
+    double reach{};  ///< largest distance of their places from `from` (m)
 };
 
-/// Tangents between two places of a path. The first place, a, is given.
+/// Tangents between the places of a path at the parameters `from` and `to`. `a` is the place at `from`.
 Tangents tangents_between(const Track& track, double from, vec3 a, double to) {
     constexpr double above_tangents = 1.2;
     const vec3 b = track.at(to), middle = track.at(0.5 * (from + to));
@@ -424,10 +430,10 @@ bool alone(const Scene& scene, const Walls& walls) {
     return scene.flat_count + scene.solid_count == walls.count;
 }
 
-/// Moves along a path up to a place or to the first obstacle. If the tangents meet something, the path itself
-/// may still pass beneath it. So a part of the path is halved until it is free or too short to pass, and
-/// doubled after each free part. From the second part on, only surfaces that are near enough are swept. The
-/// move ends when no sweeps are left.
+/// Moves along a path up to a place or to the first obstacle. If the tangents meet a surface, the path itself
+/// may still pass beneath it. So that part of the path is halved until its tangents are free, or until it is
+/// so short that the surface counts as an obstacle. After each free part, the next one is twice as long. From
+/// the second part on, only surfaces that are near enough are swept. The move ends when no sweeps are left.
 Obstacle travel(const Track& track, double end, int& sweeps_left) {
     constexpr double shortest = 1e-9;  // m; on a radius of 1 mm, the tangents then stay within 1e-15 m
     constexpr int max_parts = 200;
@@ -477,13 +483,14 @@ Track track_of(const Scene& scene, const Walls& walls, vec3 x, const RoundGoal& 
     return track;
 }
 
-/// Drops the wall that pushes least.
+/// Drops the wall with the smallest depth.
 void min_drop(Walls& walls) {
     if (walls.count == 2 && walls.items[0].depth < walls.items[1].depth) walls.items[0] = walls.items[1];
     --walls.count;
 }
 
-/// Three walls leave no freedom. The remaining displacement is rounding, or a Newton step to their corner.
+/// Moves the proxy to the corner of three walls, which leave it no other freedom. The displacement is
+/// rounding, or a Newton step towards the corner of round walls.
 RoundEnd step_to_corner(const Scene& scene, SlideState& slide, vec3 corner) {
     const Sweep way(slide.x, corner - slide.x);
     const Hit hit = first_hit(scene, way);
@@ -492,7 +499,8 @@ RoundEnd step_to_corner(const Scene& scene, SlideState& slide, vec3 corner) {
     return way.length * std::min(hit.at, 1.0) > place_tolerance ? RoundEnd::moved : RoundEnd::rests;
 }
 
-/// Adds a surface at which the proxy already stands. Its wall counts before the path's end is computed.
+/// Adds the wall of a surface at which the proxy already stands on its way to `tangent`. The wall must be
+/// known before the path is computed. Returns false if there is none.
 bool add_blocking(const Scene& scene, SlideState& slide, vec3 tangent) {
     if (alone(scene, slide.walls)) return false;
     const Sweep ahead(slide.x, tangent - slide.x);

@@ -23,8 +23,9 @@ namespace thaum::haptics {
 /// Whether one of the walls is the tangent plane of a round surface.
 bool is_round(const Scene& scene, const Walls& walls, vec3 x);
 
-/// Turns the walls of round surfaces to their tangent planes at x. If there are any, drops walls that do not
-/// reach x, unless the proxy met them there. `moved`: whether the last move brought the proxy to x.
+/// Turns the walls of round surfaces to their tangent planes at x. If there are round walls, drops all walls
+/// whose surface does not reach x, unless the proxy met them there. `moved`: the last move has changed the
+/// proxy's place.
 void refresh_round(const Scene& scene, Walls& walls, vec3 x, bool moved);
 
 enum class RoundEnd : std::uint8_t { rests, moved, limited };

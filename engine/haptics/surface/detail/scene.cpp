@@ -102,7 +102,7 @@ bool over_triangle(const Surface& s, vec3 normal, vec3 p, double slack) {
     const std::array corners{s.a, s.b, s.c};
     for (std::size_t i = 0; i < 3; ++i) {
         const vec3 from = corners[i], edge = corners[(i + 1) % 3] - from;
-        // Multiplied by the edge's length.
+        // Distance of p from the edge, towards the inside, times the edge's length.
         const double inward = glm::dot(glm::cross(normal, edge), p - from);
         if (inward < 0 && inward * inward > slack * slack * glm::dot(edge, edge)) return false;
     }

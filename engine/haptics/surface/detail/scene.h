@@ -1,9 +1,9 @@
 // haptics/surface/detail/scene.h: a patch prepared for one tick, and distances to its surfaces.
 //
-// All distances are to the surface `surface_gap` outside the true one. Rounding (1e-16 of a coordinate) then
-// never decides on which side the proxy is. A triangle is hit if the path crosses the triangle itself, not
-// its offset plane. Between the offset planes of two triangles that meet in a ridge there would be a slit. So
-// a mesh whose triangles share corners has no holes.
+// The proxy stays `surface_gap` outside of the true surfaces. Rounding (1e-16 of a coordinate) then never
+// decides on which side of a surface the proxy is. A triangle is hit if the path crosses the triangle itself,
+// not the same triangle moved out by the gap: two triangles that meet in a ridge would then leave a slit
+// between them. So a mesh whose triangles share corners has no holes.
 #pragma once
 #include "haptics/surface/surface.h"
 
@@ -31,9 +31,9 @@ BodyMotion motion_of(const SurfaceBody& body, double dt);
 /// A plane, or the plane of a triangle. They are stored together because each sweep reads all of them.
 struct Facet {
     vec3 normal;
-    /// Plane of the true surface is at this distance from the origin along the normal (m).
+    /// Distance of the true surface's plane from the origin along the normal (m).
     double offset;
-    double gap;  ///< distance of the proxy in front of it, with the texture's top (m)
+    double gap;  ///< distance of the proxy in front of the true surface, with the texture's top (m)
     std::uint32_t surface;
     SurfaceKind kind;
 };
@@ -75,7 +75,7 @@ struct Distance {
     vec3 normal;   ///< outward normal (unit)
 };
 
-/// Distance to a solid other than a half-space.
+/// Distance from p to a solid: a sphere, capsule, box or cylinder.
 Distance to_solid(const Surface& s, quat orientation, vec3 p);
 
 /// Whether the point p of the plane lies in the triangle, or at most `slack` (m) beside it.

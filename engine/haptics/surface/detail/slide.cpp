@@ -8,8 +8,8 @@ namespace {
 
 constexpr int max_moves = 32;
 
-/// Ends a slide that has used up its moves or its patch. If no wall is left, the last walls that held the
-/// proxy stay: the force never vanishes because the moves are used up.
+/// Ends a slide that has used up its moves or has reached the end of the patch. If no wall is left, the last
+/// walls that held the proxy stay, so that the force does not vanish only because the slide ended early.
 void settle(const Scene& scene, SlideState& slide, vec3 tip, const Walls& held) {
     if (is_round(scene, slide.walls, slide.x)) {
         refresh_round(scene, slide.walls, slide.x, false);
@@ -29,7 +29,7 @@ void settle(const Scene& scene, SlideState& slide, vec3 tip, const Walls& held) 
         refresh_round(scene, slide.walls, slide.x, glm::length(slide.x - last) > place_tolerance);
         last = slide.x;
         const NearestPlace goal = nearest_place(slide.walls, tip);
-        if (!goal.found) {  // no room: the proxy stays, held by the walls before
+        if (!goal.found) {  // no place is in front of all walls: the walls of the last move hold the proxy
             if (held.count != 0) slide.walls = held;
             return slide;
         }

@@ -5,7 +5,7 @@
 namespace thaum::haptics {
 namespace {
 
-constexpr int max_advances = 60;  // grazing a round side halves the gap each time
+constexpr int max_advances = 60;  // on a path that grazes a round side, each advance halves the distance
 
 /// Whether a hit comes before another one. Of two simultaneous hits, the one at the steeper angle comes
 /// first.
@@ -41,8 +41,8 @@ void sweep_flat(const Scene& scene, const Facet& flat, const Sweep& path, Hit& f
     first = {at, drop, {normal, offset + flat.gap, 0, flat.surface}};
 }
 
-/// Advances to the tangent plane at the nearest point of the convex shape. The whole shape lies behind that
-/// plane, so the point may move up to it at once.
+/// Advances the point again and again to the tangent plane at the nearest point of the convex shape. The
+/// whole shape lies behind that plane, so each advance is safe.
 void sweep_solid(const Scene& scene, std::uint32_t i, const Sweep& path, Hit& first) {
     if (scene.beyond(i, path.from, path.length)) return;
     const Surface& s = scene.surface(i);

@@ -38,7 +38,7 @@ public:
 
 private:
     vec3 place_{HUGE_VAL};
-    /// Distances that a point may move from `place_` (m).
+    /// For each surface, how far a point may move from `place_` without meeting it (m).
     std::array<double, surface_capacity> free_{};
     void measure(const Scene& scene, vec3 place);
 };

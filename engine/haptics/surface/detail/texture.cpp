@@ -5,19 +5,20 @@
 namespace thaum::haptics {
 namespace {
 
-/// Weights of the quadratic B-spline for three nodes, and their slopes. `offset` is the
-/// distance from the middle node (cells).
+/// Weights of the quadratic B-spline for three neighbouring nodes of a bump map, and the slopes of the
+/// weights.
 struct Weights {
     std::array<double, 3> value{};
     std::array<double, 3> slope{};
 };
 
+/// Weights at a place `offset` cells beyond the middle node.
 Weights weights_at(double offset) {
     const double before = 0.5 - offset, after = 0.5 + offset;
     return {{before * before / 2, 0.75 - offset * offset, after * after / 2}, {-before, -2 * offset, after}};
 }
 
-/// Position in cells, wrapped to the map.
+/// Position on the bump map (cells), wrapped round at its end. `length` and `wavelength` are in m.
 double cells_of(double length, double wavelength) {
     const double turns = length / wavelength;
     return (turns - std::floor(turns)) * static_cast<double>(bump_cells);
@@ -49,7 +50,8 @@ Relief relief_at(const Texture& t, const BumpMap& bumps, vec3 place) noexcept {
     const double u = glm::dot(arm, t.axes[0]), v = glm::dot(arm, t.axes[1]);
     constexpr double max_turns = 1e9;
     const double least = t.wavelength * max_turns;
-    if (!(std::abs(u) < least && std::abs(v) < least)) return {};  // so far away that u has no phase
+    // So many wavelengths from the origin, rounding leaves the place within a wavelength unknown.
+    if (!(std::abs(u) < least && std::abs(v) < least)) return {};
     if (t.kind == TextureKind::bumps) return bumps_at(t, bumps, u, v);
     const double turns = u / t.wavelength;
     const double phase = 2 * pi * (turns - std::floor(turns));

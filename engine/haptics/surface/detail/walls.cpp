@@ -8,19 +8,20 @@
 namespace thaum::haptics {
 namespace {
 
-constexpr double nearly_parallel = 1e-15;  // squared sine below which two planes have no crease
-// Height by which such planes may stand above each other (m).
+constexpr double nearly_parallel = 1e-15;  // squared sine below which two planes count as parallel
+// Distance that two parallel planes may have and still count as one (m).
 constexpr double loose = 0.4 * surface_gap;
 
-/// Up to three walls that meet at the proxy. Their depths are the multipliers of the place nearest to the
-/// tip.
+/// Up to three walls that meet at the proxy. The displacement of the proxy from the tip is the sum of their
+/// normals times their depths.
 struct ActiveSet {
     std::array<std::size_t, 3> walls{};
     std::array<double, 3> depths{};
     std::size_t count{};
 };
 
-/// Whether all walls of the set push and the place is behind no other wall.
+/// Whether all walls of the set push the proxy away from the tip, and the place where they hold it is behind
+/// no other wall. `place` becomes that place.
 bool holds(const Walls& walls, const ActiveSet& active, vec3 tip, double slack, vec3& place) {
     place = tip;
     unsigned used = 0;  // one bit for each wall
@@ -50,8 +51,8 @@ ActiveSet against_two(const Walls& walls, std::size_t i, std::size_t j, vec3 tip
     return {{i, j}, {depths.a, depths.b}, 2};
 }
 
-/// Three planes meet at sum offset_i (n_j x n_k) / det. The depths are the coordinates of the displacement
-/// along the normals.
+/// Three planes with the normals n meet at sum offset_i (n_j x n_k) / det. The depths are the coordinates of
+/// the displacement from the tip to that corner, along the three normals.
 ActiveSet against_three(const Walls& walls, std::size_t i, std::size_t j, std::size_t k, vec3 tip) {
     const vec3 a = walls.items[i].normal, b = walls.items[j].normal, c = walls.items[k].normal;
     const vec3 bc = glm::cross(b, c), ca = glm::cross(c, a), ab = glm::cross(a, b);
@@ -63,7 +64,7 @@ ActiveSet against_three(const Walls& walls, std::size_t i, std::size_t j, std::s
     return {{i, j, k}, {glm::dot(way, bc) / det, glm::dot(way, ca) / det, glm::dot(way, ab) / det}, 3};
 }
 
-/// Keeps only the walls of the set, with their depths. The set names them in the order of the list.
+/// Keeps only the walls of the set, with their depths. The set names them in the order of `walls`.
 void keep(Walls& walls, const ActiveSet& active) {
     for (std::size_t i = 0; i < active.count; ++i) {
         const std::size_t from = active.walls[i];

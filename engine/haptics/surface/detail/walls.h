@@ -11,7 +11,7 @@ inline constexpr std::size_t max_walls = 4;
 struct Wall {
     vec3 normal{};
     double offset{};  ///< distance of the plane from the origin along the normal (m)
-    /// Displacement of the proxy from the tip by this wall (m); 0 until the next place is computed.
+    /// Displacement of the proxy from the tip by this wall (m); 0 until nearest_place() has computed it.
     double depth{};
     std::uint32_t surface{};  ///< index in the patch
     bool met_here{};          ///< the proxy has not moved since it met the wall
@@ -22,7 +22,7 @@ struct Walls {
     std::size_t count{};
 };
 
-/// Tangent plane of a surface at its gap, from the distance measured at p.
+/// Tangent plane of a surface, moved out by the gap. `d` is the distance of p from the surface `i`.
 inline Wall wall_at(const Scene& scene, vec3 p, Distance d, std::uint32_t i) {
     return {d.normal, glm::dot(d.normal, p) - d.value + scene.gap[i], 0, i};
 }
@@ -41,11 +41,12 @@ inline void add_wall(Walls& walls, const Wall& wall) {
 /// Distance of the tip behind a wall (m).
 inline double depth_behind(const Wall& wall, vec3 tip) { return wall.offset - glm::dot(wall.normal, tip); }
 
-/// Depths of two walls that both push. `a` and `b` are the tip's depths behind them (m), g is the product of
-/// their normals.
+/// Displacements of the proxy by two walls together (m).
 struct Depths {
     double a{}, b{};
 };
+/// Displacements by two walls that both push. `a` and `b` are the distances of the tip behind each wall (m),
+/// g is the cosine of the angle between their normals, and sine2 the square of its sine.
 inline Depths depths_of_two(double a, double b, double g, double sine2) {
     return {(a - g * b) / sine2, (b - g * a) / sine2};
 }
@@ -60,6 +61,7 @@ struct NearestPlace {
 NearestPlace nearest_place(Walls& walls, vec3 tip);
 
 /// Largest pull along the walls at which friction holds a proxy at x: the sum of depth times friction (m).
+/// With one stiffness, forces are in proportion to lengths.
 double friction_reach(const Scene& scene, const Walls& walls, vec3 x, bool sliding);
 
 /// Whether a wall still exists at the proxy, which may have moved round an edge.
@@ -68,14 +70,15 @@ bool stands(const Scene& scene, const Wall& wall, vec3 x);
 /// Whether all walls stand at the proxy.
 bool all_stand(const Scene& scene, const Walls& walls, vec3 x);
 
-/// Sorts the walls by load. There are at most four.
+/// Sorts the walls by depth, the deepest first. There are at most four.
 void most_loaded_first(Walls& walls);
 
 /// State of the proxy on its path to the tip.
 struct SlideState {
     vec3 x{};       ///< position of the proxy (m)
     Walls walls{};  ///< walls that hold it there
-    /// Remaining sweeps against a surface for round paths in this tick. The limit bounds the time.
+    /// Sweeps against single surfaces that paths on round bodies may still make in this tick. They bound the
+    /// time that a tick takes.
     int sweeps_left{2400};
     bool slid{};     ///< the proxy has moved along a wall
     bool limited{};  ///< the end of the patch's reach held the proxy

@@ -9,48 +9,51 @@
 namespace thaum::haptics {
 namespace {
 
-/// Distances from the start at which a search along the normal looks, in samples; then every half.
+/// First distances from the start at which a search along the normal reads the field (samples). After them it
+/// reads at every half sample.
 constexpr std::array<double, 2> first_looks{0.1, 0.5};
 constexpr double look_samples = 0.5;
 constexpr int max_looks = 16;
-/// Distance from the start of a search up to which the slope there serves for the surface too, and the
-/// same where drawn and smooth surface lie apart (samples). Farther away, the tangent would put the
-/// plane of a sheet now here, now there.
+/// Largest distance of the found surface from the start of a search at which the direction read at the start
+/// is used for the surface too (samples). `same_slope_apart` applies where drawn and smooth surface lie
+/// apart. At larger distances, the tangent would put the plane of a thin sheet at changing places.
 constexpr double same_slope = 0.5, same_slope_apart = 0.02;
 /// Distance between drawn and smooth surface from which on they lie apart (samples).
 constexpr double apart = 0.25;
-/// Distance between drawn and smooth surface from which on it is no step of samples, but
-/// a sheet or a cut face (samples).
+/// Largest distance between drawn and smooth surface that a step of samples can explain (samples). A larger
+/// one belongs to a thin sheet or a cut face.
 constexpr double max_search_step = 0.5;
-/// Largest distance from the drawn surface at which a plane is put, as a share
-/// of the tip's depth and in samples.
+/// Largest distance from the drawn surface at which its plane is put: as a share of the tip's depth, and in
+/// samples. Both limits apply.
 constexpr double depth_share = 0.3, max_eased = 0.5;
-/// The same while a tip slides: shares of its depth for a plane that rises and for one that
-/// sinks, and samples along the normal.
+/// Largest distance from the drawn surface of a plane that the slew (LevelSurface::slew) makes late: as
+/// shares of the tip's depth, for a plane that rises and for one that sinks, and in samples along the normal.
 constexpr double rising_share = 0.88, sinking_share = 8, max_late = 1;
-/// Least share of the slew for a plane that moves the same way as the tip does.
+/// Smallest share of the slew by which a plane may always move. The tip's motion against the plane, which
+/// changes the force too, takes the rest of the slew.
 constexpr double min_slew = 0.25;
-/// A tip less deep behind the smooth surface, in samples along the normal, may be
-/// let go by steps of samples ahead.
+/// Depth of the tip behind the smooth surface (samples along the normal) below which a step of samples on its
+/// way may put it outside of the drawn body, so that the plane lets it go.
 constexpr double let_go = 0.75;
-/// Depth that the way ahead must leave a tip, as a share of the height of its plane above it. It is more than
-/// what the sinking plane needs, since the looks may miss the top of a step.
+/// Depth in the body that the tip must keep on its way ahead, as a share of the height of its plane above it.
+/// It is more than the sinking plane needs, since the reads ahead may miss the top of a step.
 constexpr double depth_ahead = 0.45;
-/// Distance between looks ahead (samples), their largest number, and the shortest
-/// way that is looked at (samples).
+/// Distance between two reads of the field on the way ahead (samples), their largest number, and the shortest
+/// way that is examined (samples).
 constexpr double look_ahead = 0.25, max_looks_ahead = 32, min_ahead = 0.01;
-/// Motion of a tip in a tick whose way ahead is looked at (m). A faster one would be let
-/// go long before most of its steps.
+/// Largest motion of a tip in a tick for which the way ahead is computed (m). With a larger one, the plane
+/// would sink long before most steps.
 constexpr double max_motion = 5e-5;
-/// How far below the tip the body must go on, or the tip leaves a sheet through its
-/// back (samples along the normal).
+/// Distance below the tip at which a free place means that the tip leaves a sheet through its back (samples
+/// along the normal).
 constexpr double ground_below = 0.5;
-/// Ways of a plane that sinks before a step, in slews, and the share of the depth that remains felt.
+/// Distances by which a plane may sink in a tick before a step of samples, as multiples of the slew, the
+/// smallest that serves first; and the share of the tip's depth that the hand still feels then.
 constexpr std::array<double, 3> early{0, 1, 1.5};
 constexpr double still_felt = 0.01;
-/// Distance from the place of the first plane up to which a landing place needs no search (samples).
+/// Distance from the place of the first plane up to which a landing place counts as beside it (samples).
 constexpr double beside_samples = 0.25;
-/// Depth of a landing place that counts, and accuracy of a place (m).
+/// Depth from which on a landing place counts as inside the body, and accuracy of a found place (m).
 constexpr double min_depth = 1e-7, accurate = 1e-10;
 
 double look_at(int i) {
@@ -64,7 +67,7 @@ double fading(double x) {
     return 1 - t * t * (3 - 2 * t);
 }
 
-/// Parts of the way from a to b, from 0 to 1, between which it lies in the box.
+/// Part of a straight way that lies in the box, by the shares of the way at its ends. Empty if from > to.
 struct Part {
     double from{}, to{1};
 };
@@ -84,7 +87,7 @@ Part part_in_box(vec3 a, vec3 b, vec3 half) {
     return part;
 }
 
-/// Distance from a place in the box to its end along a direction.
+/// Distance from a place in the box to the face of the box that lies along a direction (m).
 double way_to_end(vec3 place, vec3 along, vec3 half) {
     double length = HUGE_VAL;
     for (int axis = 0; axis < 3; ++axis) {
@@ -95,7 +98,8 @@ double way_to_end(vec3 place, vec3 along, vec3 half) {
     return std::max(length, 0.0);
 }
 
-/// Value at a place counted in samples, linear between samples as a picture shows those that are not finite.
+/// Value at a place (in samples), linear between samples. Samples that are not finite count as a picture
+/// shows them.
 double shown_value(const field::SampleBox& box, vec3 at) {
     const field::Grid& grid = box.drawn;
     double sum = 0;
@@ -141,14 +145,14 @@ vec3 BodySearch::to_reader(vec3 place) const {
 vec3 BodySearch::to_samples(vec3 place) const { return per_scale_ * place + box_.middle; }
 
 bool BodySearch::in_box(vec3 place) const {
-    // The frames' rounding must not put a place on a face outside.
+    // Rounding between frames must not put a place on a face of the box outside of it.
     const double slack = 1e-9 * fine_;
     return std::abs(place.x) <= half_.x + slack && std::abs(place.y) <= half_.y + slack &&
            std::abs(place.z) <= half_.z + slack;
 }
 
 bool BodySearch::is_solid(double inside) const {
-    // The picture, too, shows a sample of just the level as solid.
+    // The picture shows a sample whose value equals the level as solid if larger values are solid.
     return surface_.solid_below ? inside > 0 : inside >= 0;
 }
 
@@ -173,8 +177,8 @@ std::optional<BodySearch::Slope> BodySearch::slope_of(const field::Scalar& here)
     return Slope{here.gradient, (surface_.solid_below ? -1 : 1) * (here.value - surface_.level) / length};
 }
 
-/// The slope of the field, with the direction of that of the averages where both agree on the side and the
-/// averages have their surface near: those of a thin sheet may not.
+/// The slope of the field. Where the averages of blocks give nearly the same direction and have their surface
+/// near the place, the direction of their slope is used. The averages of a thin sheet may do neither.
 std::optional<BodySearch::Slope> BodySearch::slope_at(vec3 place) {
     constexpr double differs = 0.1, agrees = 0.4;  // cosines
     ++contact_.reads;
@@ -195,8 +199,8 @@ std::optional<BodySearch::Slope> BodySearch::slope_at(vec3 place) {
     return fine;
 }
 
-/// Turns a direction out of the body towards the normals of faces that are near. `depth` is that of the place
-/// in the body behind its surface (m).
+/// Turns a direction out of the body towards the normals of near faces of the box. `depth` is the depth of
+/// the place behind the surface of the smooth field (m).
 vec3 BodySearch::at_box(vec3 out, double depth, vec3 place) const {
     vec3 face(0);
     int nearest = 0;
@@ -214,7 +218,8 @@ vec3 BodySearch::at_box(vec3 out, double depth, vec3 place) const {
     return alone;
 }
 
-/// The way out of the body at a place in the box; std::nullopt if the field gives none.
+/// The direction out of the body at a place in the box; std::nullopt if neither the field nor a face gives
+/// one.
 std::optional<BodySearch::Way> BodySearch::way_out(vec3 place) {
     const auto slope = slope_at(place);
     const double length = slope ? glm::length(slope->up) : 0;
@@ -230,8 +235,8 @@ double BodySearch::sample_along(vec3 out) const { return glm::length(out / sampl
 
 // ---- searching --------------------------------------------------------------------------------------------
 
-/// The place where the way through a bracket crosses the surface (regula falsi that halves
-/// the weight of an end that stays).
+/// The place where the straight line of a bracket crosses the surface, by regula falsi: if one end of the
+/// bracket stays in place twice, its value is halved.
 vec3 BodySearch::crossing(Bracket b, double accuracy) {
     const bool from_solid = is_solid(b.at_from);
     double low = 0, high = 1, at_low = b.at_from, at_high = b.at_to, t = 0;
@@ -248,7 +253,7 @@ vec3 BodySearch::crossing(Bracket b, double accuracy) {
         (side < 0 ? at_low : at_high) = here;
         if (side == last) (side < 0 ? at_high : at_low) *= 0.5;
         last = side;
-        // The way to the other end by the chord is what the place may still be off.
+        // The chord through both ends of the bracket tells how far the place may still be off.
         if (std::abs(here) * (high - low) * length <= accuracy * std::abs(at_high - at_low)) break;
     }
     return glm::mix(b.from, b.to, t);
@@ -260,7 +265,8 @@ std::optional<BodySearch::Found> BodySearch::found_at(vec3 place) {
     return Found{place, *way};
 }
 
-/// The place that a search from `start` has found, and the way out there. `way` is the way out at the start.
+/// The place that a search from `start` has found, and the direction out of the body there. `way` is that
+/// direction at the start.
 BodySearch::Found BodySearch::found_at(vec3 place, vec3 start, const Way& way) {
     const double smooth = way.smooth - glm::dot(place - start, way.out);
     const bool near_smooth = std::abs(smooth) <= apart * fine_;
@@ -271,9 +277,10 @@ BodySearch::Found BodySearch::found_at(vec3 place, vec3 start, const Way& way) {
     return {place, {way.out, way.gradient, smooth}};
 }
 
-/// Whether a tip of this depth that moves on along the surface stays deep enough for its plane, if the plane
-/// sinks by the slew from now on. `height` is that of the plane above the tip. Also true for a tip at rest,
-/// and for one near the back of a sheet, where a free place ahead is no step.
+/// Whether the tip at `target`, if it moves on along the surface, stays deep enough in the body while its
+/// plane sinks by the slew in every tick. `depth` is the tip's depth, `height` the height of the plane above
+/// the tip (m). Also true for a tip at rest, and for one near the back of a sheet, where a free place ahead
+/// is no step.
 bool BodySearch::stays_in(vec3 target, vec3 out, double depth, double height) {
     const vec3 along = motion_ - glm::dot(motion_, out) * out;
     const double moved = glm::length(along), reach = std::min(moved, max_motion) * height / surface_.slew;
@@ -291,8 +298,9 @@ bool BodySearch::stays_in(vec3 target, vec3 out, double depth, double height) {
     return true;
 }
 
-/// Distance along the way out from a place on the drawn surface to its plane, for a tip at `target`. Towards
-/// the smooth surface, and from the last tick's plane, on which the proxy lies, no farther than the slew.
+/// Distance from a place on the drawn surface to its plane, along the direction out of the body (m), for a
+/// tip at `target`. The plane lies towards the smooth surface. From the plane of the last tick, on which the
+/// proxy lies, it moves by at most the slew.
 double BodySearch::eased(const Found& found, vec3 proxy, vec3 target) {
     const auto& [place, way] = found;
     const double depth = std::max(0.0, glm::dot(place - target, way.out)), sample = sample_along(way.out);
@@ -303,7 +311,7 @@ double BodySearch::eased(const Found& found, vec3 proxy, vec3 target) {
     if (!std::isfinite(depth) || !std::isfinite(step) || !std::isfinite(own)) return 0;
     const double most = std::min(depth_share * depth, max_eased * fine_), late = max_late * sample;
     const double wanted = std::clamp(step, -most, most);
-    // The tip's own motion along the normal changes the force, too.
+    // The tip's motion along the normal changes the force, too, so it takes a part of the slew.
     const double up = std::max(slew + std::min(own, 0.0), min_slew * slew);
     const double down = std::max(slew - std::max(own, 0.0), min_slew * slew);
     const double lowest = std::min({height - down, sinking_share * depth, late});
@@ -327,7 +335,7 @@ std::optional<ContactPlane> BodySearch::plane_of(const std::optional<Found>& fou
     return ContactPlane{to_reader(eased_place), box_.placement.turn * way.out, way.gradient};
 }
 
-/// The place where the way out of the body, within reach, leaves it or the box.
+/// The place where a straight way out of the body leaves the body or the box; std::nullopt beyond the reach.
 std::optional<BodySearch::Found> BodySearch::leaving(vec3 place, double at_place, const Way& way) {
     const double end = way_to_end(place, way.out, half_);
     Bracket b{place, place, at_place, at_place};
@@ -344,7 +352,7 @@ std::optional<BodySearch::Found> BodySearch::leaving(vec3 place, double at_place
     return std::nullopt;
 }
 
-/// The place where the way into the body, within a limit, enters it.
+/// The place where a straight way into the body enters it; std::nullopt beyond the limit (m).
 std::optional<BodySearch::Found> BodySearch::entering(vec3 place, double at_place, const Way& way,
                                                       double limit) {
     const double end = std::min(limit, way_to_end(place, -way.out, half_));
@@ -361,8 +369,8 @@ std::optional<BodySearch::Found> BodySearch::entering(vec3 place, double at_plac
     return std::nullopt;
 }
 
-/// The place where the way along the gradient of the drawn samples leaves the body. In a crevice of a few
-/// samples, the smooth field may lead deeper.
+/// The place where a straight way along the gradient of the drawn samples leaves the body. It serves in a
+/// crevice of a few samples, where the smooth field may lead deeper into the body.
 std::optional<BodySearch::Found> BodySearch::out_of_crevice(vec3 place, double at_place) {
     if (box_.drawn.first == nullptr) return std::nullopt;
     ++contact_.reads;
@@ -374,8 +382,8 @@ std::optional<BodySearch::Found> BodySearch::out_of_crevice(vec3 place, double a
                    {side / length * drawn.gradient, length / box_.placement.scale, HUGE_VAL});
 }
 
-/// The place on the surface of the smooth field near a place, if the tip is deep enough for a plane just
-/// there. It is the plane of the drawn surface that eased() would put there, in fewer reads.
+/// The place on the surface of the smooth field near a place, if eased() would put the plane just there
+/// because the tip is deep enough. This shortcut takes fewer reads of the field than a search.
 std::optional<BodySearch::Found> BodySearch::on_smooth(vec3 place, const Way& way, vec3 target) {
     const double most = max_eased * fine_;
     if (!(std::abs(way.smooth) <= std::min(surface_.slew, most))) return std::nullopt;
@@ -403,7 +411,7 @@ std::optional<BodySearch::Found> BodySearch::near(vec3 place, vec3 target) {
     return found ? found : out_of_crevice(nearest, here);
 }
 
-/// The place where the way between two places enters the body. It begins free.
+/// The place where the straight way between two places enters the body; the first place lies outside.
 std::optional<BodySearch::Found> BodySearch::between(vec3 from, vec3 to) {
     const double length = glm::distance(from, to);
     const Part part = part_in_box(from, to, half_);
@@ -430,7 +438,8 @@ std::optional<ContactPlane> BodySearch::first(vec3 proxy, vec3 target) {
     auto found = near(from, to);
     if (!found && !solid(from)) found = between(from, to);
     if (!found) return std::nullopt;
-    // The plane goes on beyond the body. A proxy that would meet it farther on is held only by what is there.
+    // The plane goes on beyond the body. So if the proxy would meet the plane far from the found place, only
+    // a surface on the proxy's own way counts.
     const double above = glm::dot(from - found->place, found->way.out);
     const double below = glm::dot(found->place - to, found->way.out);
     if (above > 0 && below > 0) {
@@ -445,7 +454,8 @@ std::optional<ContactPlane> BodySearch::next(vec3 proxy, vec3 landing, vec3 targ
     const vec3 place = to_box(landing);
     const vec3 normal = contact_.planes[0].normal * box_.placement.turn;
     if (!solid(place + min_depth * normal)) return std::nullopt;
-    // Beside the plane, the drawn surface is only a step of samples, unless it goes on above it.
+    // Near the place of the first plane, drawn samples above the plane are only a step of samples, unless the
+    // body goes on higher up.
     const vec3 plane_at = to_box(contact_.planes[0].place);
     const bool beside = glm::distance(place, plane_at) <= beside_samples * fine_;
     if (beside && !solid(place + max_late * fine_ * normal)) return std::nullopt;

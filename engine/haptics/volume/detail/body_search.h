@@ -1,17 +1,19 @@
 // haptics/volume/detail/body_search.h: search for the surface of a body of samples, as its picture shows it
 // (haptics/volume/level_contact.h).
 //
-// The place of the surface comes from the samples that are drawn, linear between them. So sheets of one
-// sample are felt too. Its direction comes from the field, which a hand should feel smooth
-// (haptics/volume/smooth_grid.h). Averages of blocks of samples give a less rough direction, where the box
-// has them and both agree on the side. A field that no picture shows, such as a filtered one, gives both.
+// The place of the surface comes from the samples that are drawn, linear between them (the drawn surface). So
+// sheets of one sample are felt too. The direction of the surface comes from a smoothed field, whose own
+// surface is the smooth surface (haptics/volume/smooth_grid.h). Averages of blocks of samples give a less
+// rough direction, where the box has them and both directions nearly agree. A field that no picture shows,
+// such as a filtered one, gives both place and direction.
 //
 // Samples make small steps in a surface, which a hand would feel as chatter. So a plane is put where the
-// smooth field has its surface, as far as a share of the tip's depth allows. Then the tip still feels the
-// plane if and only if it is in the body that is drawn. Where a tip slides over deeper steps, the plane
-// follows them by a limited way in each tick. The proxy lies on the plane of the last tick, so the way begins
-// there. A step ahead may let go of the tip or nearly so. Then the force would fall at once. So the plane
-// sinks before such a step, over the ticks that the tip needs to get there.
+// smooth field has its surface, but not farther from the drawn surface than a share of the tip's depth. Then
+// the tip still feels the plane if and only if it is in the body that is drawn. Where a tip slides over
+// deeper steps, the plane follows them by a limited distance in each tick, the slew. The proxy lies on the
+// plane of the last tick, so the distance is measured from the proxy. A step on the tip's way may put the tip
+// outside of the body, or nearly so. Then the force would fall at once. So the plane sinks before such a
+// step, over the ticks that the tip needs to get there.
 //
 // Samples that are not finite count as a picture shows them (field::ShownRange).
 //
@@ -26,13 +28,13 @@
 
 namespace thaum::haptics {
 
-/// Searches in a frame with the middle of the box as its origin and the axes of the
-/// samples, in lengths of the reader.
+/// Searches in a frame with the middle of the box as its origin and the axes of the samples. Its lengths are
+/// those of the reader's frame, the frame in which the field is read.
 class BodySearch {
 public:
     BodySearch(const LevelSurface& surface, const field::SampleBox& box, LevelContact& contact);
 
-    /// The plane that a proxy on its way to `target` is held by (reader's frame); std::nullopt if it is free.
+    /// The plane that holds a proxy on its way to `target` (reader's frame); std::nullopt if none does.
     std::optional<ContactPlane> first(vec3 proxy, vec3 target);
     /// The plane that keeps a landing place out of the body; std::nullopt if the place is free.
     std::optional<ContactPlane> next(vec3 proxy, vec3 landing, vec3 target);
@@ -52,7 +54,7 @@ private:
     /// The smooth field at a place, along the axes of the box.
     struct Slope {
         vec3 up{};
-        double depth{};  ///< behind the surface, by the tangent (m)
+        double depth{};  ///< depth of the place behind the surface, by the tangent (m)
     };
     /// A part of a straight line that begins free and ends in the body, or the reverse.
     struct Bracket {
