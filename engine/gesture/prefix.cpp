@@ -13,40 +13,42 @@ namespace {
 
 constexpr std::size_t prefix_starts = 8;              // points at which a closed stroke may begin
 constexpr std::size_t verified_prefixes = 2 * lanes;  // beginnings that are compared elastically
-/// Distances below this one count as this one: no other hand comes nearer, and the
-/// calibration knows nothing of them.
+/// Smallest elastic distance that counts; smaller ones are raised to it. Strokes of another hand come no
+/// nearer, so the calibration has no samples below it.
 constexpr float min_counted = 0.02F;
 constexpr float no_match = 1, very_far_off = 1e30F;
-/// Distance that a length adds which is e times another, where nothing is known of how lengths
-/// agree. Half and twice the length then add 0.03, about as much as a hand differs from
-/// itself. Durations add nothing there.
+/// Weight of lengths if the recorded strokes do not tell how well lengths agree: the distance added if one
+/// length is e times the other. Half or twice the length then adds 0.03, about as much as two strokes of one
+/// hand differ. Durations add nothing in this case.
 constexpr float length_weight = 0.06F;
-/// Most that a length or a duration adds. From four times the length on, it is of another kind of stroke.
+/// Largest distance that a length or a duration adds. Lengths that differ fourfold or more already belong to
+/// different gestures.
 constexpr float max_for_difference = 0.12F;
-/// Numerator and addend of the weight of lengths, and of durations: where the logarithms of a gesture's
-/// recorded ones have a variance v, the weight is agreement_weight / (v + min_variance).
+/// Constants of the weight of lengths, and likewise of durations. If the logarithms of the lengths of the
+/// strokes recorded for one gesture have the variance v, the weight is agreement_weight / (v + min_variance).
 constexpr double agreement_weight = 0.002, min_variance = 0.003;
-/// `length_weight` counts as much as this many degrees of freedom of the recorded strokes.
+/// Number of degrees of freedom of the recorded strokes as much as which the weight without knowledge counts.
 constexpr double prior_freedom = 4;
-/// A recorded stroke that is farther than the nearest one of its gesture by
-/// this distance counts e times less.
+/// Distance by which a recorded stroke must be farther than the nearest one of its gesture to count e times
+/// less.
 constexpr float hand_scatter = 0.03F;
-/// Where the logarithm of force / speed of a gesture's strokes has a smaller variance, the force is the
-/// answer of a viscous field. Then a stroke is drawn slowly or fast on purpose, as a gentle or a harsh
-/// one, and its duration tells nothing.
+/// Variance of the logarithm of force / speed over the strokes of a gesture below which the force counts as
+/// that of a viscous field, in proportion to the speed. Strokes are then slow or fast on purpose, to be
+/// gentle or harsh, and durations tell nothing about the gesture.
 constexpr double viscous_variance = 0.15 * 0.15;
 constexpr float min_force = 1e-6F;
-/// A shorter duration counts as this one (s), also that of a stroke without times.
+/// Smallest duration that counts (s); shorter ones, and that of a stroke without times, are raised to it.
 constexpr float min_seconds = 0.001F;
-/// Squared distances of points, where the dot product chooses, are about four times the elastic distance.
+/// Ratio of the mean squared distance of points, by which the dot product chooses, to the elastic distance.
 constexpr float squares_to_elastic = 4;
 constexpr std::size_t synthetic_strokes = 30, scribble_every = 10;
 constexpr std::array synthetic_shares{0.25, 0.5, 0.75, 1.0};
-/// Most of a recorded stroke's length that counts as drawn. A longer stroke tells no more than a whole one.
+/// Largest share of the recorded stroke's length that counts as drawn: a longer stroke is no better evidence.
 constexpr float max_share = 1;
-/// Least share of its twin's length that a whole stroke has.
+/// Smallest share of a recorded stroke's length that a whole stroke of its twin must have (twins: see
+/// prefix.h).
 constexpr double twin_share = 0.7;
-/// Most logarithm of the ratio of two gestures' distances that counts against the farther one.
+/// Largest logarithm of the ratio of two gestures' distances that counts against the farther one.
 constexpr double max_margin_against = 2;
 
 float log_length_of(const Shape& shape) {
@@ -67,7 +69,7 @@ Floats8 costs_of(Floats8 differences, float weight) {
     return costs < most ? costs : most;
 }
 
-/// How much the logarithms of recorded lengths, or durations, of one gesture differ.
+/// Variance of the logarithms of lengths (or durations) among the strokes of one gesture, over all gestures.
 class Scatter {
 public:
     void add(double value) {
@@ -75,7 +77,7 @@ public:
         sum_ += value;
         squares_ += value * value;
     }
-    /// Counts what was added as one gesture, and begins another.
+    /// Ends a gesture: the values added since the last call belong to it.
     void end_gesture() {
         if (count_ > 1) {
             deviations_ += std::max(squares_ - sum_ * sum_ / count_, 0.0);
@@ -84,7 +86,7 @@ public:
         count_ = sum_ = squares_ = 0;
     }
     double variance() const { return deviations_ / std::max(freedom_, 1.0); }
-    /// `prior`: weight where nothing is known.
+    /// Weight of a difference of logarithms in a distance. `prior`: the weight without any recorded strokes.
     float weight(float prior) const {
         const double known = freedom_ * agreement_weight / (variance() + min_variance);
         const double sum = known + prior_freedom * static_cast<double>(prior);
@@ -95,8 +97,8 @@ private:
     double count_ = 0, sum_ = 0, squares_ = 0, deviations_ = 0, freedom_ = 0;
 };
 
-/// Whether a whole recorded stroke with that mean force and what is nearest to it of
-/// another gesture differ in force alone.
+/// Whether a whole recorded stroke and the beginning nearest to it of another gesture differ in force alone.
+/// `force` is the stroke's mean force.
 bool is_twin(const PrefixSpace::Nearest& near, float force) {
     static const auto min_log_share = static_cast<float>(det::log(twin_share));
     return near.log_share >= min_log_share &&
@@ -110,7 +112,7 @@ std::vector<StrokePoint> drawn_backwards(Points stroke) {
     return back;
 }
 
-/// A closed stroke that begins at its point of that number.
+/// The closed stroke that begins at the point with the index `first`.
 std::vector<StrokePoint> begun_at(Points stroke, std::size_t first) {
     std::vector<StrokePoint> turned(stroke.begin() + static_cast<std::ptrdiff_t>(first), stroke.end());
     const double so_far = stroke.back().t - stroke.front().t;
@@ -147,7 +149,7 @@ bool PrefixReader::add_stroke(Points stroke, const GestureOptions& options, Pref
     std::array<Shape, lanes> shapes{};
     std::array<const float*, lanes> values{};
     for (std::size_t k = lanes; k-- > 0;) {
-        // A beginning without a shape, of few points, is replaced by the next longer one.
+        // A beginning with too few points has no shape, and is replaced by the next longer one.
         if (!make_shape(beginning_of(stroke, prefix_shares[k]), {solid, channels_.force}, space.points,
                         shapes[k])) {
             if (k + 1 == lanes) return false;
@@ -187,7 +189,7 @@ Expected<void> PrefixReader::add(const Gesture& gesture, PrefixSpace& space) {
     return {};
 }
 
-/// How much lengths and durations count, by the whole recorded strokes.
+/// Weights of lengths and durations, from how well those of the whole recorded strokes of each gesture agree.
 PrefixReader::Weights PrefixReader::weights_of_agreement() const {
     Scatter lengths, seconds, viscosities;
     for (std::size_t b = 0; b < beginnings_.size(); ++b) {
@@ -211,7 +213,8 @@ PrefixReader::Weights PrefixReader::weights_of_agreement() const {
     return {lengths.weight(length_weight), has_times && !hurried_on_purpose ? seconds.weight(0) : 0};
 }
 
-/// Finds the nearest share of each recorded stroke by the dot product, and puts the nearest strokes first.
+/// Finds the nearest beginning of each recorded stroke by the dot product, and sorts the nearest of them to
+/// the front. Returns how many are sorted, which are to be compared elastically.
 std::size_t PrefixReader::choose(const Shape& shape, PrefixSpace& space) const {
     const float length = log_length_of(shape), seconds = log_seconds_of(shape);
     std::size_t count = 0;
@@ -242,7 +245,7 @@ std::size_t PrefixReader::choose(const Shape& shape, PrefixSpace& space) const {
     return static_cast<std::size_t>(best);
 }
 
-/// Compares at most eight candidates from `first` on elastically.
+/// Compares up to eight candidates, from the index `first` to before `end`, elastically.
 void PrefixReader::verify(const Shape& shape, std::size_t first, std::size_t end, PrefixSpace& space) const {
     std::array<const float*, lanes> values{};
     const std::size_t count = std::min(lanes, end - first);
@@ -269,8 +272,8 @@ void PrefixReader::verify(const Shape& shape, std::size_t first, std::size_t end
     }
 }
 
-/// Adds to the distance of each gesture's nearest recorded stroke for those of its strokes that are farther.
-/// A gesture is likelier if all its strokes are near than if one of them is.
+/// Raises the distance of each gesture, that of its nearest recorded stroke, if its other strokes are
+/// farther. A gesture is likelier if all its recorded strokes are near than if only one is.
 void PrefixReader::join_strokes(PrefixSpace& space) const {
     std::size_t s = 0;
     for (std::uint32_t g = 0; g < names_.size(); ++g) {
@@ -288,9 +291,9 @@ bool PrefixReader::are_twins(std::uint32_t a, std::uint32_t b) const {
     return std::find(twins_[a].begin(), twins_[a].end(), b) != twins_[a].end();
 }
 
-/// Probability of a gesture among its twins by the mean force so far, 0 to 1.
+/// Probability of a gesture against its twins by the mean force so far, 0 to 1.
 double PrefixReader::share_by_force(std::uint32_t gesture, const PrefixSpace& space) const {
-    constexpr float tiny = 1e-30F;  // a beginning without a force is as far from every force
+    constexpr float tiny = 1e-30F;  // stands for a force of 0, whose logarithm is not finite
     const auto oddness = [&](std::uint32_t g) {
         const float usual = std::max(space.nearest[g].force, tiny);
         return force_oddness(static_cast<double>(space.force), static_cast<double>(usual));
@@ -303,9 +306,9 @@ double PrefixReader::share_by_force(std::uint32_t gesture, const PrefixSpace& sp
     return 1 / sum;
 }
 
-/// Most probability of a gesture at this distance, by the distances of all others. Of two
-/// gestures that are as near, each has half. The more gestures there are, the more of them are
-/// near by chance, so each of them counts.
+/// Largest probability that a gesture at this distance can have, given the distances of all others. Of two
+/// gestures that are equally near, each has a half. The more gestures there are, the more are near by chance,
+/// so every other gesture lowers the probability.
 double PrefixReader::share_by_distance(std::uint32_t gesture, float distance,
                                        const PrefixSpace& space) const {
     double sum = 1;
@@ -318,7 +321,7 @@ double PrefixReader::share_by_distance(std::uint32_t gesture, float distance,
     return 1 / sum;
 }
 
-/// Evidence and probability of a gesture, which need not be the nearest, after a stroke was compared.
+/// Evidence and probability of a gesture, after a stroke was compared. The gesture need not be the nearest.
 LikelyGesture PrefixReader::likelihood_of(std::uint32_t gesture, const PrefixSpace& space) const {
     static const auto min_log_share = static_cast<float>(det::log(prefix_shares[0]));
     const auto& own = space.nearest[gesture];
@@ -381,7 +384,7 @@ std::uint32_t PrefixReader::tell(Points stroke, std::uint32_t told, PrefixSpace&
     return likelihood_of(told, space).probability >= likely_still ? told : LikelyGesture::none;
 }
 
-/// Finds gestures of one shape that differ in force: the recorded strokes of one are near to the other.
+/// Finds twins, gestures of one shape that differ in force: a recorded stroke of one is near to the other.
 void PrefixReader::find_twins(std::span<const Gesture> gestures, PrefixSpace& space) {
     std::vector<std::vector<std::uint32_t>> twins(gestures.size());
     twins_.assign(gestures.size(), {});

@@ -1,13 +1,14 @@
 // gesture/prefix.h: the likely gesture of a stroke that is still being drawn.
 //
-// A recogniser compares whole strokes, so the first half of an S is nothing to it, or something else. Here
-// each recorded stroke is cut at eight shares of its length, and the stroke so far is compared with all of
-// these beginnings: by the dot product of their shapes first, then elastically with the nearest ones
-// (elastic.h). Nobody knows how much of the stroke is still to come. But people draw a gesture at about the
-// same size and pace each time, so a beginning also counts as the farther, the more its length and duration
-// differ from those of the stroke so far. How much they count depends on how much the recorded strokes of a
-// gesture agree. One stroke of each says nothing about that. Nor do durations where the force is the answer
-// of a viscous field, because a hand is slow or fast there on purpose, for a gentle or a harsh stroke.
+// A recogniser compares whole strokes, so it takes the first half of an S for another gesture, or for none.
+// Here each recorded stroke is cut at eight shares of its length, and the stroke so far is compared with all
+// of these beginnings: by the dot product of their shapes first, then elastically with the nearest ones
+// (elastic.h). It is unknown how much of the stroke is still to come. But people draw a gesture at about the
+// same size and pace each time. So the distance of a beginning grows with the differences of its length and
+// its duration from those of the stroke so far. The weights of these differences depend on how well the
+// recorded strokes of a gesture agree. With one recorded stroke of each gesture, that is unknown. Durations
+// do not count at all where the force is that of a viscous field: there a hand is slow or fast on purpose,
+// for a gentle or a harsh stroke.
 //
 // Where several strokes of a gesture were recorded, the distances to all of them
 // count, and the nearest counts most.
@@ -15,13 +16,14 @@
 // Strokes of closed gestures may start anywhere, so beginnings are cut from several starts. A gesture that is
 // not sensitive to direction has those of its strokes drawn backwards as well. Rotations are not tried.
 //
-// Force. Between gestures of one shape that differ in force, the mean force so far decides, compared with
-// that of equally long beginnings. While it lies between theirs, none of them is likely.
+// Force. Gestures of one shape that differ in force are twins. Between them, the mean force so far decides:
+// it is compared with the mean force of equally long beginnings. While it lies between the forces of two
+// twins, neither is likely.
 //
-// Confidence: as in calibration.h, with beginnings of synthetic strokes and scribbles. How much of the
-// gesture has been drawn is evidence too: late in a stroke its distances are larger, and still right.
-// Everything is fixed at construction, and equal input gives equal bits. At most sixteen solid and sixteen
-// flat beginnings are compared elastically, however many there are.
+// Confidence: as in calibration.h, with beginnings of synthetic strokes and scribbles. The share of the
+// gesture that has been drawn is evidence too: late in a stroke, the right gesture has larger distances than
+// early. Everything is fixed at construction, and equal input gives equal bits. At most sixteen solid and
+// sixteen flat beginnings are compared elastically, however many there are.
 //
 // Steady answers. `tell` keeps what it has told until that has become unlikely or another gesture is likely
 // enough, so that a colour does not come and go.
@@ -53,7 +55,7 @@ struct LikelyGesture {
     static constexpr std::uint32_t none = 0xffffffff;
 
     std::uint32_t gesture = none;  ///< the likeliest; none for a stroke without a shape
-    Evidence evidence{};           ///< in place of a usual distance it has the share that has been drawn
+    Evidence evidence{};           ///< with the drawn share of the gesture in place of its usual distance
     /// Probability that the stroke will be `gesture`, 0 to 1. 0 if it is shorter than the
     /// first beginning: too early to say.
     double probability{};
@@ -63,17 +65,17 @@ struct LikelyGesture {
 struct PrefixSettings {
     Channels channels{};
     std::uint64_t seed = 1;  ///< seed of the synthetic strokes
-    bool calibrate =
-        true;  ///< false to skip the synthetic strokes, for a caller that calibrates with real ones
+    /// false: skip the synthetic strokes, for a caller that calibrates with real ones.
+    bool calibrate = true;
 };
 
 /// Working memory of one thread.
 struct PrefixSpace {
     /// Beginning of a recorded stroke that is to be compared elastically.
     struct Candidate {
-        float distance{};
-        std::uint32_t place{};  ///< recorded stroke
-        std::uint32_t lane{};   ///< share at which it is cut
+        float distance{};       ///< distance by the dot product, with those for length and duration
+        std::uint32_t place{};  ///< index of the recorded stroke in PrefixReader's beginnings
+        std::uint32_t lane{};   ///< index in prefix_shares at which the stroke is cut
     };
     ShapeSpace points{};
     Shape shape{};
@@ -123,7 +125,7 @@ private:
         std::array<float, lanes> log_seconds{};  ///< natural logarithm of the duration (s)
         std::array<float, lanes> force{};        ///< mean force (unit of the strokes)
     };
-    /// Distance for a difference of logarithms by 1.
+    /// Distances added if the natural logarithms of two lengths, or of two durations, differ by 1.
     struct Weights {
         float length{}, seconds{};
     };
@@ -146,7 +148,7 @@ private:
     std::vector<std::string> names_;
     std::vector<Beginnings> beginnings_;
     std::vector<std::uint32_t> gesture_of_stroke_;
-    std::vector<std::vector<std::uint32_t>> twins_;  ///< gestures that only force tells from each gesture
+    std::vector<std::vector<std::uint32_t>> twins_;  ///< for each gesture, those that differ in force alone
     Calibration calibration_{};
     Weights weights_{};
     bool needs_solid_ = false, needs_flat_ = false;

@@ -9,12 +9,12 @@ namespace thaum::gesture {
 namespace {
 
 constexpr float lowest_score = -1e30F;
-constexpr float farthest_possible = 1e9F;  ///< distance of a gesture none of whose templates was compared
+constexpr float farthest_possible = 1e9F;  ///< distance of a gesture if none of its templates was compared
 /// Weight of the second nearest template of a gesture, as a share of that of the nearest.
 constexpr float second_weight = 0.5F;
-// Twins are told apart by odds, in which the ratio of the distances counts by this power. A
-// common part is added to both distances: below it their ratio tells which template happens to be
-// alike, and not which gesture was meant.
+// Twins are told apart by odds. The ratio of their distances enters the odds with this power. A common part
+// is added to both distances first: the ratio of two small distances is a matter of chance, and does not tell
+// which gesture was meant.
 constexpr double twin_distance_power = 4;
 constexpr float twin_common_distance = 0.1F;
 
@@ -28,8 +28,8 @@ Floats4 sums_of(Floats8 p, Floats8 q, Floats8 r, Floats8 s) {
     return __builtin_shufflevector(sum, sum, 0, 1, 2, 3) + __builtin_shufflevector(sum, sum, 4, 5, 6, 7);
 }
 
-/// Dot products of an array with four others. Their length is a multiple of eight. Four arrays
-/// are enough to keep the adders busy.
+/// Dot products of an array with four others, all of `count` numbers, a multiple of eight. Four products at
+/// once are enough to keep the processor's adders busy.
 Floats4 dots(const float* a, const std::array<const float*, 4>& four, std::size_t count) {
     const auto [p, q, r, s] = four;
     Floats8 even_p{}, even_q{}, even_r{}, even_s{}, odd_p{}, odd_q{}, odd_r{}, odd_s{};
@@ -69,7 +69,7 @@ float dot(const float* a, const float* b, std::size_t count) {
 
 static_assert(shape_points * planar_channels % 8 == 0 && shape_points * solid_channels % 8 == 0);
 
-/// Channels whose x and y turn with the stroke: first channel of each pair.
+/// Pairs of channels, x and y of a vector, that turn with the stroke: the first channel of each pair.
 std::span<const std::size_t> turning_pairs(std::size_t channels) {
     static constexpr std::array<std::size_t, 2> planar{0, 2};
     static constexpr std::array<std::size_t, 3> solid{0, 3, 6};
@@ -77,8 +77,8 @@ std::span<const std::size_t> turning_pairs(std::size_t channels) {
     return solid;
 }
 
-/// Parts of the dot product after a turn of the stroke by an angle a: fixed +
-/// cosine part cos a + sine part sin a.
+/// Parts of the dot product after the stroke is turned by an angle a: the product is fixed + cosine cos a +
+/// sine sin a.
 struct TurnedProduct {
     float fixed{}, cosine{}, sine{};
 };
@@ -220,8 +220,8 @@ void Recogniser::choose(const Shape& shape, const Limits& limits, std::size_t mo
     keep_best(count, most, space);
 }
 
-/// Puts the best `most` of the compared templates in the list of survivors, best first. Each finds its rank
-/// by comparison with all others, without a branch that the processor would have to guess.
+/// Puts the best `most` of the compared templates in the list of survivors, best first. The rank of each is
+/// found by comparison with all others, without a branch that the processor might mispredict.
 void Recogniser::keep_best(std::size_t count, std::size_t most, RecogniserSpace& space) {
     const std::size_t rounded = (count + lanes - 1) / lanes * lanes;
     std::fill(space.scores_.begin() + static_cast<std::ptrdiff_t>(count),
@@ -291,7 +291,7 @@ void Recogniser::note(float distance, const Template& t, RecogniserSpace& space)
 /// Distance of a gesture from its nearest templates.
 float Recogniser::distance_of(std::uint32_t gesture, float farthest, const RecogniserSpace& space) const {
     const auto& near = space.nearest_[gesture];
-    // A gesture of several strokes of which one alone was compared: the others are at least so far.
+    // If a gesture has several recorded strokes and only one was compared, the others count as `farthest`.
     const float unknown = strokes_of_[gesture] > 1 ? farthest : near.first;
     const float second = near.count > 1 ? near.second : unknown;
     const float mean = (near.first + second_weight * second) / (1 + second_weight);
@@ -312,8 +312,8 @@ std::uint32_t Recogniser::twin_by_force(std::uint32_t gesture, double mean_force
     return best;
 }
 
-/// Chooses among the nearest gesture and its twins, and the runner-up among the others.
-/// Returns the probability of the choice.
+/// Chooses between the nearest gesture and its twins, and then the runner-up among all other gestures.
+/// Returns the probability of the choice among the twins, 0 to 1.
 double Recogniser::by_twins(float force, float farthest, const RecogniserSpace& space, Recognition& r) const {
     const auto oddness = [&](std::uint32_t g) {
         const auto ratio = static_cast<double>((distance_of(g, farthest, space) + twin_common_distance) /
@@ -354,7 +354,7 @@ Recognition Recogniser::result_of(const Shape& shape, const RecogniserSpace& spa
     r.distance = r.runner_up_distance = farthest_possible;
     for (std::uint32_t g = 0; g < gestures(); ++g) {
         const float d = distance_of(g, farthest, space);
-        // Without branches, which the processor would often guess wrongly.
+        // Without branches, which the processor would often mispredict.
         const bool best = d < r.distance, next = !best && d < r.runner_up_distance;
         r.runner_up = best ? r.gesture : next ? g : r.runner_up;
         r.runner_up_distance = best ? r.distance : next ? d : r.runner_up_distance;

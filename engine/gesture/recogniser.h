@@ -13,8 +13,8 @@
 // product. A gesture that is not sensitive to direction has its templates drawn backwards as well.
 //
 // Force. Gestures of one shape whose strokes differ in mean force are twins. The more their forces differ and
-// the farther all other gestures are, the less alike their strokes need be. Between them the mean force of
-// the stroke decides, together with what little the shapes tell.
+// the farther all other gestures are, the less alike their strokes need be. Between twins the mean force of
+// the stroke decides, together with the small difference of the distances.
 //
 // Confidence: see calibration.h. Everything is fixed at construction. `recognise` allocates nothing, and
 // equal input gives equal bits in every thread and on every processor.
@@ -43,7 +43,8 @@ struct Recognition {
     float runner_up_distance{};
     Evidence evidence{};   ///< evidence for a calibration with labelled strokes
     double probability{};  ///< probability that the stroke, drawn on purpose, was meant as `gesture`, 0 to 1
-    /// The same probability if every second stroke meant nothing. It decides whether a stroke is accepted.
+    /// The same probability under the assumption that half of all strokes mean nothing. A stroke is accepted
+    /// by this probability.
     double even_probability{};
     bool accepted{};  ///< false: the stroke counts as none of the gestures
     ForceClass force = ForceClass::normal;
@@ -59,8 +60,8 @@ struct RecogniserSettings {
     bool exhaustive = false;
     double min_probability = 0.5;  ///< `even_probability` from which on a stroke is accepted
     std::uint64_t seed = 1;        ///< seed of the synthetic strokes that set the thresholds
-    /// False to skip the synthetic strokes, for a caller that calibrates with real ones. Then all thresholds
-    /// are open, and the usual distance of a gesture is that of its recorded strokes from one another.
+    /// False to skip the synthetic strokes, for a caller that calibrates with real ones. Then no stroke is
+    /// refused for its distance, and the usual distance of a gesture is that between its recorded strokes.
     bool calibrate = true;
 };
 
@@ -74,15 +75,15 @@ private:
     friend class Spotter;
     friend class CloseLook;
     struct Survivor {
-        float score{};
-        std::uint32_t place{};  ///< template
-        std::uint32_t shift{};  ///< first point of a closed template
-        float cosine = 1, sine = 0;
+        float score{};               ///< dot product with the stroke
+        std::uint32_t place{};       ///< index of the template
+        std::uint32_t shift{};       ///< point at which a closed template starts
+        float cosine = 1, sine = 0;  ///< of the angle by which the template is turned
     };
     struct Nearest {
         float first{}, second{};  ///< least distances to two different recorded strokes
         std::uint32_t stroke{};   ///< recorded stroke of `first`
-        std::uint32_t count{};    ///< recorded strokes that were compared, 2 for more
+        std::uint32_t count{};    ///< number of recorded strokes compared: 0, 1, or 2 for two and more
     };
     ShapeSpace points_;
     Shape solid_, planar_;
@@ -123,7 +124,8 @@ public:
     /// that means nothing to it is taken.
     Recognition recognise_without(Points stroke, std::uint32_t left_out, RecogniserSpace& space) const;
 
-    /// Probability of two distances as this recogniser is calibrated, if every second stroke means nothing.
+    /// Probability that a stroke was meant as `gesture`, given the distances of the gesture and of the
+    /// runner-up, if half of all strokes mean nothing.
     double probability_of(std::uint32_t gesture, float distance, bool has_runner_up,
                           float runner_up_distance) const;
     /// How hard a stroke of this gesture was drawn, by its mean force (unit of the device).
@@ -149,23 +151,23 @@ private:
     friend class CloseLook;
     struct Template {
         std::uint32_t gesture{};
-        /// Number of the recorded stroke. A copy drawn backwards has the same. The mean
-        /// has the number after the last.
+        /// Number of the recorded stroke among those of the gesture. A copy drawn backwards has the same
+        /// number. The mean has the number after the last stroke.
         std::uint32_t stroke{};
         std::uint32_t channels{};
-        std::size_t values{};  ///< place of the values; those of a closed gesture stand there twice
+        std::size_t values{};  ///< index in `values_`; the values of a closed gesture stand there twice
         float size{}, length{};
         float self{};  ///< dot product with itself
         bool closed{};
-        bool turns{};                 ///< true with a tolerance of rotation
-        float cosine{}, sine{};       ///< cosine and sine of the tolerance
-        float smallest{}, largest{};  ///< range of scale
+        bool turns{};                 ///< true: the gesture tolerates rotation
+        float cosine{}, sine{};       ///< cosine and sine of the largest tolerated angle
+        float smallest{}, largest{};  ///< range of a stroke's size, relative to `size`
     };
     using Survivor = RecogniserSpace::Survivor;
 
     struct Limits {
         std::uint32_t left_out = Recognition::none;
-        float length_range = 0;  ///< 0: every length
+        float length_range = 0;  ///< largest ratio of the lengths of stroke and template; 0: any
         bool means = true;       ///< false to leave out the means of recorded strokes
         Rests rests = Rests::left_out;
         bool twins = true;  ///< false to leave out the twins of `left_out` too
@@ -207,7 +209,7 @@ private:
     std::vector<GestureOptions> options_;            ///< options of each gesture, their force bands filled in
     std::vector<std::uint32_t> strokes_of_;          ///< number of recorded strokes of each gesture
     std::vector<double> template_force_;             ///< mean force of the templates of each gesture
-    std::vector<std::vector<std::uint32_t>> twins_;  ///< gestures that force alone tells from each gesture
+    std::vector<std::vector<std::uint32_t>> twins_;  ///< for each gesture, those that differ in force alone
     std::vector<Template> templates_;
     std::vector<float> values_;
     std::vector<FineShape> fine_;       ///< fine shape of each template

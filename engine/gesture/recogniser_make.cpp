@@ -16,7 +16,8 @@ constexpr std::size_t min_scribbles = 300, max_scribbles = 1200;
 constexpr double gentle_share = 0.6, harsh_share = 1.6;
 constexpr float open_threshold = 1e9F;
 constexpr float assumed_usual = 0.1F, min_usual = 1e-3F;
-/// Recorded strokes of a gesture that are compared with one another. More tell little more.
+/// Largest number of recorded strokes of a gesture that are compared with one another. More strokes would
+/// hardly change the mean distance.
 constexpr std::size_t max_compared = 16;
 
 std::vector<StrokePoint> backwards(Points stroke) {
@@ -113,7 +114,7 @@ void Recogniser::add_mean(std::size_t first, std::size_t step, std::size_t end, 
         mean.stroke = t.stroke + 1;
     }
     for (std::size_t i = mean.values; i < values_.size(); ++i) mean.self += values_[i] * values_[i];
-    fine_.emplace_back();  // never looked at, because the spotter leaves means out
+    fine_.emplace_back();  // stays empty: only the spotter reads fine shapes, and it leaves means out
     templates_.push_back(mean);
 }
 
@@ -146,8 +147,8 @@ float Recogniser::spread_of(std::size_t first, std::size_t step, RecogniserSpace
     return std::max(sum / static_cast<float>(count), min_usual);
 }
 
-/// Adds what several recorded strokes of a gesture tell together: their usual distance, and their mean. A
-/// closed gesture has no mean, because its strokes start anywhere.
+/// Adds what follows from several recorded strokes of a gesture: their usual distance from one another, and
+/// their mean as a template. A closed gesture has no mean, because its strokes start anywhere.
 Expected<void> Recogniser::add_what_strokes_share(const Gesture& gesture, std::size_t first,
                                                   std::size_t copies, RecogniserSpace& space) {
     const bool several = gesture.strokes.size() > 1;
@@ -190,7 +191,7 @@ Expected<void> Recogniser::add(const Gesture& gesture, RecogniserSpace& space) {
     return {};
 }
 
-/// Finds gestures of one shape that differ in force: some stroke of one is near to the other.
+/// Finds twins, gestures of one shape that differ in force: a recorded stroke of one is near to the other.
 void Recogniser::find_twins(std::span<const Gesture> gestures, RecogniserSpace& space) {
     std::vector<std::vector<std::uint32_t>> twins(gestures.size());
     twins_.assign(gestures.size(), {});
@@ -211,7 +212,8 @@ void Recogniser::find_twins(std::span<const Gesture> gestures, RecogniserSpace& 
     twins_ = std::move(twins);
 }
 
-/// Strokes that other users might draw, and strokes that mean nothing, recognised with open thresholds.
+/// Calibrates with strokes that other users might draw and with strokes that mean nothing. Thresholds are
+/// open meanwhile: no stroke is refused for its distance.
 void Recogniser::calibrate(std::span<const Gesture> gestures, RecogniserSpace& space) {
     Random random = random_stream(settings_.seed, 0x9e57);
     std::vector<std::vector<float>> meant(names_.size()), not_meant(names_.size());
@@ -221,8 +223,8 @@ void Recogniser::calibrate(std::span<const Gesture> gestures, RecogniserSpace& s
         for (std::size_t v = 0; v < variations_of_each; ++v) {
             const auto& strokes = gestures[g].strokes;
             drawn[g].push_back(variation_of(strokes[v % strokes.size()], random));
-            // Without means, because the spotter weighs gestures by their usual
-            // distance, and does without them too.
+            // Templates that are means of strokes are left out: the spotter, which weighs gestures by their
+            // usual distance, leaves them out too.
             const auto r = recognise_within(drawn[g].back(), {.means = false}, space);
             if (r.gesture == g || are_twins(g, r.gesture)) meant[g].push_back(r.distance);
         }
