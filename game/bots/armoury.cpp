@@ -36,8 +36,9 @@ bool hidden(const Mind& mind, Tick tick) {
            tick < mind.foe_seen_at + ticks(1.2);
 }
 
-/// Draw of a throw, 0 to 1, with a wand that shoots. The throw is half as fast again as the slowest one that
-/// reaches the foe, so that it is flat. A throw over cover is hardly faster than the slowest one.
+/// Readiness at which to throw, 0 to 1, with a wand that shoots; more is faster. The throw is 1.5 times as
+/// fast as the slowest throw that reaches the foe, so that it is flat. Over cover it is only 1.05 times as
+/// fast.
 double draw_for(const LoadedWand& wand, const Prospect& prospect) {
     const double reach =
         prospect.up + std::sqrt(prospect.up * prospect.up + prospect.distance * prospect.distance);
@@ -64,8 +65,8 @@ double readiness_for(const LoadedWand& wand, const WandBelt& belt, const Prospec
     return std::max(share, 0.0);
 }
 
-/// Chooses one of the useful wands of that kind and writes its slot and readiness to `mind`. Several useful
-/// wands are chosen as often as bots like them.
+/// Chooses one of the useful wands whose shots fly like `way`, and writes its slot and readiness to `mind`.
+/// The probability of each useful wand is in proportion to the `liking` of its shot.
 bool take(const MatchData& data, const WandBelt& belt, const Prospect& prospect, Way way, Mind& mind) {
     double liking = 0;
     for (const auto& wand : data.wands) {

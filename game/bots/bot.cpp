@@ -71,7 +71,7 @@ void unstick(const Self& self, Mind& mind, Tick tick) {
     mind.buttons |= static_cast<std::uint32_t>(Button::jump);
 }
 
-/// Whether the next side step heeds no edge. A bot that is badly hurt and under fire may panic.
+/// Whether the next side step may go over an edge. A bot that is badly hurt and under fire may panic.
 bool forgets_edges(const BotTurn& turn) {
     const auto& self = turn.self;
     const auto& skill = turn.seat.skill.edge;
@@ -127,8 +127,8 @@ vec3 way_to_goal(const BotTurn& turn) {
     return same_cell && glm::length(last) > 0.3 ? last : vec3(0, 0, 0);
 }
 
-/// Direction of walking in a fight: comes nearer along walkable cells, keeps its distance, steps sideways,
-/// never over an edge.
+/// Direction of walking in a fight. The bot comes nearer along walkable cells up to its preferred distance,
+/// steps sideways, and never steps over an edge, except in a panic.
 vec3 way_in_a_fight(const BotTurn& turn) {
     const auto& self = turn.self;
     const auto& grid = turn.grid;
@@ -234,7 +234,7 @@ std::optional<Aim> shoot(const BotTurn& turn, vec3 way) {
 /// Uses the hands for a rope, a held thing or a shot. Returns the wanted direction of view.
 std::optional<Aim> use_hands(const BotTurn& turn, vec3 way) {
     if (draws(turn.cast_plan)) {
-        turn.mind.wand_key = 0;  // with Trace held, a wand's key would be a chord
+        turn.mind.wand_key = 0;  // while Trace is held, a wand's key has another meaning
         return std::nullopt;
     }
     if (hands_full(turn.swing_plan)) return aim_on_rope(turn.self, turn.swing_plan);
@@ -248,7 +248,8 @@ void look_around(const BotTurn& turn) {
     if (turn.seat.skill.lift.share > 0) see_things(turn.match, turn.self, turn.seat, turn.eyes);
 }
 
-/// Plans what leaves the fight aside: each plan only while those before it leave the bot free.
+/// Makes plans other than fighting, in order of importance. A plan is made only if no earlier one keeps the
+/// bot busy.
 void make_plans(const BotTurn& turn) {
     choose_errand(turn);
     if (!roped(turn.swing_plan)) plan_to_lift(turn);

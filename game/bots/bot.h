@@ -37,8 +37,8 @@ struct StirSkill {
     double seek{};   ///< largest walk to the cauldron (m)
     Tick hold{};     ///< largest time of stirring (ticks)
     Tick rest{};     ///< time between two visits (ticks)
-    double
-        brew{};  ///< share of the opportunities without a foe in sight at which it brews a potion; 0: never
+    /// Share of the opportunities without a foe in sight at which the bot brews a potion; 0: never.
+    double brew{};
     THAUM_FIELDS(StirSkill, share, seek, hold, rest, brew);
 };
 
@@ -74,12 +74,12 @@ struct BotSkill {
     double strafe{};         ///< share of a fight in which the bot steps sideways
     Tick strafe_step{};      ///< ticks after which the bot may change its step
     double vial_below{};     ///< health below which the bot walks to power-ups that give health (HP)
-    double spark_below{};    ///< share of the wand's energy below which the bot walks to a spark
+    double spark_below{};    ///< share of the wand's energy below which the bot fetches energy (a spark)
     double reserve{};        ///< share of the energy that the bot keeps for a near foe
     double cover_below{};    ///< health below which the bot hides if there is nothing to fetch (HP)
-    double variety{};        ///< share of choices that are a wand which is readied first
-    double charge{};         ///< largest readiness of such a wand, 0 to 1
-    double throws{};         ///< share of these choices that are a wand which throws on a parabola
+    double variety{};        ///< share of the choices of a wand that take one which must be readied first
+    double charge{};         ///< largest readiness to which the bot readies such a wand, 0 to 1
+    double throws{};         ///< share of those choices that take a wand which throws on a parabola
     double over_cover{};     ///< chance in each gameplay tick to throw over what hides the foe
     LiftSkill lift{};
     StirSkill stir{};

@@ -29,8 +29,8 @@ std::optional<vec3> niche_of(const BotTurn& turn, std::uint32_t ingredient) {
     return best;
 }
 
-/// Whether a straight way comes nearer to a place than `clear` (m). A way that
-/// leads off from the place does not.
+/// Whether a straight way comes nearer to a place than `clear` (m). A way that leads away from the place does
+/// not count.
 bool comes_near(vec3 place, vec3 from, vec3 to, double clear) {
     const vec2 way(to.x - from.x, to.z - from.z), off(place.x - from.x, place.z - from.z);
     const double length = glm::dot(way, way);
@@ -38,7 +38,7 @@ bool comes_near(vec3 place, vec3 from, vec3 to, double clear) {
     return share > 0 && glm::length(off - share * way) < clear;
 }
 
-/// Whether a straight way passes no niche that has something, except its goal.
+/// Whether a straight way to a niche passes no other niche that holds an ingredient.
 bool passes_no_niche(const BotTurn& turn, vec3 from, vec3 niche) {
     const auto& match = turn.match;
     constexpr double room = 0.5;  // distance beyond the niche's reach that the way keeps (m)
@@ -50,8 +50,8 @@ bool passes_no_niche(const BotTurn& turn, vec3 from, vec3 niche) {
     return free;
 }
 
-/// Place to walk to for a niche: the niche, or a place beside it if another niche lies on the way. Whoever
-/// walks over a niche takes what lies there.
+/// Place to walk to for a niche: the niche, or a place beside it if another niche lies on the way. A wizard
+/// who walks over a niche takes the ingredient there, so the bot must avoid the other niche.
 vec3 way_to_niche(const BotTurn& turn, vec3 from, vec3 niche) {
     if (passes_no_niche(turn, from, niche)) return niche;
     const auto& grid = turn.grid;
@@ -125,7 +125,7 @@ std::uint32_t choose_recipe(const Simulation& match, const Seat& seat, Random& r
     const auto* pouch = match.world().find<Pouch>(wizard);
     std::uint32_t chosen = no_potion, count = 0;
     for (std::uint32_t i = 0; i < data.recipes.size(); ++i) {
-        // A drawn order belongs to the Great Work, for which these bots do not go.
+        // A recipe with an order drawn at random belongs to the Great Work, which these bots do not try.
         const auto& recipe = data.recipes[i];
         const bool acts = match.world().get<Potions>(wizard).until.at(i) != 0;
         const bool fits = pouch == nullptr || recipe.ingredients.front().ingredient == pouch->ingredient;

@@ -15,7 +15,7 @@ enum class BrewTask : std::uint32_t {
     carry,  ///< carry it to the rim, or stir there
     drop,   ///< let it fall into the brew
     draw,   ///< draw the next gesture
-    done    ///< the potion is brewed, or nothing can come of it
+    done    ///< the potion is brewed, or can no longer succeed
 };
 
 struct BrewStep {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-// The worth of a power-up to a bot is the need for what it gives, divided by the time to get there. A bot
-// that sees the foe and can shoot multiplies the worth by `in_a_fight`. So it then goes only for a power-up
-// worth about twice as much.
+// The worth of a power-up to a bot is the bot's need for health or energy that it gives, divided by the time
+// to get there. While the bot sees the foe and can shoot, the worth is multiplied by `in_a_fight`. So during
+// a fight a power-up must be worth about twice as much.
 namespace thaum::game::inline bots {
 namespace {
 
@@ -22,7 +22,7 @@ bool sees_foe(const Mind& mind, Tick tick) {
     return mind.foe_seen_at != 0 && tick - mind.foe_seen_at < ticks(0.5);
 }
 
-/// Need: 0 if `have` reaches `below`, 1 if nothing is left.
+/// How much a bot needs health or energy: 0 if it has at least `below`, 1 if nothing is left.
 double need(double have, double below) {
     return below > 0 ? std::clamp((below - have) / below, 0.0, 1.0) : 0;
 }

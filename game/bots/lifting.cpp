@@ -7,18 +7,19 @@
 #include "game/bots/senses.h"
 #include "game/match/bodies.h"
 
-// The worth of a thing is the harm that it would do, divided by the time to throw it.
+// The worth of a thing is the harm that a throw of it would do to the foe, divided by the time to fetch and
+// throw it.
 namespace thaum::game::inline bots {
 namespace {
 
 using input::bit;
 using input::Button;
 
-constexpr double handy = 0.8;  ///< share of the wand's reach from which the bot takes a thing up
+constexpr double handy = 0.8;  ///< share of the wand's reach within which the bot takes a thing up
 /// Distance along the ground below which a held thing would hit its holder (m).
 constexpr double too_near = 1.8;
 constexpr double near_foe = 3;       ///< distance of the foe below which the bot does not turn away (m)
-constexpr double far_foe = 15;       ///< distance of the foe above which a throw does not arrive (m)
+constexpr double far_foe = 15;       ///< distance of the foe above which no throw arrives (m)
 constexpr double min_harm = 8;       ///< least harm of a throw (HP)
 constexpr double carrying_cost = 8;  ///< estimated energy of carrying a thing until it is thrown
 constexpr double cost_per_kg = 0.3;  ///< estimated additional energy per mass (1/kg)

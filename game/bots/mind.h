@@ -130,7 +130,7 @@ struct StirPlan {
                     drawing_until, hands_off_until, drops, spare);
 };
 
-/// How a bot draws, as long as it lives: its user style.
+/// How a bot distorts the strokes that it draws, like a person's handwriting; fixed for each bot.
 struct DrawingStyle {
     double size{1};                  ///< size of strokes, relative to the templates
     double aspect{1};                ///< width relative to the height

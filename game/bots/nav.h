@@ -43,8 +43,8 @@ public:
     /// Whether the cell is in one of the large connected regions. The top of a block is not, nor is a cell
     /// that a thing fills in part.
     bool in_large_region(int cell) const { return in_large_region_[static_cast<std::size_t>(cell)] != 0; }
-    /// The cell next to `cell` that is in a large region and not above the feet, with the shortest way and
-    /// drop from them; `cell` itself if there is none.
+    /// The neighbour of `cell` that is in a large region, at most a step above the feet, and nearest to them
+    /// in distance and height; `cell` itself if there is none.
     int nearest_way(int cell, vec3 feet) const;
     /// Whether the straight line between two places, a few metres at most, can be walked.
     bool straight(vec3 from, vec3 to) const;

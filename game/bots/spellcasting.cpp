@@ -19,8 +19,8 @@ constexpr Tick after_thing = ticks(20.0);    ///< rest from one recalled thing t
 constexpr Tick pause = ticks(0.03);          ///< time with Trace held before and after the stroke itself
 constexpr Tick recent = ticks(1.2);          ///< time for which a hit counts as fire
 constexpr Tick in_sight = ticks(0.3);        ///< time for which a seen foe counts as in sight
-constexpr double pushed_way = 2.5;           ///< way of a push within which an edge counts (m)
-constexpr double harsh_force = 1.9;          ///< mean force of a harsh stroke (N)
+constexpr double pushed_way = 2.5;   ///< distance that a push moves a foe; an edge within it counts (m)
+constexpr double harsh_force = 1.9;  ///< mean force of a harsh stroke (N)
 
 // ---- which spell ------------------------------------------------------------------------------------------
 
@@ -55,7 +55,8 @@ SpellOccasion occasion_of(const BotTurn& turn) {
             .thing_distance = distance_of_last_thing(match, wizard, self.eye)};
 }
 
-/// Index of the spell that is worth most and that the focus pays for; the number of spells if there is none.
+/// Index of the spell that is worth most to the bot and for which it has enough focus; the number of spells
+/// if there is none.
 std::size_t best_spell(const BotTurn& turn, const SpellOccasion& occasion, double cost) {
     const auto& world = turn.match.world();
     const auto& spells = turn.match.data().spells;
@@ -142,7 +143,7 @@ void begin_stroke(const BotTurn& turn, std::size_t spell, bool harsh) {
     mind.right_left = mind.up_left = 0;
 }
 
-/// Makes ready for the thing that flies to the bot.
+/// Plans to lift the thing that a spell makes fly to the bot.
 void expect_thing(const BotTurn& turn) {
     constexpr Tick flight = ticks(2.0);
     const auto& match = turn.match;

@@ -60,7 +60,8 @@ bool carries(const BotTurn& turn) {
 
 // ---- potions ----------------------------------------------------------------------------------------------
 
-/// Whether the bot goes for a potion now: nobody is in sight, it is well, and the brew is nobody's.
+/// Whether the bot starts a potion now: no foe is in sight, its health is good, and nobody has begun a
+/// brew.
 bool begins_to_brew(const BotTurn& turn, const Cauldron& cauldron) {
     const auto& self = turn.self;
     const auto& skill = turn.seat.skill.stir;
@@ -127,7 +128,7 @@ void brew(const BotTurn& turn) {
 }
 
 /// Stirs until the bot has energy enough, was hurt too much, or has stirred for long. An ingredient that it
-/// has picked up by the way goes into the brew, so that its hands are free.
+/// has picked up on its way goes into the brew, so that its hands are free.
 void stir_on(const BotTurn& turn) {
     auto& stir_plan = turn.stir_plan;
     const auto& self = turn.self;

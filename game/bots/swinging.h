@@ -16,7 +16,7 @@ inline bool hands_full(const SwingPlan& swing_plan) {
     return roped(swing_plan) && swing_plan.stage != SwingStage::approach;
 }
 
-/// Plans a crossing that is near and shortens the way to mind.goal by at least the length in the skill.
+/// Plans a crossing that is near and shortens the way to mind.goal by at least BotSkill::swing_gain.
 void plan_to_swing(const BotTurn& turn);
 
 /// Presses the buttons for the crossing while roped. Returns the displacement to walk (m).

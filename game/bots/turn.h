@@ -1,5 +1,5 @@
-// game/bots/turn.h: one gameplay tick of a bot, which all its plans get: what
-// it knows, and what it may change.
+// game/bots/turn.h: the data of one gameplay tick of a bot, an argument of all its plans: what the bot knows,
+// and what the plan may change.
 #pragma once
 #include "game/bots/mind.h"
 #include "game/bots/nav.h"
@@ -20,8 +20,8 @@ struct BotTurn {
     // What the bot knows.
     const Simulation& match;
     const Seat& seat;
-    const WalkGrid& grid;                    ///< of the arena alone
-    const std::vector<Crossing>& crossings;  ///< of the arena alone
+    const WalkGrid& grid;                    ///< walkable ground of the arena
+    const std::vector<Crossing>& crossings;  ///< all crossings of the arena
     Tick tick;                               ///< ticks of play
     Self self;                               ///< the bot's own wizard in this tick (self_of)
 

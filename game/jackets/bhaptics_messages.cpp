@@ -14,8 +14,8 @@ constexpr std::size_t motors_of_side = 20;
 constexpr Tick longest_duration_ms = 500;
 
 struct Side {
-    std::string_view key;       ///< name of what plays; a later request with the same key replaces it
-    std::string_view position;  ///< the Player's name of the side
+    std::string_view key;       ///< name of a feeling; a later request with the same key replaces it
+    std::string_view position;  ///< name that the bHaptics Player has for the side
     std::size_t first_actuator;
 };
 constexpr std::array<Side, 2> sides{
@@ -24,7 +24,7 @@ constexpr std::array<Side, 2> sides{
 long percent_of(const tactile::TactileFrame& frame, std::size_t actuator) {
     if (actuator >= frame.count) return 0;
     const float amplitude = frame.amplitude[actuator];
-    // The comparison is false for a value that is no number.
+    // The comparison is false for NaN, which so becomes 0.
     return amplitude > 0 ? std::lround(std::min(amplitude, 1.0F) * 100) : 0;
 }
 
@@ -47,7 +47,7 @@ std::string part_of(const tactile::TactileFrame& frame, const Side& side) {
                 R"(","dotPoints":[)", dots, R"(],"pathPoints":[]}})");
 }
 
-/// True for a place that a vest has: its name, or its number.
+/// Whether a reply's position, given by name or by number, is one of a vest.
 bool is_vest(const Json& position) {
     constexpr std::array<std::string_view, 3> names{"Vest", "VestFront", "VestBack"};
     constexpr std::array<std::int64_t, 3> numbers{3, 201, 202};

@@ -1,6 +1,6 @@
-// game/jackets/felt_rows.h: rows of a table of what players feel on the body: tick, player,
-// and the cells of the figure (layout abstract_4x5). `thaum replay --tactile` and the recorder
-// of a session write the same table.
+// game/jackets/felt_rows.h: table of what players feel on the body. A row has the tick, the player and the
+// amplitudes of the 40 cells of the body's picture (layout abstract_4x5). `thaum replay --tactile` and the
+// recorder of a session write the same table.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace thaum::game::inline jackets {
 
-/// Names of the columns, with the end of the line.
+/// First line of the table: the names of the columns.
 std::string felt_header();
 /// Appends the row of one frame.
 void append_felt(std::string& rows, std::uint32_t player, const tactile::TactileFrame& frame);

@@ -13,10 +13,11 @@
 namespace thaum::game::inline jackets {
 namespace {
 
-/// Pages of usage from here on are of a maker's own kind (HID Usage Tables, 3.1).
+/// First of the HID usage pages that a maker may define (HID Usage Tables, 3.1). Keyboards and mice have
+/// lower ones.
 constexpr unsigned first_vendor_page = 0xFF00;
 
-/// The library lists, opens and closes devices in one thread at a time.
+/// Lock for hidapi, which may list, open and close devices in one thread at a time only.
 std::mutex& library_mutex() {
     static std::mutex mutex;
     return mutex;
@@ -34,7 +35,7 @@ public:
         return hid_write(device_, report.data(), report.size()) >= 0;
     }
     bool is_there() override {
-        constexpr int max_reports = 16;  // a device that talks without end must not hold up the caller
+        constexpr int max_reports = 16;  // a device that sends without end must not hold up the caller
         std::array<unsigned char, 64> thrown_away{};
         int got = 1;
         for (int i = 0; i < max_reports && got > 0; ++i)
@@ -47,8 +48,8 @@ private:
 };
 
 struct FoundDevices {
-    std::string path{};  ///< the first interface with reports of the maker's own kind; empty: none
-    bool any{};          ///< a device with these numbers is plugged in
+    std::string path{};  ///< the device's first interface with a maker-defined usage page; empty: none
+    bool any{};          ///< a device with the wanted vendor and product numbers is plugged in
 };
 
 FoundDevices find_devices(const HidId& id) {
@@ -93,7 +94,7 @@ std::vector<std::pair<HidId, std::string>> hid_devices() {
     hid_device_info* const all = hid_enumerate(0, 0);
     for (const auto* one = all; one != nullptr; one = one->next) {
         if (one->usage_page < first_vendor_page) continue;
-        // Names beyond ASCII are rare, and the number says which device it is.
+        // Characters beyond ASCII are rare in names, and the numbers say which device it is.
         std::string name;
         for (const wchar_t* c = one->product_string; c != nullptr && *c != L'\0'; ++c)
             name += *c > 0 && *c < 128 ? static_cast<char>(*c) : '?';

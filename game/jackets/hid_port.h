@@ -21,7 +21,7 @@ struct HidId {
 };
 /// "1234:abcd".
 std::string words_of(const HidId& id);
-/// Reads two numbers of four hexadecimal digits each; std::nullopt: they are none.
+/// Reads "1234:abcd", two numbers of four hexadecimal digits each; std::nullopt for any other text.
 std::optional<HidId> read_hid_id(std::string_view words);
 
 /// An open device. Tests have a fake. Each call may block.
@@ -32,9 +32,10 @@ public:
     HidPort& operator=(const HidPort&) = delete;
     virtual ~HidPort() = default;
 
-    /// Sends a report, whose first byte is its number. Returns false if the device refuses it, or is gone.
+    /// Sends a report, whose first byte is the report's number. Returns false if the device refuses it or is
+    /// gone.
     virtual bool write(std::span<const std::uint8_t> report) = 0;
-    /// False once the device is pulled out. Reports that it has sent are thrown away.
+    /// False once the device is pulled out. Also throws away the reports that the device has sent.
     virtual bool is_there() = 0;
 };
 
@@ -42,7 +43,7 @@ using OpenHidPort = std::function<Expected<std::unique_ptr<HidPort>>(const HidId
 /// Opens a device by hidapi. The error is one line without the device's name.
 Expected<std::unique_ptr<HidPort>> open_hid_port(const HidId& id);
 
-/// Devices that have an interface with reports of their maker's own kind, with their names.
+/// Devices that have an interface with a maker-defined usage page (so no keyboards), with their names.
 std::vector<std::pair<HidId, std::string>> hid_devices();
 
 }  // namespace thaum::game::inline jackets

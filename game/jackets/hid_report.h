@@ -3,15 +3,15 @@
 //     byte 0        0: reports of the device have no numbers
 //     bytes 1 - 20  40 strengths of 4 bits, 0 (off) to 15; the first of two motors in the high half of a byte
 //
-// The order of the motors goes by columns of two, each from the top row to the
-// lowest, the wearer's left one first:
+// The motors are numbered in groups of two neighbouring columns. In a group, the rows follow from the top,
+// each with the motor on the wearer's left first:
 //
 //     motors 0 - 9    front, two columns on the left       motors 10 - 19  back, two columns on the left
 //     motors 30 - 39  front, two columns on the right      motors 20 - 29  back, two columns on the right
 //
-// Source: the 20 bytes are those which a bHaptics TactSuit X40 takes by Bluetooth, as
-// senseshift-firmware reads them. No maker documents a HID jacket, so this is our own use of those
-// bytes, for jackets that people build.
+// Source: a bHaptics TactSuit X40 takes the same 20 bytes by Bluetooth, as the project senseshift-firmware
+// reads them. No maker documents a HID jacket, so to send them as a HID report is our own choice, for jackets
+// that people build.
 //
 // A report is absolute. It has no time to live: a jacket must stop its motors by itself when it has had no
 // report for half a second. The program sends one at least every quarter of a second while a motor is on.

@@ -14,7 +14,7 @@ Error no_jacket(std::string_view words, std::string_view why) {
     return fail(text("'", printable(words, max_words_shown), "' is no jacket: ", why));
 }
 
-/// The jacket whose form has this word, without its place; none if there is no such form.
+/// The jacket of the form that has this word, without a place; no jacket if no maker has such a form.
 Jacket with_word(std::string_view word) {
     for (const auto& maker : jacket_makers()) {
         const auto found = std::ranges::find(maker.forms, word, &JacketForm::word);

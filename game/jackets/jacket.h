@@ -21,7 +21,9 @@ inline constexpr JacketLayout no_layout{};
 struct Jacket {
     const JacketMaker* maker{};  ///< null: none
     const JacketForm* form{};    ///< one of the maker's forms; null: none
-    std::string place{};  ///< as the maker has read it; equal ones of a maker are one device, or one file
+    /// Place in the maker's own spelling (JacketMaker::read): equal places of a maker are one device, or one
+    /// file.
+    std::string place{};
     bool operator==(const Jacket&) const = default;
 
     explicit operator bool() const { return maker != nullptr; }
@@ -31,7 +33,7 @@ struct Jacket {
 /// The usual layouts of all jackets, each once.
 std::vector<JacketLayout> jacket_layouts();
 
-/// Settings that name a jacket, as lists of them show it: "\"bhaptics\", \"osc:HOST:PORT\" or ...".
+/// All values that the setting may have, for messages: "\"bhaptics\", \"osc:HOST:PORT\" or ...".
 std::string jacket_forms();
 
 /// Reads the setting. The error says what is wrong with it.

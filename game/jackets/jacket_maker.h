@@ -1,6 +1,6 @@
-// game/jackets/jacket_maker.h: what a maker of jackets brings: one source of
-// game/jackets/makers, which registers a JacketMaker. The settings, their messages, `thaum
-// doctor` and a session know its jackets by this table alone.
+// game/jackets/jacket_maker.h: support for one maker's jackets: one source of game/jackets/makers, which
+// registers a JacketMaker. The settings, their messages, `thaum doctor` and a session know a maker's jackets
+// by this value alone.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -26,8 +26,8 @@ struct JacketLayout {
 struct JacketForm {
     std::string_view word;
     JacketLayout layout;
-    /// Place that the word alone means, as JacketMaker::read returns it;
-    /// std::nullopt: the word alone is no jacket.
+    /// Place that is meant if the setting is the word alone, as JacketMaker::read returns it; std::nullopt:
+    /// the word alone is no valid setting.
     std::optional<std::string_view> usual_place{};
 };
 
@@ -40,26 +40,26 @@ struct JacketCheck {
 /// Opens the jacket, which stays silent, and closes it.
 JacketCheck check_by_opening(const Jacket& jacket, input::TactileOutput& output);
 
-/// A device that is there, and the setting that would name it.
+/// A device that is plugged in, and the setting that would name it.
 struct FoundJacket {
-    std::string_view what;  ///< one or two words for what it is
+    std::string_view what;  ///< one or two words for the kind of device
     std::string words;
 };
 
 struct JacketMaker {
-    std::string_view name;  ///< of the source
+    std::string_view name;  ///< name of the maker's source
     int order = 100;        ///< order in lists: smaller ones first, equal ones by their names
     std::vector<JacketForm> forms;
     std::vector<std::string_view> shown;  ///< settings as lists show them: "osc:HOST:PORT"
-    /// Reads what follows the colon. Returns it in the same words for the same device.
-    /// The error says how to write it.
+    /// Reads the place, which follows the colon. Returns it in a spelling that is the same for the same
+    /// device. The error says how to write a place.
     Expected<std::string> (*read)(std::string_view word, std::string_view place);
     /// Makes the output. It is not opened yet.
     std::unique_ptr<input::TactileOutput> (*make)(const Jacket& jacket, std::uint32_t player);
     JacketCheck (*check)(const Jacket& jacket, input::TactileOutput& output) = check_by_opening;
     /// Devices that are plugged in, whatever the settings say; null: they cannot be listed.
     std::vector<FoundJacket> (*find)() = nullptr;
-    /// Why players may write no layout for it; empty: they may.
+    /// Why players may not write a layout of their own for this jacket; empty: they may.
     std::string_view keeps_layout{};
 };
 

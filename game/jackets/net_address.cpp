@@ -34,7 +34,7 @@ std::optional<std::uint16_t> port_of(std::string_view words) {
     return read.ec == std::errc() && read.ptr == end && port > 0 ? std::optional(port) : std::nullopt;
 }
 
-/// `bracketed`: characters that stand in brackets only.
+/// "HOST:PORT". The host stands in brackets if it has one of the characters `bracketed`.
 std::string with_port(std::string_view host, std::uint16_t port, std::string_view bracketed) {
     const bool brackets = host.find_first_of(bracketed) != std::string_view::npos;
     return text(brackets ? "[" : "", host, brackets ? "]:" : ":", port);

@@ -1,4 +1,4 @@
-// game/jackets/net_address.h: where a jacket or its program listens in the network.
+// game/jackets/net_address.h: network address, a host and a port, at which a jacket or its program listens.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -15,11 +15,12 @@ struct NetAddress {
     bool operator==(const NetAddress&) const = default;
 };
 
-/// Reads "HOST:PORT": a name, an IPv4 address, or an IPv6 address in brackets; std::nullopt: it is none.
+/// Reads "HOST:PORT". The host is a name, an IPv4 address, or an IPv6 address in brackets. std::nullopt for
+/// any other text.
 std::optional<NetAddress> read_address(std::string_view words);
-/// The only words for an address that read_address reads as it: "192.168.1.7:1027", "[::1]:1027".
+/// The text of an address, which read_address reads back: "192.168.1.7:1027", "[::1]:1027".
 std::string place_of(const NetAddress& address);
-/// The same for messages: a long host is cut.
+/// The text of an address for messages, in which a long host is cut.
 std::string words_of(const NetAddress& address);
 
 /// Reads the place of a setting "WORD:HOST:PORT" (JacketMaker::read).

@@ -19,9 +19,9 @@ namespace thaum::game::inline live {
 
 class ArmKeeper {
 public:
-    /// Opens the arm, starts its servo ticks and the thread that watches it. The match computes forces for
-    /// the device `wanted`. An arm that can give less force is rejected, because its player would feel
-    /// another match than the log records.
+    /// Opens the arm, and starts its servo ticks and the thread that watches it. The match computes forces
+    /// for the device `wanted`. An arm that can give less force is rejected, because its player would feel
+    /// other forces than those of the log.
     static Expected<std::unique_ptr<ArmKeeper>> open(const input::ArmPlace& place, input::ArmServo& servo,
                                                      const haptics::DeviceSpec& wanted);
     /// Leaves the arm without force. Does not wait for a library that hangs.
@@ -29,7 +29,7 @@ public:
     ArmKeeper(const ArmKeeper&) = delete;
     ArmKeeper& operator=(const ArmKeeper&) = delete;
 
-    /// Facts about the arm that was opened first.
+    /// Facts about the arm as it was first opened, even if it was lost and opened again since.
     const input::ArmFacts& facts() const { return facts_; }
     input::ArmStatus status() const;
     /// Timing of the present arm, or of the last one if the arm is lost.
@@ -66,7 +66,7 @@ private:
 
 /// An arm's state as the session shows it.
 struct ArmNotice {
-    std::string label{};  ///< name and state on the start screen; empty: the arm was not looked at yet
+    std::string label{};  ///< name and state on the start screen; empty: its state is not known yet
     std::string fault{};  ///< fault of the arm in words, for its player's view; empty: none
 };
 
@@ -87,9 +87,8 @@ using LiveArms = std::vector<std::unique_ptr<LiveArm>>;
 /// Opens the arms that the seats ask for, in the order of the seats.
 Expected<LiveArms> open_arms(std::span<const Seat> seats, const haptics::DeviceSpec& wanted);
 
-/// Gives each arm to its player for the next match. If the start screen chose the seats, the
-/// first arm goes to the player with the mouse, and the second one to the other person.
-/// Otherwise the seat of the plan decides.
+/// Gives each arm to its player for the next match. If the start screen chose the seats, the first arm goes
+/// to the player with the mouse, and the second one to the other person. Otherwise LiveArm::seat decides.
 void bind_arms(LiveArms& arms, const TakenSeats& seats, bool start_screen);
 
 /// Updates the notices of all arms, and prints which arms were lost or are back. Without its arm a hand goes

@@ -8,11 +8,11 @@
 namespace thaum::game::inline live {
 namespace {
 
-/// Numbers of layouts in a scene.
+/// Indices of the layouts in a player's TactileScene.
 constexpr std::size_t figure_frame = 0, pad_frame = 1, first_jacket_frame = 2;
 
-/// Reads a layout. One that is faulty, or has not as many actuators as the jacket has motors, is empty, and a
-/// line on it is added. `motors`: 0 for any number.
+/// Reads a layout, which must have `motors` actuators (0: any number). A faulty layout is returned empty,
+/// with lines about it added to `faults`.
 tactile::Layout layout_of(const std::filesystem::path& assets, std::string_view name, std::size_t motors,
                           std::vector<std::string>& faults) {
     const auto path = assets / "tactile" / "layouts" / text(name, ".toml");
@@ -73,7 +73,7 @@ void MatchBody::begin(const game::Simulation& match) {
         for (const auto& jacket : body_->jackets)
             scenes_.at(p)->set_hears(scenes_.at(p)->add(jacket.layout), true);
         if (const auto& own = body_->own.at(p)) scenes_.at(p)->set_hears(scenes_.at(p)->add(*own), true);
-        // The player's own faders are for motors.
+        // The picture of the body has faders of its own: the player's are for motors and jacket.
         scenes_.at(p)->set_faders(figure, game::figure_faders());
     }
 }
@@ -88,13 +88,14 @@ void MatchBody::take_faders(std::uint32_t player) {
         scenes_.at(player)->set_faders(first_jacket_frame + i, faders);
 }
 
-/// Whether a player wants sounds on a jacket. One that is lost for a while
-/// finds them as if it had been there.
+/// Whether a player wants to feel sounds on a jacket. True also while the jacket is lost, so that the sounds
+/// are right as soon as it is back.
 bool MatchBody::hears(std::uint32_t player) const {
     return motors_.felt_sound(player).strength > 0 && motors_.has_jacket(player);
 }
 
-/// Hears the match for the players who feel sounds. While nobody does, nothing is computed.
+/// Computes the sounds of the match for the players who feel them on a jacket. If no player does, computes
+/// nothing.
 void MatchBody::hear(const game::Simulation& match) {
     const auto* courses = sound_ != nullptr && (hears(0) || hears(1)) ? sound_->felt_courses() : nullptr;
     if (courses == nullptr) return felt_sound_.reset();
@@ -113,7 +114,7 @@ std::string_view MatchBody::name_of_jacket(std::size_t number) const {
     return number < body_->jackets.size() ? body_->jackets.at(number).name : own_layout.name;
 }
 
-/// Makes the frames of the player's outputs, and of no others, and passes them on.
+/// Makes frames for the outputs that the player has at present, and passes them on.
 void MatchBody::feel(std::uint32_t player, const game::Simulation& match) {
     auto& scene = *scenes_.at(player);
     const bool pad = motors_.feels(player);

@@ -1,8 +1,8 @@
 // game/live/body.h: what players of a live session feel on the body: the effects, the
 // layouts, and the frames of each match.
 //
-// The main thread owns a LiveBody. The thread that plays a match or a replay makes a MatchBody for it. A
-// faulty data file costs its own effect or layout, and is told in one line.
+// The main thread owns a LiveBody. The thread that plays a match or a replay makes a MatchBody for it. The
+// effect or layout of a faulty data file is left out, and one line reports the fault.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -19,7 +19,7 @@ namespace thaum::game::inline live {
 /// Effects and layouts of the program.
 struct LiveBody {
     tactile::EffectBank effects;
-    tactile::Layout figure;  ///< figure_layout
+    tactile::Layout figure;  ///< layout of the body's picture (figure_layout)
     tactile::Layout pad;     ///< the two motors of a pad
     /// A usual layout of jackets, by the name of its file.
     struct Worn {
@@ -42,20 +42,20 @@ struct LiveBody {
     std::vector<tactile::Purpose> purposes() const;
 };
 
-/// The feelings of both players in one match. The thread that plays the match owns it.
+/// What both players feel on the body in one match. The thread that plays the match owns it.
 class MatchBody {
 public:
-    /// `body`: std::nullopt for nothing. Then nothing is computed. `motors` get the frames of the pads.
-    /// `sound`: null for none on the jackets.
+    /// `body`: std::nullopt if nothing is felt; then nothing is computed. `motors` gets the frames for pads
+    /// and jackets. `sound`: null if no sounds are felt on the jackets.
     MatchBody(const std::optional<LiveBody>& body, LiveTactile& motors, const LiveSound* sound)
         : body_(body), motors_(motors), sound_(sound) {}
 
-    /// Follows the match after a tick. Another match, or changed data, begins anew.
-    /// Adds what is felt on the body to the words of `sound`, which has followed before.
+    /// Follows the match after a tick; starts anew with another match or changed data. Adds words on what is
+    /// felt on the body to those of `sound`, whose follow() must have been called for this tick.
     void follow(const game::Simulation& match, MatchSound& sound);
     /// Forgets what was felt, after a jump to another time.
     void forget();
-    /// Adds the cells of the figure.
+    /// Adds the strengths of the cells of the body's picture.
     void show(game::Picture& picture) const;
 
 private:
@@ -75,8 +75,8 @@ private:
     const game::MatchData* data_{};  ///< data for which the scenes were made
     std::optional<game::MatchEffects> effects_{};
     std::array<std::optional<game::TactileScene>, game::players> scenes_{};
-    std::array<std::optional<tactile::Faders>, game::players> faders_{};  ///< those that the scenes have
-    std::array<Tick, game::players> felt_at_{};  ///< Simulation::now when a cell was last on
+    std::array<std::optional<tactile::Faders>, game::players> faders_{};  ///< faders that the scenes have now
+    std::array<Tick, game::players> felt_at_{};  ///< last tick at which a cell of the body's picture was on
     Tick now_{};
     bool still_ = true;  ///< no frame was made since the last jump
 };

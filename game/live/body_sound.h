@@ -1,6 +1,6 @@
-// game/live/body_sound.h: the sounds of one match as both players feel them on their jackets. It hears the
-// match for itself, apart from the loudspeakers: so it is the same in a session and in `thaum replay
-// --tactile`, at any loudness and without a sound device.
+// game/live/body_sound.h: the sounds of one match as both players feel them on their jackets. They are
+// computed from the match, apart from the loudspeakers. So they are the same in a session and in `thaum
+// replay --tactile`, at any loudness and without a sound device.
 #pragma once
 #include "game/senses/sound/sound_scene.h"
 #include "game/senses/tactile/felt_sound.h"

@@ -15,7 +15,8 @@ public:
     /// `body` and `outputs` outlive this object.
     BodyTrial(const LiveBody& body, LiveTactile& outputs) : body_(body), outputs_(outputs) {}
 
-    /// Plays the first effect of a purpose, instead of the former trial. Returns false if there is none.
+    /// Plays the first effect of a purpose, and ends an earlier trial. Returns false if there is no such
+    /// effect.
     bool start(std::uint32_t player, tactile::Purpose purpose, const tactile::Faders& faders,
                std::int64_t now_ns);
     /// Makes the frames that are due. Call it at least every tactile::frame_ticks while `runs`.

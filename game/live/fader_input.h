@@ -1,6 +1,6 @@
-// game/live/fader_input.h: turns a player's settings into moves of faders, which are input of a match: one
-// move for each tick until the match has what the player wants. The main thread states the wish at any time.
-// The simulation thread takes the moves.
+// game/live/fader_input.h: turns a player's settings into changes of faders, which are input of a match: one
+// change in each tick until the match has all values that the player wants. The main thread sets the wanted
+// values at any time. The simulation thread takes the changes.
 #pragma once
 #include <atomic>
 
@@ -12,7 +12,8 @@ class FaderInput {
 public:
     using Values = std::array<std::uint8_t, input::hand_faders>;
 
-    /// A match begins, whose log's header has the values `at_start`. No other thread may use this meanwhile.
+    /// Begins a match with the values `at_start`, those of the log's header. No other thread may use this
+    /// object meanwhile.
     void begin_match(const Values& at_start) { given_ = at_start; }
 
     // The main thread.
@@ -21,7 +22,7 @@ public:
     }
 
     // The simulation thread.
-    /// The next move, or none.
+    /// The next change, or none.
     input::FaderChange take() {
         for (std::size_t i = 0; i < given_.size(); ++i) {
             const std::uint8_t wanted = wanted_[i];
@@ -32,7 +33,7 @@ public:
         return {};
     }
 
-    /// Notes a move that the match has from elsewhere, or none.
+    /// Notes a change that the match got from another source; nothing happens if `change` is none.
     void note(const input::FaderChange& change) {
         if (change.fader != 0) given_.at(change.fader - 1U) = change.percent;
     }

@@ -60,7 +60,8 @@ HandNews PlayerHands::look(const Pads& pads, const Settings& settings, bool menu
     return news;
 }
 
-/// Notes that the pad has gone or come back. Returns whether a button has just brought its player back.
+/// Notes that the player's pad was unplugged or plugged in again. Returns whether a press on it has just
+/// brought the player back.
 bool PlayerHands::came_back(std::uint32_t player, const input::PadState& pad, const Settings& settings,
                             HandNews& news) {
     auto& hold = holds_[player];
@@ -77,7 +78,8 @@ bool PlayerHands::came_back(std::uint32_t player, const input::PadState& pad, co
     return true;
 }
 
-/// Place of a pad that belongs to no player, with which a player whose own pad is lost comes back.
+/// Index of a pad that belongs to no player and on which a button is pressed, for a player whose own pad is
+/// lost.
 std::optional<std::size_t> PlayerHands::other_pad_for(std::uint32_t player, const Pads& pads) const {
     if (!has_pad(seats_[player]) || !holds_[player].lost) return {};
     for (std::size_t place = 0; place < pads.size(); ++place) {

@@ -63,7 +63,7 @@ int countdown_of(const Live& live) {
     return none ? 0 : live.session.menu().settings().countdown_s;
 }
 
-/// Words that match `number` begins with. The start screen has shown them already.
+/// Text on a fault that match `number` shows at its start; empty if the start screen has shown it already.
 std::string fault_at_start(const LivePlan& plan, std::uint64_t number) {
     return number == 1 && !plan.start_screen ? plan.start_fault : std::string();
 }
@@ -125,8 +125,8 @@ Expected<LiveArms> open_arms_of(const LivePlan& plan) {
     return open_arms(plan.seats, plan.data->device);
 }
 
-/// Loads the layouts that players have written for their jackets. A fault is
-/// told, and then the usual one is used.
+/// Loads the layouts that players have written for their jackets. A fault is printed; the jacket then has its
+/// usual layout.
 void load_own_layouts(const LivePlan& plan, LiveShared& shared) {
     for (std::uint32_t p = 0; shared.body && p < game::players; ++p) {
         const auto& player = plan.settings.players.at(p);
@@ -142,7 +142,8 @@ void load_own_layouts(const LivePlan& plan, LiveShared& shared) {
     }
 }
 
-/// Loads what is felt on the body. A faulty file is told and costs its own part, a missing folder all of it.
+/// Loads effects and layouts for the body. Faults are printed. A faulty file costs its own effect or layout,
+/// a missing folder all of them.
 std::optional<LiveBody> load_body(const std::filesystem::path& assets) {
     auto body = LiveBody::load(assets);
     if (body) {
@@ -155,7 +156,7 @@ std::optional<LiveBody> load_body(const std::filesystem::path& assets) {
 
 // The report ------------------------------------------------------------------------------------------------
 
-/// Prints how an arm did, with its name if there are several.
+/// Prints the faults and the timing of an arm, with its name if there are several arms.
 void tell_arm(const LiveArm& arm, bool name_it) {
     const auto faults = arm.servo.faults();
     tell_user(text("arm", name_it ? text(" ", input::name_of(arm.keeper->facts())) : "", ": ",
@@ -173,7 +174,7 @@ void fill_report(LiveShared& shared, LiveReport& report) {
     report.tick_us_p99 = shared.ticks.at(0.99);
 }
 
-/// Body of the thread that reads all data files. It must not take time from the first pictures.
+/// Body of the thread that reads all data files. It waits for the first pictures, so as not to delay them.
 void look_at_data(const LivePlan& plan, LiveShared& shared, render::Window& window) {
     shared.started.wait(false);
     if (shared.stop || !plan.read_all_data) return;
@@ -194,7 +195,7 @@ std::string told(const input::TickReport& arm) {
 }
 
 Expected<void> run_live(const LivePlan& plan) {
-    // Begins first, since its look for pads runs beside all that follows.
+    // The search for pads begins first, since it runs in parallel with all that follows.
     auto own_pads = load_own_pads(own_pads_file(plan.settings_file));
     input::PadReader pads(std::move(own_pads.mappings));
     // Nothing is open yet. So a signal before the window exists ends the program, even if OpenGL's library
@@ -213,7 +214,7 @@ Expected<void> run_live(const LivePlan& plan) {
     auto drawing = start_thread([&] { run_render(plan, shared, *window); });
     if (!drawing) return drawing.error();
     auto reading = start_thread([&] { look_at_data(plan, shared, *window); });
-    // Sounds are made while the other thread makes the arena's scene.
+    // Sounds are made here while the render thread makes the arena's scene.
     shared.sound = LiveSound::start(plan.assets, plan.settings);
     Live live{plan, shared, session, {*window, pads, std::move(own_pads.faults), plan.settings.fullscreen}};
     const auto played = play_matches(live);

@@ -33,7 +33,7 @@ enum class SeatKind : std::uint8_t {
     dummy,  ///< practice dummy of the range
 };
 
-/// A seat's wish for a real force-feedback arm.
+/// Request of a seat for a real force-feedback arm.
 struct ArmWish {
     /// number of the arm in input::arm_places(); std::nullopt: the first one that is free and opens
     std::optional<std::size_t> number{};
@@ -112,8 +112,8 @@ struct LivePlan {
     /// words for the players on a faulty settings file, on the start screen or else at the start of the first
     /// match; empty: there is no fault
     std::string start_fault{};
-    /// Reads all data files and returns words on their faults for terminal and start screen. It is called
-    /// after the first pictures, by a thread of its own; null: they are not looked at.
+    /// Reads all data files and returns a text on their faults for terminal and start screen. A thread of its
+    /// own calls it after the first pictures. null: the files are not checked.
     std::function<std::string()> read_all_data{};
     /// file that receives changed settings; empty: changes last for this run only
     std::filesystem::path settings_file{};

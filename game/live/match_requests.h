@@ -1,9 +1,9 @@
 // game/live/match_requests.h: requests of the main thread to the simulation thread about the present match.
 //
-// A deed is a value in a queue: a plain struct that acts on a RequestTarget, once, before the next
-// tick. A new one is a struct here, and the place that asks for it. Deeds of the range are open even
-// there (game/range/range_request.h). What counts only as its newest value, or is set by both threads,
-// is an atomic value beside the queue.
+// A request that must be carried out once is a value in a queue: a plain struct that acts on a RequestTarget
+// before the next tick. A new kind of request is a new struct here, and a call that asks for it. For
+// requests to the range, see game/range/range_request.h. A value of which only the newest counts, or which
+// both threads set, is an atomic beside the queue.
 #pragma once
 #include <atomic>
 #include <optional>
@@ -21,7 +21,7 @@ struct RequestTarget {
     std::uint32_t& next_press;  ///< buttons that the next input frame presses (bits of input::Button)
 };
 
-/// The session's mark key.
+/// Sets a bookmark, by the session's mark key.
 struct PressMark {
     void carry_out(RequestTarget& target) const { target.next_press |= input::bit(input::Button::mark); }
 };
@@ -38,11 +38,12 @@ using MatchRequest = std::variant<PressMark, AskRange>;
 
 struct MatchRequests {
     // Called by the main thread.
-    /// Asks once. Only a simulation thread that hangs leaves so many requests that further ones are dropped.
+    /// Adds a request. If the queue is full, which happens only if the simulation thread hangs, the request
+    /// is dropped.
     void ask(const MatchRequest& request) { (void)queue_.push(request); }
 
     // Called by the simulation thread.
-    /// The oldest request that waits, once.
+    /// Removes the oldest waiting request and returns it; std::nullopt if none waits.
     std::optional<MatchRequest> take() {
         const auto* oldest = queue_.front();
         if (oldest == nullptr) return {};
@@ -63,8 +64,8 @@ struct MatchRequests {
     std::atomic<bool> end{false};  ///< true: the match must end
     /// Set on the result screen, by either thread. Then the match ends by itself and another follows.
     std::atomic<bool> rematch{false};
-    /// Player for whom the session presses the pause button: to pause, or to go on. Set by either thread.
-    /// Ignored if the match is in that state already. game::no_player: none.
+    /// Player for whom the session presses the pause button, to pause or to go on. Set by either thread.
+    /// Ignored if the match is paused, or goes on, already. game::no_player: none.
     std::atomic<std::uint32_t> pause{game::no_player}, go_on{game::no_player};
     std::atomic<game::DummyKind> dummy{game::DummyKind::still};   ///< wanted kind of the range's dummy
     std::atomic<game::RangeChanges> range{game::RangeChanges{}};  ///< wanted changes of the range's rules

@@ -52,8 +52,8 @@ std::optional<std::size_t> chosen_row(const MenuState& state) {
 
 }  // namespace
 
-/// Applies an event. A request ends the menu or its match. Presses that come before the session carries
-/// it out are not meant for the menu.
+/// Applies an event to the menu. While a request waits for the session, which ends the menu or its match by
+/// it, presses are ignored: they are not meant for this menu any more.
 void LiveMenu::step(const MenuEvent& event) {
     if (request_ != MenuRequest::none && event.kind != Kind::gone) return;
     const auto before = state_.settings;
@@ -195,9 +195,9 @@ bool LiveMenu::has_seat(int place) const {
     return std::find(seats.begin(), seats.end(), Device{DeviceKind::pad, place}) != seats.end();
 }
 
-/// Whether the pad has joined by a press that still lasts. Further presses are part of the same
-/// one, so that somebody who presses everything at once joins, and does not start the match
-/// before the other player has a seat.
+/// Whether a button of the pad has been held down since the press with which the pad joined. Further presses
+/// then count as part of that one. Otherwise somebody who presses several buttons at once would join and
+/// start the match before the other player has a seat.
 bool LiveMenu::joined_just_now(const Device& device, const input::PadState& before) {
     bool& joining = joining_.at(static_cast<std::size_t>(device.pad));
     if (joining && pressed_controls({}, before).empty()) joining = false;

@@ -1,6 +1,6 @@
 // game/live/menu.h: the menu of a live session. It turns keys, mouse and pads into menu events, repeats a
-// direction that is held, keeps the settings in force and saves changes of them. It knows neither the window
-// nor the match: the session passes events and times (ns, monotonic clock), and carries out requests.
+// direction that is held, holds the present settings and saves changes of them. It depends on neither the
+// window nor the match: the session passes events and times (ns, monotonic clock), and carries out requests.
 #pragma once
 #include <utility>
 
@@ -31,7 +31,7 @@ public:
     bool waits_for_control() const { return state_.waiting.has_value(); }
     /// Whether a name is being typed.
     bool takes_text() const { return state_.typing.has_value(); }
-    /// Whether keys have no meaning but to the menu: they become a binding or a name.
+    /// Whether all keys go to the menu, because they become a binding or a name.
     bool takes_all_keys() const { return waits_for_control() || takes_text(); }
 
     void open(std::string_view page);
@@ -54,11 +54,12 @@ public:
     /// Ends the repetition, because a release will not be reported without the focus.
     void release() { held_ = {}; }
 
-    /// Returns the last request and forgets it. Until then devices' further events have no effect.
+    /// Returns the last request and forgets it. While a request waits, further events of devices have no
+    /// effect.
     MenuRequest take_request() { return std::exchange(request_, MenuRequest::none); }
-    /// The effect that somebody wants to feel, once.
+    /// Returns the effect that a player wants to feel, and forgets it.
     std::optional<BodyTrialWish> take_trial() { return std::exchange(trial_, {}); }
-    /// Sound of the last event, once.
+    /// Returns the sound of the last event, and forgets it.
     MenuSound take_sound() { return std::exchange(sound_, MenuSound::none); }
     /// Whether settings have changed since the last call.
     bool take_settings_change() { return std::exchange(settings_changed_, false); }
@@ -142,7 +143,7 @@ private:
     Held held_{};
     std::optional<fvec2> mouse_{};  ///< last position of the mouse while a menu was open (px)
     MenuRequest request_{};
-    std::array<bool, 4> joining_{};  ///< pads that have joined and not been let go of since
+    std::array<bool, 4> joining_{};  ///< pads of which a button is still held since the press that joined
     bool settings_changed_ = false;
     std::optional<BodyTrialWish> trial_{};
     std::filesystem::path profiles_folder_{};  ///< empty: profiles last for this run only

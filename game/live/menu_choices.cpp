@@ -104,7 +104,7 @@ MenuContext find_menu_context(const LivePlan& plan) {
         else if (context.level_fault.empty())
             context.level_fault = text("No level ", level, ": ", skill.error().message);
     }
-    // The easiest stands in; the match will report the missing file.
+    // The list must not be empty, so it gets the easiest level. The match will report the missing file.
     if (context.levels.empty()) context.levels.push_back(game::easiest_bot);
     return context;
 }

@@ -11,10 +11,10 @@ namespace thaum::game::inline live {
 
 /// Joysticks that do not play, and pads that play by a set-up.
 struct IdleSticks {
-    std::vector<input::Stick> unknown{};             ///< those that SDL does not know
+    std::vector<input::Stick> unknown{};             ///< joysticks that SDL does not know
     std::vector<input::Stick> own{};                 ///< pads that were set up by hand
-    std::vector<input::LockedStick> locked{};        ///< those that this user may not read
-    std::vector<std::string> left_over{};            ///< names of pads without a place
+    std::vector<input::LockedStick> locked{};        ///< joysticks that this user may not read
+    std::vector<std::string> left_over{};            ///< names of pads beyond the number that can play
     std::vector<std::string> without_right_stick{};  ///< names of pads that cannot turn by default
     std::vector<std::string> faults{};               ///< faults of SDL, and of the file of mappings
 };
@@ -38,7 +38,7 @@ public:
     /// `file` receives the mappings; empty: they last for this run only.
     explicit PadSetup(std::filesystem::path file) : file_(std::move(file)) {}
 
-    /// Carries out a request of the menu. Returns whether it was one about the set-up.
+    /// Carries out a request of the menu if it is about the set-up of a joystick. Returns whether it was.
     bool carry_out(MenuRequest request, const LiveMenu& menu);
     /// Looks at the joysticks, and tells the menu about them. Returns a change once all controls were asked
     /// for, or if a set-up is to be forgotten.
@@ -46,8 +46,8 @@ public:
     /// Ends a change: keeps a mapping that SDL has taken, or tells why it has not.
     void end(const PadChange& change, const Expected<void>& taken, LiveMenu& menu);
 
-    /// The pads without what one of them does that is set up again: its old
-    /// buttons have no meaning meanwhile.
+    /// The states of the pads, without any input of a pad that is being set up again: its old buttons must
+    /// not act meanwhile.
     Pads without_stick(Pads pads) const;
 
 private:

@@ -1,5 +1,5 @@
-// game/live/pause.h: facts that pause a match or end it beside the players' own buttons: a lost focus, and
-// the end of the round. Also the words on the pause. Times are arguments (ns, monotonic clock).
+// game/live/pause.h: conditions, besides the players' buttons, that pause a match or let it be left: a lost
+// focus, and the end of the round. Also the text of the pause. Times are arguments (ns, monotonic clock).
 #pragma once
 #include <array>
 #include <cstdint>
@@ -30,7 +30,8 @@ private:
     std::int64_t since_ns_ = 0;  ///< time of the loss; 0: the window has the focus, or the loss was handled
 };
 
-/// Time since the round's end. The result must be seen before a key meant for the match leaves it.
+/// Time since the round's end. For a moment after the end, a key that was meant for play must not leave the
+/// match, so that the players see the result.
 class RoundEnd {
 public:
     static constexpr std::int64_t leave_not_before_ns = 800'000'000;
@@ -47,7 +48,7 @@ private:
     std::int64_t since_ns_ = 0;  ///< time of the round's end; 0: the round goes on
 };
 
-/// What the pause says.
+/// Text of the pause.
 struct PauseWords {
     std::string head{}, line{};  ///< title and reason
     std::string missing{};       ///< why the match cannot go on: whose pad is not plugged in; empty: it can

@@ -16,7 +16,7 @@ using Recording = std::variant<std::monostate, input::LogWriter, game::RangeFile
 struct LogPlace {
     std::filesystem::path named{};   ///< log that the user named; empty: logs go into `folder`
     std::filesystem::path folder{};  ///< folder for one log per match; empty: matches are not recorded
-    int kept = 1;                    ///< number of logs in the folder, from which older ones are deleted
+    int kept = 1;                    ///< number of logs that stay in the folder; older ones are deleted
 };
 
 /// Opens the log of the session's match `number` (1: the first). The first match's log gets the name that the

@@ -5,7 +5,7 @@
 namespace thaum::game::inline live {
 
 /// Plays the plan's replay as shared.replay asks, until shared.stop. At the log's end it waits. Calls `wake`
-/// when it has gone to a place, so that the main thread looks.
+/// after it has jumped to a tick, so that the main thread notices.
 void run_replay(const LivePlan& plan, LiveShared& shared, const std::function<void()>& wake);
 
 }  // namespace thaum::game::inline live

@@ -25,7 +25,7 @@ enum class ReplayDeed : std::uint8_t {
     eyes,  ///< changes whose views are shown
 };
 
-/// The deed of a key; std::nullopt: none. These keys cannot be bound: they act in replays only.
+/// What a key does in a replay; std::nullopt: nothing. These keys are fixed, since they act in replays only.
 std::optional<ReplayDeed> replay_deed_of(int key);
 /// Words for the screen on what the keys do.
 std::string replay_keys();
@@ -41,9 +41,10 @@ struct ReplayView {
 
 inline constexpr double slowest_replay = 0.25, fastest_replay = 16;
 inline constexpr Tick replay_jump = 5000;  ///< length of a jump (ticks)
-inline constexpr Tick replay_step = 16;    ///< a picture at 60 in a second (ticks)
-inline constexpr Tick before_kill = 2000;  ///< a jump to a kill ends so much before it (ticks)
-inline constexpr Tick same_kill = 1000;  ///< a jump back from so close behind goes to the kill before (ticks)
+inline constexpr Tick replay_step = 16;    ///< length of a single step: one picture at 60 Hz (ticks)
+inline constexpr Tick before_kill = 2000;  ///< a jump to a kill ends this long before the kill (ticks)
+/// If a kill is less than this behind, a jump back goes to the kill before it (ticks).
+inline constexpr Tick same_kill = 1000;
 
 /// The view after a deed. `length`: ticks of the log; `kills`: those known, by rising tick.
 ReplayView after(ReplayView view, ReplayDeed deed, Tick length, std::span<const game::Kill> kills);

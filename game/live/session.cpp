@@ -57,8 +57,8 @@ LiveSession::LiveSession(LiveShared& shared, const LivePlan& plan)
 
 // Events of the window --------------------------------------------------------------------------------------
 
-/// Calls f with every person's hands, then stamps the input. In this order the tick that takes the stamp has
-/// the event.
+/// Calls f with every person's hands, then stores the time of the input. In this order, the tick that takes
+/// the time also has the input.
 template <class F>
 void LiveSession::give_hands(std::int64_t now_ns, F&& f) {
     hands_.each(f);
@@ -166,7 +166,8 @@ void LiveSession::take_seats(const Pads& pads) {
     load_profile();
 }
 
-/// Reads the own gestures of the people among the players. A fault is told, and the shipped gesture counts.
+/// Reads the gestures that the persons among the players have recorded. A fault is printed, and the shipped
+/// gesture is used.
 void LiveSession::load_profile() {
     profile_.clear();
     std::vector<std::string> faults;
@@ -239,7 +240,7 @@ void LiveSession::look_at_pads(const Pads& plugged, std::int64_t now_ns) {
     report(news);
     share_motors();
     if (round_end_.may_leave(now_ns) && leaves_by_pad(before, pads)) leave_match();
-    // In one moment, presses that take a seat come before those that start the match.
+    // Of presses at the same moment, those that take a seat are handled before those that start the match.
     std::array<bool, std::tuple_size_v<Pads>> seated{};
     for (std::size_t i = 0; i < pads.size(); ++i) seated[i] = menu_.has_seat(static_cast<int>(i));
     for (const bool turn : {false, true}) {

@@ -62,7 +62,7 @@ public:
     std::optional<PadChange> look_at_sticks(IdleSticks sticks) {
         return setup_.follow(std::move(sticks), menu_);
     }
-    /// The reader has made the change, or not.
+    /// Reports whether the reader of pads has made the change.
     void end_pad_setup(const PadChange& change, const Expected<void>& taken) {
         setup_.end(change, taken, menu_);
     }
@@ -124,7 +124,7 @@ private:
     std::optional<ReplayViewer> viewer_{};  ///< std::nullopt: no replay is shown
     FocusLoss focus_{};
     RoundEnd round_end_{};
-    bool restarts_ = false;                      ///< true: the match is ended to begin again
+    bool restarts_ = false;                      ///< true: once the match has ended, it begins again
     bool paused_by_focus_ = false;               ///< true: the lost focus is the reason of the pause
     Pads pads_{};                                ///< states of the pads at the last look
     std::vector<input::ProfileData> profile_{};  ///< own gestures of the players who have their seats

@@ -1,5 +1,5 @@
-// game/live/shared.h: data that the three threads of a live session share. What one thread hands
-// over for good (hand_over.h) takes a lock for a moment; all else takes none.
+// game/live/shared.h: data that the three threads of a live session share. Values that one thread gives away
+// to another (hand_over.h) take a lock for a moment; all else takes none.
 #pragma once
 #include <atomic>
 #include <functional>
@@ -102,7 +102,7 @@ struct LiveShared {
 
     std::atomic<bool> ready{false};  ///< true: pictures can be drawn, and the match may begin
     std::atomic<bool> stop{false};   ///< true: all threads must end
-    /// true: the first pictures are shown, or the session ends without them; what can wait begins now
+    /// true: the first pictures are shown, or the session ends without them. Work that can wait begins then.
     std::atomic<bool> started{false};
     /// Words on faulty data files, from the thread that reads them all; taken by the main thread.
     HandOver<std::string> data_fault{};
@@ -131,8 +131,8 @@ struct MatchStart {
     std::shared_ptr<const game::MatchData> data;
     std::uint64_t seed = 1;
     Recording recording;
-    int countdown = 0;    ///< time for which the start is shown before the match begins (s)
-    std::string fault{};  ///< words for both players on a fault, shown for the first seconds; empty: none
+    int countdown = 0;    ///< length of the countdown before the match begins (s)
+    std::string fault{};  ///< text on a fault for both players, shown for the first seconds; empty: none
     std::optional<game::Lessons> lessons{};     ///< lessons of the Apprentice, which is played on the range
     std::vector<input::ProfileData> profile{};  ///< the players' own gestures (game/match/own_gestures.h)
 };

@@ -38,7 +38,7 @@ struct Round {
     Simulation* match = nullptr;  ///< `own`, or the match of the practice
     game::Bots bots;
     std::variant<std::monostate, input::LogWriter, Practice> kept;  ///< record of the match, as in Recording
-    std::string told_step{};               ///< words of the Apprentice's step that was named last
+    std::string told_step{};               ///< text of the Apprentice's step that was printed last
     std::unique_ptr<DataWatcher> watcher;  ///< the range's files; null outside of practice
     std::optional<Tick> over_at;
     std::uint32_t buttons_before = 0;
@@ -77,7 +77,7 @@ void show_scene(LiveShared& shared, std::shared_ptr<const game::MatchData> data)
     shared.scene.publish();
 }
 
-/// Makes the readers of strokes before the first tick, since a first stroke must not wait for them.
+/// Makes the gesture readers of all players before the first tick, so that the first stroke need not wait.
 void make_readers(const game::MatchContext& context) {
     for (std::uint32_t player = 0; player < game::players; ++player)
         if (const auto* gestures = game::gestures_of(context, player)) (void)gestures->recogniser();
@@ -141,7 +141,7 @@ void tell_score(Round& round) {
     if (auto* practice = practice_of(round)) print_line(practice->last_words());
 }
 
-/// Lets the Apprentice look at the tick, and names each new step outside the window, too.
+/// Lets the Apprentice follow the tick. Prints each new step in the terminal too.
 void follow_lessons(Round& round) {
     auto* practice = practice_of(round);
     if (practice == nullptr || practice->apprentice() == nullptr) return;
@@ -160,7 +160,7 @@ std::uint32_t number_of_drawn(const GestureWall& wall, const game::GestureSet* g
     return number ? *number + 1 : 0;
 }
 
-/// Lets the gesture wall look at the tick, and hands a gesture that the player has drawn to the main thread.
+/// Lets the gesture wall follow the tick, and hands a gesture that the player has drawn to the main thread.
 void follow_gestures(SimulationThread& s) {
     auto* practice = practice_of(s.round);
     if (practice == nullptr) return;
@@ -266,9 +266,9 @@ input::InputFrame take_frame(SimulationThread& s) {
     return frame;
 }
 
-/// Adjusts the match's clock to the arms' clocks. `behind` is the number of ticks that are
-/// due, this one included. The fastest arm leads: the samples of a faster one would pile up,
-/// and a slower one repeats a sample.
+/// Adjusts the match's clock to the arms' clocks. `behind` is the number of ticks that are due, this one
+/// included. The arm with the most waiting samples decides: otherwise its samples would pile up. A slower arm
+/// repeats a sample now and then.
 void keep_pace_with_arms(SimulationThread& s, Tick behind) {
     if (play_state_of(s.round.match->match()) != PlayState::playing) return;
     std::size_t waiting = 0;
@@ -361,7 +361,8 @@ Tick backlog(const SimulationThread& s) {
     return due > done ? static_cast<Tick>(due - done) : 0;
 }
 
-/// Skips a backlog: the input of the skipped ticks goes into one sample, and the clock continues from now.
+/// Skips a backlog: these ticks are never computed. Their input goes into one sample, and the clock continues
+/// from now.
 void skip(SimulationThread& s, Tick behind) {
     const auto skipped = behind - 1;
     s.start_ns += static_cast<std::int64_t>(skipped) * ns_per_tick;

@@ -44,7 +44,8 @@ LiveSound::LiveSound(audio::SoundBank bank, audio::Mixer mixer, std::unique_ptr<
                      std::filesystem::path assets)
     : bank_(std::move(bank)), speakers_(std::move(mixer), std::move(device)), assets_(std::move(assets)) {}
 
-/// Makes the courses of all sounds, once. A fault is told, and then no sound is felt.
+/// Computes the courses (strengths over time) of all sounds, once. A fault is printed, and then no sound is
+/// felt.
 void LiveSound::make_courses() {
     if (std::exchange(tried_courses_, true) || assets_.empty()) return;
     auto courses = load_felt_courses(bank_, assets_);
@@ -107,7 +108,7 @@ void MatchSound::follow(const game::Simulation& match) {
     if (data_ != &match.data()) {
         data_ = &match.data();
         scene_.reset();
-        forget();  // words are views of the data
+        forget();  // the words refer to strings of the old data
     }
     for (auto& lines : heard_) lines.pass_frame();
     if (sound_ != nullptr && !sound_->is_wanted()) return;

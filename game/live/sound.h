@@ -1,5 +1,5 @@
-// game/live/sound.h: the sound of a live session: the sounds, the
-// loudspeakers, and what is heard of each match.
+// game/live/sound.h: the sound of a live session: the bank of sounds, the loudspeakers, and what is heard of
+// each match, as sound and in words.
 //
 // The main thread owns a LiveSound. The thread that plays a match or a replay makes a MatchSound for it.
 // Without sounds or a sound device all goes on in silence, with one line that says why.
@@ -23,7 +23,7 @@ namespace thaum::game::inline live {
 
 /// Sounds of a menu.
 enum class MenuSound : std::uint8_t { none, move, choose, back, refused };
-/// Names of their files in assets/sounds; empty: none.
+/// Names of the files of menu sounds in assets/sounds, in the order of MenuSound; empty: no sound.
 inline constexpr std::array<std::string_view, 5> menu_sound_names{"", "menu_move", "menu_choose", "menu_back",
                                                                   "menu_refused"};
 
@@ -32,7 +32,7 @@ public:
     /// Makes all sounds and starts the loudspeakers' thread. Null after an
     /// error, which is printed in one line.
     static std::unique_ptr<LiveSound> start(const std::filesystem::path& assets, const Settings& settings);
-    /// For tests: sounds for a device of their own.
+    /// For tests: plays on the given device.
     LiveSound(audio::SoundBank bank, audio::Mixer mixer, std::unique_ptr<audio::SoundDevice> device,
               std::filesystem::path assets = {});
 
@@ -46,7 +46,8 @@ public:
     void tell_status();
 
     // The thread of a match.
-    /// Courses of the sounds for players who feel them; null while no player wants that.
+    /// Courses (strengths over time) of the sounds, for players who feel them; null while no player wants
+    /// that.
     const game::FeltCourses* felt_courses() const { return courses_; }
     /// Whether anybody hears the match, or reads it in words. Otherwise frames need not be made.
     bool is_wanted() const { return words_ || speakers_.plays(); }
@@ -57,11 +58,11 @@ private:
 
     audio::SoundBank bank_;
     audio::Speakers speakers_;
-    std::filesystem::path assets_{};  ///< empty: without the bands of felt sounds
+    std::filesystem::path assets_{};  ///< folder of data files; empty: no sounds are felt
     std::unique_ptr<const game::FeltCourses> made_courses_{};
     std::atomic<const game::FeltCourses*> courses_{};  ///< `made_courses_`, for the thread of a match
     bool tried_courses_ = false;
-    std::atomic<bool> words_{};  ///< some player wants it in words
+    std::atomic<bool> words_{};  ///< a player wants to read in words what is heard
     ToldState told_{};
 };
 
@@ -77,18 +78,18 @@ public:
 
     /// Players whose ears hear the match.
     void listen(bool first, bool second);
-    /// Follows the match after a tick. Another match, or changed data, begins anew.
+    /// Follows the match after a tick; starts anew with another match or changed data.
     void follow(const game::Simulation& match);
-    /// One second of the count-down before the match.
+    /// Plays the sound of one second of the countdown before the match.
     void count_down();
     /// Forgets the words, after a jump to another time.
     void forget() {
         heard_ = {};
         hands_ = {};
     }
-    /// Words for one player, to which others add what is felt.
+    /// Words on what one player hears. MatchBody adds what the player feels.
     game::HeardLines& words(std::uint32_t player) { return heard_.at(player); }
-    /// What sounds tell by themselves in this match.
+    /// Events and effects of this match that the captions of sounds already describe.
     const game::ToldBySounds& told() const { return told_; }
     /// Adds what is heard and felt in words.
     void show(game::Picture& picture) const;
@@ -104,8 +105,8 @@ private:
     std::size_t listeners_ = 2;
     audio::AudioFrame frame_{};
     game::ToldBySounds told_{};
-    std::array<game::HeardLines, game::players> heard_{};  ///< by player
-    std::array<game::HandWords, game::players> hands_{};   ///< by player
+    std::array<game::HeardLines, game::players> heard_{};  ///< words on what each player hears
+    std::array<game::HandWords, game::players> hands_{};   ///< finds words on what each player's hand feels
 };
 
 /// Settings of the mixer.

@@ -65,7 +65,7 @@ void LiveTactile::Socket::use(std::unique_ptr<input::TactileOutput> output) {
 }
 
 void LiveTactile::Socket::tell_status(std::size_t number) {
-    // A player without an output is no news, and no more is the output that comes back.
+    // A player who has no output is not worth a line, and neither is the output that comes back.
     if (own != nullptr) told.tell(text("player ", number, ": "), *own);
 }
 

@@ -21,7 +21,7 @@
 
 namespace thaum::game::inline live {
 
-/// A layout that a player has written. Its motors are counted for each player.
+/// Name of a layout that a player has written. The number of motors differs by player (own_motors).
 inline constexpr JacketLayout own_layout{"own", 0};
 
 class LiveTactile {
@@ -33,11 +33,11 @@ public:
     explicit LiveTactile(MakeOutput make = input::rumble_output, MakeJacket make_jacket = jacket_output);
 
     // The main thread, before the first match.
-    /// The player's jacket has an own layout with so many actuators.
+    /// Notes that the player has written a layout with `motors` actuators for the jacket.
     void use_own_layout(std::uint32_t player, std::size_t motors);
 
     // The main thread. All may be called during a match.
-    /// Takes the strength of motors, and connects other jackets than before.
+    /// Applies the strengths of motors, and connects jackets whose settings have changed.
     void apply(const Settings& settings);
     /// Gives a player the motors of a pad; nothing happens if the player has them. Null, or a pad that is not
     /// plugged in or has no device file: none.
@@ -69,14 +69,14 @@ public:
     std::string_view jacket_layout(std::uint32_t player) const;
     /// Whether a player's view shows the figure of the body.
     bool shows_figure(std::uint32_t player) const { return seats_.at(player).figure; }
-    /// Sounds that a player wants on the jacket.
+    /// The player's settings for sounds on the jacket.
     game::FeltSoundWish felt_sound(std::uint32_t player) const;
     /// Passes a frame of the jacket's layout, as `feel` does. A frame of another number of actuators is
     /// dropped: the jacket has just been changed.
     void feel_jacket(std::uint32_t player, const tactile::TactileFrame& frame);
 
 private:
-    /// An output that may change, or be none.
+    /// Connection to an output that may be replaced, or be missing.
     struct Socket {
         std::unique_ptr<input::TactilePlayer> own{};  ///< made for the first output, and kept
         std::atomic<input::TactilePlayer*> player{};  ///< `own`, for the thread of a match

@@ -18,8 +18,8 @@ public:
     }
 
 private:
-    /// An empty state is no news. That all is well is worth a line only after it was not: `times_opened` is
-    /// above 0 if the output has worked.
+    /// Prints nothing for an empty state. That the output works is worth a line only after it did not.
+    /// `times_opened` is above 0 if the output has worked before.
     void tell(const std::string& whose, std::string state, std::uint64_t times_opened);
 
     std::string told_{};

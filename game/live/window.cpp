@@ -50,7 +50,7 @@ void tell_outputs(LiveShared& shared) {
     shared.tactile.tell_status();
 }
 
-/// Looks at the joysticks that do not play, for the menu.
+/// Tells the menu about joysticks that are plugged in and do not play.
 void look_at_sticks(LiveSession& session, LiveWindow& window) {
     constexpr std::int64_t period_ns = 2'000'000'000;
     if (!session.menu().is_open()) return;

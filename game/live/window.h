@@ -14,7 +14,7 @@ struct LiveWindow {
     bool fullscreen = false;
     std::string title = "Thaum";               ///< what the window's title says
     std::vector<input::LockedStick> locked{};  ///< joysticks that this user may not read
-    std::int64_t look_for_locked_ns = 0;       ///< when to look for them again
+    std::int64_t look_for_locked_ns = 0;       ///< time of the next search for locked joysticks (ns)
 };
 
 /// Shows the start screen until a player starts a match (returns true) or leaves the program (returns false).

@@ -20,8 +20,9 @@ namespace {
 
 // Rows ------------------------------------------------------------------------------------------------------
 
-/// Whether this confirmation joins, whatever row is chosen. The device has not chosen that row: somebody else
-/// has, or nobody. A row for one player needs no second press: it starts at once if nobody has joined.
+/// Whether a press only lets its device join, and does not act on the chosen row. That is so if the device
+/// has no seat yet and another device chose the row, or none did. A row for one player needs no second press:
+/// it acts at once if nobody has joined.
 bool only_joins(const MenuState& s, const Row& row, const MenuEvent& event) {
     return shown_page(s).seats && !event.row && s.chooser != event.device && joined(s) < game::players &&
            !seat_of(s, event.device) && !starts_at_once(s, row);
@@ -47,7 +48,7 @@ void leave_page(MenuState& s, const MenuEvent& event, const Rows& rows) {
         s.pages.pop_back();
 }
 
-// Controls and words that are given -------------------------------------------------------------------------
+// Input for a binding or a name -----------------------------------------------------------------------------
 
 void take_control(MenuState& s, const MenuEvent& event, const MenuContext& context) {
     const Slot slot = *s.waiting;

@@ -82,14 +82,14 @@ struct MenuContext {
     std::vector<std::string> gestures{};  ///< gestures of the match; empty: the rule set has none
     std::uint32_t drawn_gesture = 0;      ///< number of the gesture that is being drawn anew, plus 1; 0: none
     std::vector<FeelProfile> profiles{};  ///< profiles that players have saved on the mixer's page
-    std::vector<tactile::Purpose> body{};  ///< purposes that some effect on the body has
+    std::vector<tactile::Purpose> body{};  ///< purposes for which there is an effect on the body
     std::vector<std::string>
         sticks{};  ///< names of joysticks that are no pads, because SDL does not know them
     std::vector<std::string> own_pads{};    ///< names of pads that were set up by hand
     std::vector<std::string> pad_faults{};  ///< a line for each joystick that does not play
     std::string pad_question{};             ///< control that the set-up of a joystick asks for
-    bool pad_needs_control = false;         ///< that control cannot be left out
-    /// words of the start screen on faulty settings or data files; empty: there is no fault
+    bool pad_needs_control = false;         ///< the control in `pad_question` cannot be left out
+    /// Text of the start screen on faulty settings or data files; empty: there is no fault.
     std::string start_fault{};
 };
 
@@ -110,20 +110,20 @@ enum class MenuRequest : std::uint8_t {
     quit
 };
 
-/// A press that plays an effect, to feel how strong it is.
+/// Request to play an effect on a player's body, so that the player feels how strong it is.
 struct BodyTrialWish {
     std::size_t player = 0;
     tactile::Purpose purpose{};
 };
 
-/// What is typed.
+/// Kind of text that is being typed.
 enum class Typing : std::uint8_t { name, profile };
 
 struct MenuState {
     struct Open {
         std::string_view page{};  ///< name of a registered page
         std::size_t cursor = 0;
-        std::size_t middle = 0;  ///< row about which the page is scrolled; the mouse moves the cursor alone
+        std::size_t middle = 0;  ///< row in the middle of a scrolled page; the mouse moves `cursor` only
     };
     std::vector<Open> pages;  ///< open pages, the shown page last; empty: no menu
     std::array<std::optional<Device>, game::players> seats;
@@ -143,7 +143,7 @@ struct MenuState {
     std::optional<Slot> waiting;        ///< slot that waits for a new control; std::nullopt: none
     std::size_t profile = 0;            ///< index of the chosen profile in MenuContext
     std::optional<std::string> typing;  ///< words that are being typed; std::nullopt: none
-    Typing typed{};                     ///< what they are
+    Typing typed{};                     ///< kind of text in `typing`
     Settings settings;
     std::optional<Settings> undo;          ///< settings before the last change of bindings
     std::string head, line;                ///< title and reason of the pause: who paused, and why
@@ -163,7 +163,7 @@ MenuState step(MenuState state, const MenuEvent& event, const MenuContext& conte
 /// Esc may be the wanted key.
 bool esc_ends_waiting(const MenuState& state);
 
-/// Words of the note that refuses to end the pause.
+/// Note that says why the pause cannot end.
 std::string words_of_refusal(const MenuContext& context);
 
 /// Picture of the menu.
@@ -174,9 +174,9 @@ game::MenuPicture picture_of(const MenuState& state, const MenuContext& context)
 /// start screen's and the pause's own rows stand without a page.
 std::string window_title(const MenuState& state, const MenuContext& context);
 
-/// News that add rows to pages, or take some away, must not move another row under the cursor
-/// just before it is chosen. Returns the state with the cursors of all open pages on the rows
-/// that they were on in the context before.
+/// Moves the cursors of all open pages so that they stay on the rows on which they were in the context
+/// `before`. Otherwise a new context with more or fewer rows would put another row under a cursor just before
+/// a press.
 MenuState on_same_rows(MenuState state, const MenuContext& before, const MenuContext& context);
 
 /// Name of a device: "Mouse and keyboard", "Keypad and arrows", "Pad 2 (Xbox 360 Controller)".

@@ -1,8 +1,8 @@
 // game/menu/page.h: a page of the menu as one value: its title, its rows and how it is reset. Each page is a
 // source in game/menu/pages/, which registers it; a row of another page opens it by its name.
 //
-// Rows are made anew for every event and picture. A row acts by plain functions, so that the menu
-// needs no list of all kinds of rows.
+// Rows are made anew for every event and picture. A row has pointers to the functions that act for it, so
+// that the menu needs no list of all kinds of rows.
 #pragma once
 #include "game/menu/menu.h"
 
@@ -10,7 +10,7 @@ namespace thaum::game::inline menu {
 
 struct Row;
 
-/// A press on a row, or a turn of its value, and what it can act on.
+/// A press on a row, or a change of its value, with the data on which it can act.
 struct RowPress {
     MenuState& state;
     const MenuContext& context;
@@ -35,11 +35,11 @@ struct Row {
 using Rows = std::vector<Row>;
 
 struct Page {
-    std::string_view name;  ///< by which it is opened; nobody reads it
+    std::string_view name;  ///< name by which other pages open it; not shown on the screen
     std::string (*title)(const MenuState&, const MenuContext&);
     void (*add_rows)(const MenuState&, const MenuContext&, Rows&);
-    /// Sets all values of the page to their defaults, and says whose: "settings of this page". null: the page
-    /// has no row "Reset to defaults".
+    /// Sets all values of the page to their defaults. Returns words for these values, such as "settings of
+    /// this page". null: the page has no row "Reset to defaults".
     std::string (*reset)(MenuState&) = nullptr;
     /// Line below the title for the chosen row; null: none.
     std::string (*line)(const MenuState&, const MenuContext&, const Row&) = nullptr;
@@ -96,17 +96,17 @@ void turn(std::size_t& index, const List& list, int way) {
     index = turned(index, list.size(), way);
 }
 
-/// The words that need the widest place; empty: there are none.
+/// The longest of these texts; empty if there are none.
 std::string longest(const std::vector<std::string_view>& words);
 
-/// Asks something of the match of the range, which goes on with it.
+/// Sends a request to the match of the range, and ends the pause.
 template <class T>
 void ask_range(MenuState& state, const T& request) {
     state.request = MenuRequest::ask_range;
     state.range_request = RangeRequest(request);
 }
 
-/// Begins to type words.
+/// Begins the typing of a text, which starts as `words`.
 void type(MenuState& state, Typing what, std::string words);
 
 /// The first fault of the joysticks, which several pages show; empty: none.
@@ -131,7 +131,7 @@ inline bool starts_at_once(const MenuState& state, const Row& row) {
 std::string name_of_stick(const MenuContext& context, std::size_t stick);
 /// Words of the pause's row that begins the match again: "Restart the match".
 std::string label_of_restart(const MenuContext& context);
-/// Calls what the pause belongs to: "match", "range" or "Apprentice".
+/// Word for the match that the pause belongs to: "match", "range" or "Apprentice".
 std::string_view name_of_play(const MenuContext& context);
 
 }  // namespace thaum::game::inline menu

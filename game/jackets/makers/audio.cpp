@@ -15,12 +15,14 @@ namespace thaum::game::inline jackets {
 namespace {
 
 constexpr std::size_t max_words_shown = 60, max_of_name_shown = 100;
-/// Blocks that are written at once. A device that wants ever more would keep a core busy.
+/// Largest number of sound blocks that one call writes. A device that wants ever more blocks would otherwise
+/// keep a core busy.
 constexpr std::size_t max_at_once = 4;
-/// Looks at a device that takes no block before it is given up. The player looks about every 4 ms.
+/// Number of calls in a row in which the device may take no block before it is given up. TactilePlayer calls
+/// about every 4 ms.
 constexpr int max_idle_looks = 500;
 constexpr Tick longest_life = 500;
-/// At the end: blocks with the end of the waves, and the longest wait for a device that takes them.
+/// At the end: number of blocks in which the waves fade out, and how often the device is asked to take them.
 constexpr int last_blocks = 3, max_last_looks = 15;
 constexpr std::chrono::milliseconds between_last_looks{4};
 
@@ -46,8 +48,8 @@ private:
     const std::unique_ptr<audio::SoundDevice> device_;
     audio::ChannelTones tones_;
     bool open_ = false;
-    std::size_t blocks_left_ = 0;  ///< blocks until the time to live is over
-    int idle_looks_ = 0;           ///< looks since the device last took a block
+    std::size_t blocks_left_ = 0;  ///< blocks until the time to live of the last frame is over
+    int idle_looks_ = 0;           ///< calls since the device last took a block
     std::string fault_{};
 };
 
@@ -140,7 +142,7 @@ std::vector<FoundJacket> find() {
     return found;
 }
 
-// Without a name it is the usual sound device.
+// A setting without a device's name means the usual sound device.
 const JacketRegistration registration({.name = "audio",
                                        .order = 4,
                                        .forms = {{"audio", {"speakers", 2}, ""},

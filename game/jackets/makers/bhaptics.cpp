@@ -24,15 +24,16 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds longest_connecting{1000};
 constexpr std::chrono::milliseconds longest_first_reply{300};
-constexpr std::chrono::milliseconds longest_waiting{500};  ///< time of a request in the queue
-constexpr std::chrono::milliseconds longest_pong{1000};    ///< time from a ping to its answer
-constexpr std::chrono::milliseconds between_pings{250};    ///< at least; there are none without requests
+constexpr std::chrono::milliseconds longest_waiting{500};  ///< longest time that a request may wait
+constexpr std::chrono::milliseconds longest_pong{1000};    ///< longest time from a ping to its answer
+constexpr std::chrono::milliseconds between_pings{
+    250};  ///< shortest time between pings, which go out with requests only
 constexpr std::chrono::milliseconds longest_parting{100};
 constexpr std::chrono::milliseconds between_looks{2};
 /// Bytes that the system keeps for a slow Player: a few requests.
 constexpr int send_buffer = 4096;
 
-/// The library's contexts share a little state.
+/// Lock for making and ending contexts of libwebsockets, which share some state.
 std::mutex& context_mutex() {
     static std::mutex mutex;
     return mutex;
@@ -49,7 +50,7 @@ public:
     Expected<void> connect(const NetAddress& address);
     /// Sends a request as soon as the Player takes it. An earlier one that still waits is dropped.
     void send(std::string request);
-    /// Does what is due, without waiting.
+    /// Sends and receives what is possible at once, without waiting.
     void serve();
     /// Serves until a condition holds. Returns false if the time was too short.
     template <class Condition>
@@ -76,7 +77,7 @@ private:
     Clock::time_point queued_{};
     bool pinged_ = false;  ///< a ping has no answer yet
     Clock::time_point pinged_at_{};
-    std::string reply_{};                    ///< the part of a reply that has come
+    std::string reply_{};                    ///< the part of a reply received so far
     std::optional<BhapticsReply> newest_{};  ///< the newest reply that tells of devices
 };
 
@@ -139,7 +140,7 @@ void PlayerLink::serve() {
     if (stuck || (pinged_ && now > pinged_at_ + longest_pong)) drop();
 }
 
-/// Ends the connection so that the Player does not get what still waits in the system.
+/// Ends the connection and discards requests that the system has not sent yet.
 void PlayerLink::drop() {
     up_ = false;
     const linger at_once{1, 0};
@@ -183,7 +184,7 @@ void PlayerLink::begin() {
     up_ = true;
     const int socket = lws_get_socket_fd(socket_);
     ::setsockopt(socket, SOL_SOCKET, SO_SNDBUF, &send_buffer, sizeof send_buffer);
-    // Otherwise a request may wait 40 ms for the answer to the one before.
+    // Otherwise the system may hold a request back for 40 ms, until the one before is acknowledged.
     const int on = 1;
     ::setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
 }
@@ -241,7 +242,7 @@ private:
     const std::string silent_ = bhaptics_request({});
     std::unique_ptr<PlayerLink> link_{};
     std::string last_{};     ///< the last request
-    double again_at_s_ = 0;  ///< when the last request goes out again
+    double again_at_s_ = 0;  ///< time at which the last request is sent again (s)
 };
 
 Expected<void> BhapticsJacket::open() {
@@ -250,7 +251,8 @@ Expected<void> BhapticsJacket::open() {
         link_.reset();
         return connected;
     }
-    // Motors that an earlier program left on stop, and the reply tells of the vest. Not every Player replies.
+    // Stops motors that an earlier program left on. The reply tells whether there is a vest, but not every
+    // Player replies.
     silence();
     link_->serve_until([this] { return !link_->is_up() || link_->reply(); }, longest_first_reply);
     if (link_->is_up() && has_vest()) return {};

@@ -4,7 +4,8 @@
 // A request goes out when the frame has changed, and after half of its time to live. Requests are absolute,
 // so one that waits for a slow Player is replaced by the next. A Player is disconnected if it takes no
 // request for half a second, answers no ping for a second, or sends a message of more than 64 KiB. So a slow
-// one plays no old requests for long. Motors that are on then stop by the duration of their request.
+// Player does not play outdated requests for long. After a disconnection, running motors stop at the end of
+// their request's duration.
 #pragma once
 #include <memory>
 

@@ -42,7 +42,7 @@ private:
     std::unique_ptr<HidPort> port_{};
     std::string fault_{};
     HidReport last_{};       ///< the last report that the device took
-    double again_at_s_ = 0;  ///< when the last report goes out again
+    double again_at_s_ = 0;  ///< time at which the last report is sent again (s)
 };
 
 Expected<void> HidJacket::open() {
@@ -50,7 +50,7 @@ Expected<void> HidJacket::open() {
     auto port = open_(id_);
     if (!port) return port.error();
     port_ = std::move(*port);
-    // Motors that an earlier program left on stop.
+    // Stops motors that an earlier program left on.
     if (!send(silent_)) return fail(fault_);
     return {};
 }

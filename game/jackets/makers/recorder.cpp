@@ -16,7 +16,7 @@ namespace {
 
 constexpr int max_names = 10'000;
 constexpr std::size_t max_of_path_shown = 200;
-constexpr int rows_between_flushes = 125;  ///< so a full disk is noticed within seconds
+constexpr int rows_between_flushes = 125;  ///< few enough that a full disk is noticed within seconds
 
 class FeltRecorder final : public input::TactileOutput {
 public:
@@ -47,8 +47,8 @@ private:
     std::string fault_{};  ///< why the recording was given up; empty: it was not
 };
 
-/// Starts a file with the first name that no file has: FILE.csv, FILE_2.csv, ... Another program may take a
-/// name between the look and the start, and then the next one is tried.
+/// Starts a file with the first name that no file has: FILE.csv, FILE_2.csv, ... If another program takes the
+/// name between the check and the start, the next name is tried.
 Expected<FileWriter> start_new(const std::filesystem::path& wanted, std::filesystem::path& name) {
     for (int i = 1; i < max_names; ++i) {
         name = wanted;
@@ -85,7 +85,7 @@ void FeltRecorder::write(const tactile::TactileFrame& frame, double) {
     if (!file_->is_whole()) fault_ = "it cannot be written, such as on a full disk; nothing is kept";
 }
 
-/// Completes the file. A fault is told here, because nobody asks a closed output.
+/// Completes the file. Prints a fault, because nobody asks a closed output for its faults.
 void FeltRecorder::end() {
     if (!file_) return;
     const bool told = !fault_.empty();
@@ -106,7 +106,7 @@ std::unique_ptr<input::TactileOutput> make(const Jacket& jacket, std::uint32_t p
     return felt_recorder(jacket.place, player);
 }
 
-/// Looks for the folder. Nothing is recorded.
+/// Checks whether the folder of the file exists, without recording.
 JacketCheck check(const Jacket& jacket, input::TactileOutput&) {
     const auto folder = std::filesystem::absolute(jacket.place).parent_path();
     std::error_code ignored;
@@ -114,7 +114,7 @@ JacketCheck check(const Jacket& jacket, input::TactileOutput&) {
     return {false, text(": there is no folder ", folder.string()), "make it"};
 }
 
-// The table has a column for each cell of the figure.
+// A recorder keeps the layout of the body's picture, because the table has a column for each of its cells.
 const JacketRegistration registration({.name = "recorder",
                                        .order = 5,
                                        .forms = {{"record", figure_layout}},

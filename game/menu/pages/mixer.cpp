@@ -77,7 +77,7 @@ void add_profile_rows(const MenuState& s, const MenuContext& context, Rows& rows
 
 // Forces ----------------------------------------------------------------------------------------------------
 
-/// Whether a setting is about this value of a player.
+/// Whether a setting is the one that sets this value of a player.
 template <class T>
 bool is_about(const PlayerSetting& setting, T PlayerSettings::*value) {
     using Kind =
@@ -86,7 +86,7 @@ bool is_about(const PlayerSetting& setting, T PlayerSettings::*value) {
     return kind != nullptr && kind->value == value;
 }
 
-/// Fader of the forces that a setting sets and that can be felt on the range; none for other settings.
+/// The force fader that a setting sets, if its force can be felt on the range; none for other settings.
 input::HandFader felt_fader_of(const PlayerSetting& setting) {
     if (is_about(setting, &PlayerSettings::carried_weight)) return input::HandFader::weight;
     if (is_about(setting, &PlayerSettings::carried_blows)) return input::HandFader::blows;
@@ -136,7 +136,7 @@ void add_force_rows(const MenuState& s, const MenuContext& context, Rows& rows) 
 
 // The body --------------------------------------------------------------------------------------------------
 
-/// Words that fit a row.
+/// A text cut to the width of a row.
 std::string shortened(const std::string& words) {
     constexpr std::size_t most = 24;
     return words.size() <= most ? words : words.substr(0, most - 3) + "...";

@@ -9,7 +9,7 @@ using input::DeviceKind;
 
 // Seats and the match ---------------------------------------------------------------------------------------
 
-/// What is wrong with a chosen file; empty: all can be played.
+/// Fault of a file that was chosen for the match; empty: all chosen files can be played.
 std::string fault_of_choice(const MenuState& s, const MenuContext& context) {
     const auto& rules = context.rules[s.rules].fault;
     return rules.empty() ? context.arenas[s.arena].fault : rules;
@@ -66,7 +66,7 @@ game::MenuRow choice_row(std::string label, const std::string& help,
             .dim = !one.fault.empty()};
 }
 
-// A choice for the next match is remembered by the settings, unless its file is broken.
+// The settings keep a choice for the next match, unless its file is broken.
 
 void turn_level(const RowPress& press, int way) {
     auto& s = press.state;
