@@ -177,8 +177,7 @@ void record_ramp(PassivityObserver& observer, vec3 output) {
     observer.forces[observer.newest] = {.passive = output - active, .active = active};
 }
 
-// ---- the servo's step
-// -----------------------------------------------------------------------------------------------
+// ---- the servo's step -------------------------------------------------------------------------------------
 
 namespace {
 

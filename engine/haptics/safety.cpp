@@ -147,8 +147,7 @@ SafetyCause process(const SafetyLimits& limits, SafetyState& state, const Safety
     return state.gate_open == 0 ? SafetyCause::waiting : SafetyCause::none;
 }
 
-// ---- heat
-// ---------------------------------------------------------------------------------------------------------
+// ---- heat -------------------------------------------------------------------------------------------------
 
 /// Heat of the thermal window (N^2 s), the integral of the squared output. It covers up to one bin more than
 /// the window, never less: the oldest bin counts less and less while the newest is being filled.

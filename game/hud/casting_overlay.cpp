@@ -26,8 +26,7 @@ const fvec4 ward_paint = colour(0x9AF0E0, 1.0F);
 const fvec4 read_paint = colour(0x7CFF9A, 1.0F);
 const fvec4 grey_paint = colour(0xA8A4B0, 1.0F);
 
-// The stroke
-// -------------------------------------------------------------------------------------------------
+// ---- The stroke -------------------------------------------------------------------------------------------
 
 /// Share of the view's shorter edge that a stroke of usual size fills, and the maximum share of any stroke.
 constexpr float usual_share = 0.34F, max_share = 0.66F;
@@ -231,8 +230,7 @@ void add_ward(Overlay& out, const CastingPicture& casting, const ViewLayout& l) 
     }
 }
 
-// Focus and spells
-// -------------------------------------------------------------------------------------------
+// ---- Focus and spells -------------------------------------------------------------------------------------
 
 void add_focus(Overlay& out, const CastingPicture& casting, fvec2 centre, float u) {
     constexpr float start = -2.3561945F, sweep = 4.712389F;  // same angles as the arc of the health (rad)

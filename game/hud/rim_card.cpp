@@ -22,8 +22,7 @@ constexpr float gauge_high = 11, gauge_wide = 150, min_gauge = 70;
 constexpr float step_size = 15, brew_size = 13;  // em
 constexpr float readable = 12;                   // text size below which text should not shrink (px)
 
-// Words
-// ------------------------------------------------------------------------------------------------------
+// ---- Words ------------------------------------------------------------------------------------------------
 
 std::string whole_seconds(double seconds) { return text(std::lround(std::ceil(seconds)), " s"); }
 
@@ -89,8 +88,7 @@ BrewGauge gauge_of(const CauldronPicture& cauldron, const RecipePicture& recipe)
             .paint = paint};
 }
 
-// Fitting
-// ----------------------------------------------------------------------------------------------------
+// ---- Fitting ----------------------------------------------------------------------------------------------
 
 float height_of(const FittedWords& words, float u) {
     return words.lines.empty() ? 0 : words.height() + card_gap * u;

@@ -18,8 +18,7 @@ float focus_share(const PlayerPicture& p) {
     return static_cast<float>(std::clamp(p.casting.focus / std::max(p.casting.focus_cap, 1.0), 0.0, 1.0));
 }
 
-// Orb
-// --------------------------------------------------------------------------------------------------------
+// ---- Orb --------------------------------------------------------------------------------------------------
 
 /// The order of ingredients for the player: "Azoth: moss, salt, mist".
 std::string words_of_order(const ScryingPicture& orb) {
@@ -84,8 +83,7 @@ RimCard orb_card_of(const Picture& picture, const HudSettings& settings, std::ui
     return card;
 }
 
-// Crystal
-// ----------------------------------------------------------------------------------------------------
+// ---- Crystal ----------------------------------------------------------------------------------------------
 
 /// Words for the effect that the tool would have at its present position. On the crystal, a sign shows the
 /// same by shape and colour.

@@ -12,8 +12,7 @@ namespace thaum::game::inline live {
 
 using input::DeviceKind;
 
-// Words of --hands
-// -------------------------------------------------------------------------------------------
+// ---- Words of --hands -------------------------------------------------------------------------------------
 
 Expected<Seat> hand_named(std::string_view word) {
     constexpr std::string_view numbered_arm = "arm:";

@@ -70,8 +70,7 @@ inline const Page& shown_page(const MenuState& state) { return page_of(state.pag
 /// Rows of the page that is shown.
 Rows rows_of(const MenuState& state, const MenuContext& context);
 
-// What rows of several pages do
-// ------------------------------------------------------------------------------
+// ---- What rows of several pages do ------------------------------------------------------------------------
 
 /// Opens a page above the one that is shown.
 void open_page(MenuState& state, std::string_view page);
@@ -112,8 +111,7 @@ void type(MenuState& state, Typing what, std::string words);
 /// The first fault of the joysticks, which several pages show; empty: none.
 std::string pad_fault(const MenuContext& context);
 
-// Seats and joysticks
-// ----------------------------------------------------------------------------------------
+// ---- Seats and joysticks ----------------------------------------------------------------------------------
 
 /// Number of players who have joined.
 std::size_t joined(const MenuState& state);

@@ -164,8 +164,7 @@ int verb_loopback(lua_State* lua, void* context) {
     return 1;
 }
 
-// ---- events by hand, and checks
-// -----------------------------------------------------------------------------
+// ---- events by hand, and checks ---------------------------------------------------------------------------
 
 /// Verb that sets the scene: records an event that did not happen, so that it is heard and felt.
 int verb_happen(lua_State* lua, void* context) {

@@ -15,8 +15,7 @@ using render::Instance;
 
 namespace {
 
-// Strokes
-// ----------------------------------------------------------------------------------------------------
+// ---- Strokes ----------------------------------------------------------------------------------------------
 
 /// Size of a stroke in the world relative to the hand's motion. A circle of 8 cm is 40 cm wide.
 constexpr double stroke_scale = 5;
@@ -86,8 +85,7 @@ void add_recall(const ArenaScene& arena_scene, std::uint32_t number, const Playe
     }
 }
 
-// The shield
-// -------------------------------------------------------------------------------------------------
+// ---- The shield -------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -128,8 +126,7 @@ void add_shell_mist(const ArenaScene& arena_scene, const PlayerPicture& p, std::
                    .glow = 0.12F + 0.2F * share});
 }
 
-// Fog and dust
-// -----------------------------------------------------------------------------------------------
+// ---- Fog and dust -----------------------------------------------------------------------------------------
 
 void add_fog(const ArenaScene& arena_scene, const Picture& picture, std::vector<Instance>& out) {
     constexpr int balls = 20;

@@ -29,8 +29,7 @@ double error_of(const Flow& flow, const Scheme& scheme, int n, double step = flo
 /// Order of convergence between a grid and one of half the cell size.
 double order_between(double coarse, double fine) { return std::log2(coarse / fine); }
 
-// ---- convergence
-// ------------------------------------------------------------------------------------------------
+// ---- convergence ------------------------------------------------------------------------------------------
 
 TEST(FluidAccuracy, ADriftingVortexConvergesInFourthOrder) {
     for (const Flow& flow : {flows::taylor_green_moving(), flows::taylor_green_oblique()}) {
@@ -219,8 +218,7 @@ TEST(FluidAccuracy, AnyViscosityDampsAtTheExactRate) {
         EXPECT_LE(error_of(flows::high_viscosity(ratio, 16), fourth, 16), 0.01) << ratio;
 }
 
-// ---- the bounds detect broken solvers
-// --------------------------------------------------------------------------
+// ---- the bounds detect broken solvers ---------------------------------------------------------------------
 
 // Without advection the vortex decays in place, so the bound above must fail.
 TEST(FluidAccuracy, TheGateFailsAFluidWithoutAdvection) {
@@ -255,8 +253,7 @@ TEST(FluidAccuracy, TheExactFieldPassesItsOwnMeasure) {
     }
 }
 
-// ---- conserved quantities
-// ---------------------------------------------------------------------------------------
+// ---- conserved quantities ---------------------------------------------------------------------------------
 
 /// A fluid without viscosity, pushed at several places.
 Fluid stirred(Edge edge, int order) {

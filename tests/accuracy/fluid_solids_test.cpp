@@ -265,8 +265,7 @@ TEST(FluidSolids, AThickBrewIsStiller) {
     EXPECT_GT(thin, 0);
 }
 
-// ---- implicit viscosity
-// -----------------------------------------------------------------------------------------
+// ---- implicit viscosity -----------------------------------------------------------------------------------
 
 void spread(const Lattice& lattice, double nu, double dt, std::array<Samples, 3>& velocity) {
     Viscosity viscosity(lattice);

@@ -149,8 +149,7 @@ TransportReport carry(const Lattice& l, const Velocity& velocity, Samples& densi
 
 const auto nothing_closed = [](int, int, int) { return false; };
 
-// ---- convergence
-// ------------------------------------------------------------------------------------------------
+// ---- convergence ------------------------------------------------------------------------------------------
 
 /// Error after a translation by a quarter of the box along x and an eighth along y and z.
 double translation_error(int n, double courant) {
@@ -283,8 +282,7 @@ TEST(Transport, SegregationTellsABodyFromAHillAndAMixture) {
     EXPECT_EQ(found([](vec3) { return 0; }), 0);
 }
 
-// ---- properties for any flow
-// -----------------------------------------------------------------------------------------
+// ---- properties for any flow ------------------------------------------------------------------------------
 
 TEST(Transport, NothingRisesAboveTheHighestWhereTheFlowHasNoDivergence) {
     for (const Edges& edges : {all_round, all_walls}) {
@@ -379,8 +377,7 @@ TEST(Transport, AnEmptyOrMotionlessDensityVisitsNoCells) {
     EXPECT_GE(carry(l, still, some, 0.1, 1, {.diffusion = 0.01}).cells, 8 * 8 * 8);
 }
 
-// ---- symmetry
-// ---------------------------------------------------------------------------------------------------
+// ---- symmetry ---------------------------------------------------------------------------------------------
 
 /// A lattice seen with permuted and mirrored axes.
 struct View {
@@ -462,8 +459,7 @@ TEST(Transport, MirrorsAndTheExchangeOfXAndYHoldToTheBit) {
     }
 }
 
-// ---- solids
-// -----------------------------------------------------------------------------------------------------
+// ---- solids -----------------------------------------------------------------------------------------------
 
 Velocity apertures(const Lattice& l, const std::function<bool(int, int, int)>& closed) {
     Velocity result{make_samples(l), make_samples(l), make_samples(l)};
@@ -531,8 +527,7 @@ TEST(TransportSolids, HalfOpenFacesLetHalfThrough) {
     EXPECT_LE(error(l, through_half, slower), 1e-6);
 }
 
-// ---- diffusion
-// --------------------------------------------------------------------------------------------------
+// ---- diffusion --------------------------------------------------------------------------------------------
 
 double diffusion_error(int n) {
     const Lattice l = make_lattice({n, n, 4}, 1.0 / n, {Edge::free_slip, Edge::no_slip, Edge::periodic});

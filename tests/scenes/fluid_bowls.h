@@ -103,8 +103,7 @@ inline void drive(Fluid& fluid, const std::array<Samples, 3>& force, double dt) 
     fluid.now.asleep = false;
 }
 
-// ---- between two cylinders
-// --------------------------------------------------------------------------------------
+// ---- between two cylinders --------------------------------------------------------------------------------
 
 inline constexpr double couette_inner = 0.17, couette_outer = 0.43;  ///< m
 inline constexpr double couette_viscosity = 0.01, couette_swirl = 0.01;
@@ -141,8 +140,7 @@ inline WalledFlow taylor_couette() {
         .force = [=](vec3 place) { return couette_swirl / glm::length(off_axis(place)) * round(place); }};
 }
 
-// ---- a vortex beside the axis of a bowl
-// -------------------------------------------------------------------------
+// ---- a vortex beside the axis of a bowl -------------------------------------------------------------------
 
 /// Velocity of an off-axis vortex in a bowl, 0 on the wall (m/s). In each horizontal plane it is the curl
 /// along y of (1 - r^2 / R^2)^2 (1 + 1.5 x / R), scaled to a speed of about 0.2 m/s.
@@ -178,8 +176,7 @@ inline WalledFlow bowl_vortex() {
             .starts = true};
 }
 
-// ---- a bowl along which the fluid slips
-// -------------------------------------------------------------------------
+// ---- a bowl along which the fluid slips -------------------------------------------------------------------
 
 inline constexpr double slipping_turn = 1;  ///< angular speed of the fluid that slips along the bowl (rad/s)
 
@@ -201,8 +198,7 @@ inline double turn_error(const Fluid& fluid) {
         fluid, [](vec3 place) { return in_bowl(place); }, rigid_turn);
 }
 
-// ---- the slowest swirl in a ball
-// --------------------------------------------------------------------------------
+// ---- the slowest swirl in a ball --------------------------------------------------------------------------
 
 inline constexpr double swirl_radius = 0.45;  ///< m
 inline constexpr double swirl_viscosity = 0.01, swirl_end = 0.5;
@@ -238,8 +234,7 @@ inline double swirl_error(const Fluid& fluid) {
     return faces_error(fluid, in_ball, [](vec3 place) { return ball_swirl(place, swirl_end); });
 }
 
-// ---- errors
-// ---------------------------------------------------------------------------------------------------------
+// ---- errors -----------------------------------------------------------------------------------------------
 
 inline double bowl_error(const Fluid& fluid, double time) {
     return faces_error(

@@ -96,8 +96,7 @@ inline std::vector<double> steps_until(double end, double dt = step) {
     return result;
 }
 
-// ---- vortices
-// ---------------------------------------------------------------------------------------------------
+// ---- vortices ---------------------------------------------------------------------------------------------
 
 inline constexpr double vortex_viscosity = 1e-3;
 
@@ -163,8 +162,7 @@ inline Flow taylor_green_box(int first) {
     return flow;
 }
 
-// ---- walls and viscosity
-// ----------------------------------------------------------------------------------------
+// ---- walls and viscosity ----------------------------------------------------------------------------------
 
 /// Flow between two plates 1 m apart. The upper plate moves at 1 m/s from the start. Uniform along x
 /// and z.
@@ -201,8 +199,7 @@ inline Flow high_viscosity(double ratio, int n) {
     return flow;
 }
 
-// ---- the double shear layer
-// -------------------------------------------------------------------------------------
+// ---- the double shear layer -------------------------------------------------------------------------------
 
 /// Two thin layers between streams in opposite directions, which roll up (Minion and Brown 1997). The box is
 /// one cell deep. Only the velocity at the start is known.
@@ -246,8 +243,7 @@ inline double shear_error(const Fluid& fluid, const Fluid& finer) {
     return std::sqrt(off / of);
 }
 
-// ---- the cavity
-// -------------------------------------------------------------------------------------------------
+// ---- the cavity -------------------------------------------------------------------------------------------
 
 /// Reynolds numbers of ghia.h for a square cavity of 1 m, one cell deep, with a lid that moves at 1
 /// m/s.
@@ -339,8 +335,7 @@ inline double cavity_error(const Fluid& fluid, std::size_t which) {
     return std::sqrt(squares / points);
 }
 
-// ---- substances
-// -------------------------------------------------------------------------------------------------
+// ---- substances -------------------------------------------------------------------------------------------
 
 /// Velocity of a rotation in 1 s about the axis (0.5, 0.5, z). The box is periodic, so that each row carries
 /// as much out as in. Each component is constant along its own direction, so the divergence is zero on any
@@ -409,8 +404,7 @@ inline Densities densities_of(const Fluid& fluid, std::size_t substance,
     return result;
 }
 
-// ---- the bowl
-// ---------------------------------------------------------------------------------------------------
+// ---- the bowl ---------------------------------------------------------------------------------------------
 
 /// Radius of the bowl: half a ball, open at the top along y, in a box half as high as wide.
 inline constexpr double bowl_radius = 0.46;  ///< m
@@ -470,8 +464,7 @@ inline vec3 bowl_spin_down(vec3 place, double time) {
     return glm::cross(vec3(0, bowl_turn * speed, 0), off);
 }
 
-// ---- the cauldron
-// -----------------------------------------------------------------------------------------------
+// ---- the cauldron -----------------------------------------------------------------------------------------
 
 /// 1 in the solid part of the cauldron, 0 elsewhere: a hemisphere below a cylinder that is open at the top,
 /// in the unit box.
@@ -508,8 +501,7 @@ inline void stir(Fluid& fluid, int steps_before) {
         push(fluid, {vec3(0.5) + 0.25 * side * out, 0.1, 1e-4 * side * along});
 }
 
-// ---- rest and attack
-// --------------------------------------------------------------------------------------------
+// ---- rest and attack --------------------------------------------------------------------------------------
 
 /// Three substances in layers, heavier ones below, which must stay at rest.
 inline Expected<Fluid> resting(const Scheme& scheme, int n) {

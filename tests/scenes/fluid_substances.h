@@ -12,8 +12,7 @@
 
 namespace thaum::fluid::flows {
 
-// ---- heavy and light
-// --------------------------------------------------------------------------------------------
+// ---- heavy and light --------------------------------------------------------------------------------------
 
 /// A light lump near the floor, a heavy lump near the top, or a heavy layer with a tilted surface.
 enum class Weighing : std::uint8_t { plume, settling, sloshing };
@@ -83,8 +82,7 @@ inline void enter(const Fluid& fluid, const StepReport& report, EnergyBalance& b
     balance.rescaled += report.rescaled;
 }
 
-// ---- layers of viscosity
-// ----------------------------------------------------------------------------------------
+// ---- layers of viscosity ----------------------------------------------------------------------------------
 
 /// A layer of a viscous substance below a thin one, between two plates 1 m apart. The upper plate moves at 1
 /// m/s.
@@ -131,8 +129,7 @@ inline double crept_out(const Fluid& fluid) {
     return out / all;
 }
 
-// ---- reversed deformation
-// ---------------------------------------------------------------------------------------
+// ---- reversed deformation ---------------------------------------------------------------------------------
 
 /// LeVeque's flow (1996): it stretches its contents into layers thinner than a cell and back again within
 /// `deformation_end`.

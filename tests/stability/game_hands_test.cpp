@@ -295,8 +295,7 @@ TEST(SwingStress, AnAnchorThatIsGoneStillHoldsOrLetsGo) {
     rig.watch.expect_tame();
 }
 
-// ---- devices that vanish, matches that stall
-// ---------------------------------------------------------------
+// ---- devices that vanish, matches that stall --------------------------------------------------------------
 
 TEST_P(StressedHands, StayTameWhenAnArmVanishesAndComesBackElsewhere) {
     for (const Tick gone : std::initializer_list<Tick>{1, 5, 19, 20, 60, 300, 3000}) {

@@ -212,8 +212,7 @@ std::size_t find_path(const std::string& text, const std::string& path) {
     return at;
 }
 
-// ---- opened files
-// ------------------------------------------------------------------------------------------
+// ---- opened files -----------------------------------------------------------------------------------------
 
 /// Files that may open other files directly, each with the reason.
 const std::map<std::string, std::string_view, std::less<>> may_open = {

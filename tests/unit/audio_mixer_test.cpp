@@ -18,8 +18,7 @@ protected:
     Recorder recorder{mixing};
 };
 
-// ---- place
-// ------------------------------------------------------------------------------------------------------
+// ---- place ------------------------------------------------------------------------------------------------
 
 TEST_F(MixerTest, ASoundAtOneSideIsLouderThere) {
     recorder.play(frame_with({voice(hum, {3, 0, 0})}), second);
@@ -190,8 +189,7 @@ TEST_F(MixerTest, AVoicePlayedFasterSoundsHigher) {
     EXPECT_GT(recorder.band(375, 470), 50 * recorder.band(187, 282));
 }
 
-// ---- too many voices
-// --------------------------------------------------------------------------------------------
+// ---- too many voices --------------------------------------------------------------------------------------
 
 TEST_F(MixerTest, TheQuietestVoicesAreLeftOutAndCounted) {
     for (std::uint32_t i = 0; i < 200; ++i) {
@@ -237,8 +235,7 @@ TEST_F(MixerTest, ALouderVoiceTakesASourceAndTheOtherFades) {
     EXPECT_LT(recorder.max_step(), smooth_step(0.5));
 }
 
-// ---- two listeners
-// ----------------------------------------------------------------------------------------------
+// ---- two listeners ----------------------------------------------------------------------------------------
 
 AudioFrame two_listeners(std::initializer_list<Voice> lasts = {}) {
     auto frame = frame_with(lasts);
@@ -301,8 +298,7 @@ TEST_F(MixerTest, PlayersComeAndSpeakersChangeWithoutAClick) {
     EXPECT_LT(recorder.max_step(), smooth_step(0.75));
 }
 
-// ---- faders and limits
-// ------------------------------------------------------------------------------------------
+// ---- faders and limits ------------------------------------------------------------------------------------
 
 TEST(Mixer, EachGroupHasItsFader) {
     const auto level = [](const MixSettings& settings, std::uint32_t sound) {

@@ -293,8 +293,7 @@ TEST(FreeCasting, WhatFollowsACastIsNoNearMiss) {
     }
 }
 
-// No cast while fighting
-// --------------------------------------------------------------------------------------
+// ---- No cast while fighting -------------------------------------------------------------------------------
 
 /// Places of a mouse that is used for aiming: quick moves to a target with corrections, following a target,
 /// and rests.

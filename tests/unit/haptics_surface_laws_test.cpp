@@ -15,8 +15,7 @@
 namespace thaum::haptics::surface_tests {
 namespace {
 
-// ---- laws
-// ---------------------------------------------------------------------------------------------------------
+// ---- laws -------------------------------------------------------------------------------------------------
 
 /// Work along a closed slow path, by the trapezoid rule (J).
 double work_round(Probe& probe, vec3 centre, vec3 u, vec3 v, int ticks) {

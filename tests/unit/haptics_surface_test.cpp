@@ -168,8 +168,7 @@ TEST(Surface, AFlatMeshFeelsLikeAPlane) {
     }
 }
 
-// ---- friction
-// -----------------------------------------------------------------------------------------------------
+// ---- friction ---------------------------------------------------------------------------------------------
 
 TEST(Surface, ItSticksUpToTheStaticConeAndSlidesAtTheDynamicOne) {
     for (const double depth : {0.0005, 0.005}) {
@@ -250,8 +249,7 @@ TEST(Surface, WhatIsTouchedHasItsShareOfTheForce) {
     EXPECT_EQ(wall.force.y, 0);
 }
 
-// ---- moving bodies
-// ------------------------------------------------------------------------------------------------
+// ---- moving bodies ----------------------------------------------------------------------------------------
 
 TEST(Surface, AWallThatMovesIsFeltInEveryTickItOverlaps) {
     for (const bool mesh : {false, true}) {

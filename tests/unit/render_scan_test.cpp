@@ -331,8 +331,7 @@ TEST_F(ScanPicture, HugeAndTinyPlacementsEndInAPicture) {
     EXPECT_GT(pixel_of(drawn(scan), picture_side / 2, picture_side / 2).r, 0.5F);
 }
 
-// ---- bricks
-// ----------------------------------------------------------------------------------------------------
+// ---- bricks -----------------------------------------------------------------------------------------------
 
 TEST(ScanBricks, HaveTheRangeOfTheirCells) {
     std::vector<std::uint8_t> samples(12 * 9 * 8);

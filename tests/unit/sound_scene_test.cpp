@@ -431,8 +431,7 @@ TEST(SoundScene, APauseAndAJumpOfTheClockBeginNothing) {
     EXPECT_EQ(rig.heard.frame.begins.count, 0U);
 }
 
-// ---- the mixer
-// ----------------------------------------------------------------------------------------------
+// ---- the mixer --------------------------------------------------------------------------------------------
 
 /// Samples that one speaker plays of a sound that begins, or lasts, two metres ahead of the listener.
 std::vector<float> played_by(audio::Mixer& mixer, std::uint32_t sound) {
