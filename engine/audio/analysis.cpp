@@ -12,7 +12,7 @@ namespace thaum::audio {
 namespace {
 
 constexpr std::size_t window_samples = 2048;
-/// Level below the loudest band from which a band counts as silent in a signature (dB).
+/// How far below the loudest band another band counts as silent in a signature (dB).
 constexpr double signature_floor_db = 24;
 /// Share of a sound's energy that its audible part holds.
 constexpr double audible_share = 0.97;
@@ -125,7 +125,7 @@ Spectrogram spectrogram_of(std::span<const float> samples, std::size_t columns, 
 
 namespace {
 
-/// The beginning of a sound that has nearly all of its energy.
+/// The shortest beginning of a sound that holds `audible_share` of its energy.
 std::span<const float> audible_part(std::span<const float> samples) {
     double whole = 0, sum = 0;
     for (const float sample : samples) whole += static_cast<double>(sample) * static_cast<double>(sample);

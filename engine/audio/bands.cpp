@@ -9,7 +9,7 @@
 namespace thaum::audio {
 namespace {
 
-/// The bands end at 1.2 kHz, so every eighth sample is enough.
+/// Samples per sample that is filtered. The bands end at 1.2 kHz, so every eighth sample is enough.
 constexpr std::size_t thinning = 8;
 constexpr double thin_rate = static_cast<double>(sample_rate) / thinning;
 constexpr std::size_t thin_per_block = frame_samples / thinning;
@@ -79,7 +79,7 @@ std::vector<double> thinned(const Sound& sound) {
     return out;
 }
 
-/// Writes the mean power of each block of one band.
+/// Writes the level of one band in each block: the amplitude of a sine with the mean power of the block.
 void follow_band(const std::vector<double>& samples, const Band& band, std::size_t number, BandCourse& out) {
     BandPower power(band);
     // A loop sounds as if it had always been playing, so its filters begin in the state that they have at its

@@ -7,8 +7,9 @@
 // context. OpenAL pans, resamples and filters. This class decides which voices are heard and how loud, adds
 // the listeners, and limits the sum. No clock and no thread is involved, so equal calls give equal samples.
 //
-// Loudness of a voice with a place: gain * fader * distance_gain. A sound straight to one side has that gain
-// on that side; one in front has 0.6 of it on both. A voice at the ear has 0.71 of it on both.
+// Gain of a voice with a place: gain * fader * distance_gain. A sound straight to one side is played with
+// this gain on that side, and one in front with 0.6 of it on both sides. A voice at the ear has 0.71 of it on
+// both.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -32,7 +33,7 @@ enum class Ears : std::uint8_t {
     left_right,  ///< the left speaker plays the first listener, the right speaker the second
 };
 
-/// Faders from 0 to 1. The gain is the fader's square, so that one half sounds about half as loud.
+/// Faders from 0 to 1. The gain is the fader's square, so that a fader at one half sounds about half as loud.
 struct MixSettings {
     double master{1};
     double effects{1};
@@ -47,7 +48,7 @@ struct MixReport {
     std::uint64_t blocks{};
     std::uint64_t blocks_without_frame{};  ///< blocks made by `run_on`
     std::uint32_t voices{};                ///< voices of the last block, of all listeners together
-    std::uint64_t begun{};                 ///< voices that got a source
+    std::uint64_t begun{};                 ///< voices that got a source of OpenAL, which plays them
     std::uint64_t stolen{};                ///< voices that lost their source to louder ones
     /// Audible voices without a source, summed over blocks, and voices for which a frame or max_begins had
     /// no room.
@@ -64,8 +65,9 @@ double distance_gain(double distance_m, double near_m, double reach_m);
 /// Gain of a fader; values outside 0 to 1 are clipped.
 double fader_gain(double fader);
 
-/// Sets OpenAL's environment variables, once for the process. A program calls it while one thread runs, if
-/// others run before its first mixer is made.
+/// Sets OpenAL's environment variables, once for the process. The first mixer calls it, too. A program whose
+/// other threads run before that must call it earlier, while one thread runs, because changing the
+/// environment is not safe beside other threads.
 void prepare_openal();
 
 /// Mixes the frame's voices into blocks of samples.

@@ -7,7 +7,7 @@
 namespace thaum::audio {
 namespace {
 
-// ALC_SOFT_output_mode, which headers older than OpenAL Soft 1.22 lack.
+// Numbers of the extension ALC_SOFT_output_mode, which headers older than OpenAL Soft 1.22 lack.
 constexpr ALCenum output_mode = 0x19AC;
 constexpr ALCint surround_7_1 = 0x1506;
 

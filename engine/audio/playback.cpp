@@ -132,7 +132,8 @@ void Playback::feed(std::size_t blocks) {
 
 void Playback::mix_block(std::size_t blocks_left, std::span<float> block) {
     for (; voices_.front() != nullptr; voices_.pop()) mixer_.begin(*voices_.front());
-    // Frames are taken one for each block unless more frames than blocks are waiting.
+    // Each block takes one frame. If more frames are waiting than blocks are left, the oldest ones are
+    // merged.
     for (; frames_.size() > blocks_left; frames_.pop()) {
         const auto& begins = frames_.front()->begins;
         const auto count = std::min<std::size_t>(begins.count, begins.voices.size());

@@ -34,7 +34,7 @@ struct PlaybackReport {
 /// Plays frames on a sound device. The thread that feeds the device calls `step`.
 class Playback {
 public:
-    static constexpr double retry_s = 2;  ///< time between two tries to open a device
+    static constexpr double retry_s = 2;  ///< time between two tries to open a device (s)
     /// A device that takes no block for this long is given up (s).
     static constexpr double patience_s = 1;
     /// Time without frames after which lasting voices fade out (s).
@@ -42,8 +42,8 @@ public:
 
     Playback(Mixer mixer, std::unique_ptr<SoundDevice> device);
 
-    /// Queues a frame; called by the simulation thread. Returns false if the queue is full: the device is not
-    /// fed at the moment.
+    /// Queues a frame; called by the simulation thread. Returns false if the queue is full, because the
+    /// device is not fed at the moment.
     bool hear(const AudioFrame& frame) { return frames_.push(frame); }
 
     /// Queues a voice that begins, such as a sound of the menu; called by the main thread. Returns false if
@@ -55,7 +55,7 @@ public:
     /// Whether a device plays; if not, frames need not be made. Any thread may ask.
     bool plays() const { return plays_; }
     /// One line: what plays, or why nothing does; empty until the first try to open a device. A report that
-    /// is read afterwards is at least as recent.
+    /// is read after the status is at least as recent as the status.
     std::string status() const;
     /// Counts since the start. Any thread may ask.
     PlaybackReport report() const;

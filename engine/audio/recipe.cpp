@@ -14,7 +14,7 @@ constexpr double longest_s = 16, longest_one_shot_s = 1.5, max_grains = 4000, ma
 constexpr Range hz_range{20, 20'000};
 constexpr std::size_t max_parts = 16, max_partials = 16, max_notes = 200;
 
-/// Values of the whole sound that its parts need.
+/// Values of the whole sound that are needed to read its parts.
 struct Whole {
     double seconds{};
     bool loops{};

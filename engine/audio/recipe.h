@@ -27,7 +27,7 @@ struct Envelope {
     double attack{0.002};  ///< time of the rise (s)
     double hold{};         ///< time at the full level (s)
     double decay{};        ///< time of a fall by 60 dB (s); 0: the part lasts to the end of the sound
-    double level{1};       ///< amplitude before the sound as a whole is scaled
+    double level{1};       ///< amplitude of the part, before the finished sound is scaled
     double tremolo_hz{};   ///< periods of the tremolo per second (Hz)
     double tremolo{};      ///< share of the level that the tremolo takes away, 0 to 1
 };

@@ -31,7 +31,7 @@ double max_of(const std::vector<double>& samples) {
     return peak;
 }
 
-/// Compresses loud moments by x / (1 + drive |x|); the peak must be 1 before.
+/// Compresses loud moments: x becomes x / (1 + drive |x|), where x is a sample divided by the peak.
 void compress(Canvas& canvas, double drive) {
     if (drive == 0) return;
     const double peak = std::max(max_of(canvas.samples()), 1e-12);
@@ -50,8 +50,8 @@ void add_echoes(Canvas& canvas, double delay_s, double share) {
     }
 }
 
-/// Removes frequencies below the range of hearing. A loop is filtered twice, so that the filter starts as it
-/// ends.
+/// Removes frequencies below the range of hearing. A loop is filtered twice, so that in the second run the
+/// filter starts in the state that it has at the end of the loop.
 void remove_offset(Canvas& canvas) {
     const double share = 1 - 2 * pi * lowest_hz / sample_rate;
     const auto dry = canvas.samples();

@@ -55,7 +55,7 @@ Bytes WavWriter::header() const {
     out.put(static_cast<std::uint32_t>(sample_rate * frame_size));
     out.put(frame_size);
     out.put(static_cast<std::uint16_t>(8 * size));
-    out.put(std::uint16_t{0});  // no further bytes in this chunk
+    out.put(std::uint16_t{0});  // size of the chunk's extension: none
     put_name(out, "fact");
     out.put(fact_size);
     out.put(static_cast<std::uint32_t>(values_ / channels_));
@@ -75,7 +75,7 @@ void WavWriter::write(std::span<const float> samples) {
         }
     };
     values_ += samples.size();
-    // Too large for a WAV file, which `close` reports.
+    // A WAV file cannot hold this many samples; `close` reports it.
     if (values_ * bytes_of(format_) > max_wav_bytes) return;
     if (format_ == WavFormat::float_32)
         write_as(clipped_sample);

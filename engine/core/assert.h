@@ -12,7 +12,8 @@ namespace thaum {
 
 }  // namespace thaum
 
-/// THAUM_ASSERT(condition, message) evaluates its message only on failure. `text()` (core/text.h) builds one.
+/// Prints the message and aborts if the condition is false. The message is evaluated only then; `text()`
+/// (core/text.h) builds one.
 #define THAUM_ASSERT(condition, message)                            \
     do {                                                            \
         if (!(condition)) [[unlikely]] {                            \

@@ -31,8 +31,8 @@ public:
         put_bytes(std::as_bytes(std::span(&value, 1)));
     }
 
-    /// Kept out of line: when GCC 12 inlines the whole vector insertion, it warns of an overflow that cannot
-    /// happen.
+    /// Appends bytes. It is not inlined: when GCC 12 inlines the whole vector insertion, it warns of an
+    /// overflow that cannot happen.
     [[gnu::noinline]] void put_bytes(std::span<const std::byte> bytes) {
         out_.insert(out_.end(), bytes.begin(), bytes.end());
     }
@@ -63,7 +63,7 @@ public:
     bool ok() const { return ok_; }
     /// Number of bytes that have not been read yet.
     std::size_t left() const { return bytes_.size() - at_; }
-    /// Makes the read fail, because a value that was read is impossible.
+    /// Marks the input as faulty. A parser calls it if a value that it has read is impossible.
     void reject() { ok_ = false; }
     /// Number of bytes that were read.
     std::size_t position() const { return at_; }

@@ -5,11 +5,11 @@
 
 namespace thaum {
 
-/// Time since a fixed but unspecified moment while the machine runs (ns).
+/// Time since a fixed but unspecified moment, without times in which the machine was suspended (ns).
 std::int64_t monotonic_ns();
 /// Processor time used by the calling thread (ns).
 std::int64_t thread_cpu_ns();
-/// Sleeps until `monotonic_ns()` reaches `when`, even if signals arrive. Returns at once if `when` has
+/// Sleeps until `monotonic_ns()` reaches `when` (ns), even if signals arrive. Returns at once if `when` has
 /// passed.
 void sleep_until_ns(std::int64_t when);
 

@@ -33,7 +33,8 @@ struct Config::State {
     /// Marks all keys within a value as asked for, so that a table in the place of a number is reported once,
     /// not key by key.
     void mark_asked(const toml::node& value);
-    /// Keeps a fault. `misleads`: the reader cannot know which keys belong to this table.
+    /// Keeps a fault. `misleads`: true if the fault keeps the reader from knowing which keys belong to this
+    /// table.
     void report(const toml::node* where, FaultKind kind, std::string_view key, std::string what,
                 bool misleads = false);
 };
@@ -67,7 +68,7 @@ bool is_within(const toml::node& outer, const toml::node* node) {
     return &outer == node || is_among(children_of(outer), node);
 }
 
-/// The innermost table that holds a node; null: none does.
+/// Returns the innermost table that holds a node, or null if none does.
 const toml::table* holder_of(const toml::node& outer, const toml::node* node) {
     for (const auto* child : children_of(outer)) {
         if (!is_within(*child, node)) continue;

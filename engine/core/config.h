@@ -17,7 +17,7 @@
 
 namespace thaum {
 
-/// Values that a number of a file may have, both ends included. By default every finite one.
+/// Range in which a number of a file must lie, both ends included. By default every finite number is allowed.
 struct Range {
     double low = -std::numeric_limits<double>::max();
     double high = std::numeric_limits<double>::max();
@@ -104,12 +104,12 @@ private:
     friend class Config;
     ConfigTable(std::shared_ptr<Config::State> state, const void* table, const void* holder, std::string path)
         : state_(std::move(state)), table_(table), holder_(holder), path_(std::move(path)) {}
-    /// Reports a key that is missing. `misleads`: other keys of the table depend on it.
+    /// Reports a key that is missing. `misleads`: true if other keys of the table depend on it.
     void demand(std::string_view key, std::string_view allowed, bool misleads = false) const;
 
     std::shared_ptr<Config::State> state_;
     const void* table_;   // a toml::table; null if the table is missing
-    const void* holder_;  // the table itself, or the innermost one that is there
+    const void* holder_;  // the table itself; if missing, the innermost table around it in the file
     std::string path_;    // keys from the holder to a missing table: "shot.trail"
 };
 

@@ -43,10 +43,10 @@ concept ValueFor = std::is_constructible_v<T, U> && std::is_convertible_v<U, T> 
                    !std::is_same_v<std::remove_cvref_t<U>, Error>;
 
 /// Expected<T> holds either a value or an Error. It is the return type of functions that may fail. Faults
-/// from outside (files, devices, options) are Errors; our own mistakes, such as asking for a value that is
-/// not there, are assertions (core/assert.h), which print the error that is there instead. It is the part of
-/// C++23's std::expected that we use, under the same names, and no more, because it is compiled for two
-/// hundred types. `value` names the line that asks.
+/// from outside (files, devices, options) are Errors. Our own mistakes, such as asking for a value where
+/// there is an error, are assertions (core/assert.h), which print that error and the line that asked.
+/// Expected has those parts of C++23's std::expected that we use, under the same names, and no more, because
+/// it is compiled for two hundred types.
 template <class T>
 class [[nodiscard]] Expected {
 public:
@@ -91,7 +91,8 @@ public:
     T&& operator*() && { return std::move(value()); }
     T* operator->() { return &value(); }
     const T* operator->() const { return &value(); }
-    /// The value. To ask for one that is not there is a defect of the caller, whose line the message names.
+    /// The value. Asking for it where there is an error is a defect of the caller, whose line the message
+    /// names.
     T& value(CodeLine asking = CodeLine::here()) & { return check_value(asking), value_; }
     const T& value(CodeLine asking = CodeLine::here()) const& { return check_value(asking), value_; }
     T&& value(CodeLine asking = CodeLine::here()) && { return check_value(asking), std::move(value_); }
@@ -133,7 +134,7 @@ public:
     /// Whether there is no error.
     bool has_value() const { return holds_; }
     explicit operator bool() const { return holds_; }
-    /// The error. It is a defect of the caller to ask for one that is not there.
+    /// The error. Asking for it where there is none is a defect of the caller.
     Error& error() & { return checked(), error_; }
     const Error& error() const& { return checked(), error_; }
     Error&& error() && { return checked(), std::move(error_); }
@@ -148,7 +149,8 @@ private:
 /// Makes an error of one line.
 inline Error fail(std::string message) { return {std::move(message)}; }
 
-/// Name, without folder and extension, of a data file that is left out because of its faults.
+/// A data file that is left out because of its faults: its name, without folder and extension, and the
+/// faults.
 struct LeftOut {
     std::string name;
     Error fault;

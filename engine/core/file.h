@@ -17,7 +17,7 @@ namespace thaum {
 /// not readable.
 Expected<Bytes> read_file(const std::filesystem::path& path, std::size_t limit);
 
-/// Reads the first bytes of a file, at most `most`. The file may have any length; otherwise the error is that
+/// Reads the first bytes of a file, at most `most`. The file may have any length; the other errors are those
 /// of `read_file`.
 Expected<Bytes> read_start(const std::filesystem::path& path, std::size_t most);
 
@@ -45,9 +45,9 @@ bool write_all(int fd, std::span<const std::byte> bytes);
 /// interruption is no failure, nor is a file system without a disk.
 bool flush_to_disk(int fd);
 
-/// Opens a placeholder for each of standard input, output and error that is closed. Otherwise a file that is
-/// opened later would get that number, and printed text would be written into it. Printing to a closed stream
-/// fails as before.
+/// Opens a placeholder for each of standard input, output and error that is closed. Without it, a file that
+/// is opened later would get the number of the closed stream, and printed text would be written into the
+/// file. Printing to a closed stream fails as before.
 void occupy_closed_streams();
 
 /// Creates the folder and any missing parent folders. The error names the folder that cannot be created or is

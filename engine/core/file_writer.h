@@ -36,7 +36,7 @@ public:
     void replace_start(std::span<const std::byte> bytes);
     /// Hands all bytes to the system.
     void flush();
-    /// False after a failure. Bytes that were not flushed may still fail.
+    /// Whether all writes so far succeeded. Bytes that were not flushed may still fail.
     bool is_whole() const { return fault_ == 0; }
     /// Flushes the bytes to the disk, still under the temporary name. Several files that belong
     /// together are all finished first and then closed, so that a full disk replaces none of

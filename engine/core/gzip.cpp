@@ -1,6 +1,6 @@
 #include "core/gzip.h"
 
-#define ZLIB_CONST  // input is constant
+#define ZLIB_CONST  // makes zlib take its input as constant
 #include <zlib.h>
 
 #include <algorithm>
@@ -62,8 +62,8 @@ namespace {
 
 enum class Beyond : std::uint8_t { refused, left };
 
-/// Unpacks at most `limit` bytes. If there are more, or if other data follow the last member, they are an
-/// error or are ignored, as the caller chooses.
+/// Unpacks at most `limit` bytes. If there are more, or if other data follow the last member, `beyond`
+/// decides whether that is an error or is ignored.
 Expected<UnpackedStart> unpack(std::span<const std::byte> packed, std::size_t limit, Beyond beyond) {
     Inflater inflater;
     if (!inflater.started()) return fail("no memory to unpack the file");

@@ -42,7 +42,7 @@ const Invisible* kind_of(char32_t character) {
     return kind == std::end(invisible) ? nullptr : kind;
 }
 
-/// "U+200B"
+/// Writes a code point in the form "U+200B".
 std::string number_words(char32_t character) {
     auto digits = hex(character);
     digits = digits.substr(std::min(digits.find_first_not_of('0'), digits.size() - 4));

@@ -1,4 +1,4 @@
-// core/invisible.h: finds characters that nobody can see, and that make two words differ that look equal.
+// core/invisible.h: finds invisible characters, by which two words that look equal may differ.
 #pragma once
 #include <string>
 #include <string_view>

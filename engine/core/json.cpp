@@ -91,7 +91,7 @@ Json& Json::operator=(Json other) noexcept {
     return *this;
 }
 
-/// Moves the elements of this value that have elements themselves to a list.
+/// Moves the arrays and objects among the elements of this value to the end of a list.
 void Json::move_nested(std::vector<Json>& to) {
     const auto move = [&](Json& value) {
         if (value.is_array() || value.is_object()) to.push_back(std::move(value));

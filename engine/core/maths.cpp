@@ -96,7 +96,7 @@ Long negated(Long value) {
     return value;
 }
 
-/// Reduces x of any size, accurate to the last bit.
+/// Reduces an angle of any size (rad), accurate to the last bit.
 Reduced reduce_exactly(double x) {
     Long turns = quarter_turns(std::abs(x));
     // The upper two bits are the quadrant. A remainder of half a quarter turn or more counts as the next
@@ -127,11 +127,11 @@ Reduced reduce_exactly(double x) {
 Reduced reduce(double x) {
     if (std::abs(x) <= 0x1.921fb54442d18p-1) return {x, 0, 0};
     if (std::abs(x) > 1e6) return reduce_exactly(x);
-    // adding and then subtracting this rounds to the nearest integer
+    // Adding this number and then subtracting it rounds to the nearest integer.
     constexpr double to_integer = 0x1.8p52;
     const double k = (x * 0x1.45f306dc9c883p-1 + to_integer) - to_integer;
     const Double2 near = sum_of(x - k * half_pi_high, -(k * half_pi_middle));
-    // too near to a multiple of pi/2 for the three parts of pi/2
+    // So near to a multiple of pi/2, the three parts of pi/2 have too few bits.
     if (std::abs(near.high) < 0x1p-20) return reduce_exactly(x);
     const Double2 sum = sum_of(near.high, near.low - k * half_pi_low);
     return {sum.high, sum.low, static_cast<int>(static_cast<std::int64_t>(k) & 3)};

@@ -27,7 +27,7 @@ using fmat4 = glm::mat4;
 inline constexpr double pi = 3.14159265358979323846;
 inline constexpr double radians_per_degree = pi / 180.0;
 
-/// Returns `v`, scaled down to length `most` if it is longer.
+/// Returns `v`, shortened to the length `most` if it is longer.
 inline vec3 limited(vec3 v, double most) {
     const double length = glm::length(v);
     return length > most ? v * (most / length) : v;

@@ -32,8 +32,8 @@ Split split(double x) {
 }
 
 /// Computes log x for x > 0 and finite, with a relative error below 2^-63. It uses log m = 2 atanh s with s =
-/// (m - 1)/(m + 1) and |s| <= 0.172. The first two terms of the series 2 s + 2/3 s^3 + 2/5 s^5 + ... need
-/// both doubles.
+/// (m - 1)/(m + 1) and |s| <= 0.172. Of the series 2 s + 2/3 s^3 + 2/5 s^5 + ..., the first two terms need
+/// the precision of two doubles.
 Double2 long_log(double x) {
     const auto [m, exponent] = split(x);
     const double f = m - 1;

@@ -11,7 +11,7 @@ namespace thaum {
 template <class T, std::size_t N>
 class SpscQueue {
 public:
-    // Called by the writer.
+    // The writing thread alone calls:
     /// Returns false if the queue is full.
     bool push(const T& value) {
         const auto end = end_.load(std::memory_order_relaxed);
@@ -21,7 +21,7 @@ public:
         return true;
     }
 
-    // Called by the reader.
+    // The reading thread alone calls:
     /// Returns the oldest value, valid until `pop`; null if the queue is empty.
     const T* front() const {
         const auto begin = begin_.load(std::memory_order_relaxed);

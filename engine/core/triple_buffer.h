@@ -20,14 +20,14 @@ public:
     /// Hands the filled value to the reader. Called by the writer.
     void publish() { back_ = middle_.exchange(back_ | fresh, std::memory_order_acq_rel) & index; }
 
-    // Called by the reader.
+    // The reading thread alone calls the following functions.
     /// Takes the newest value. Returns false if no newer value was published since the last call.
     bool take() {
         if ((middle_.load(std::memory_order_relaxed) & fresh) == 0) return false;
         front_ = middle_.exchange(front_, std::memory_order_acq_rel) & index;
         return true;
     }
-    /// The value that `take` took last; the start value before the first one.
+    /// The value that the last successful `take` took; the start value before the first one.
     const T& newest() const { return values_[front_]; }
 
 private:

@@ -31,7 +31,7 @@ int main() {
         std::cerr << set.error().message << '\n';
         return 1;
     }
-    const vec3 probe{0.002, -0.01, 0.004};  // m
+    const vec3 probe{0.002, -0.01, 0.004};  // position of the probe (m)
     const auto found = haptics::balance(*set, {.centre = probe, .stiffness = 300});
 
     std::cout << text("probe  ", printed(probe), " m\nproxy  ", printed(found.proxy), " m\n");

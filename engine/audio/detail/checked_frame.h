@@ -8,7 +8,7 @@
 
 namespace thaum::audio::detail {
 
-/// What the mixer must know of a sound besides its samples.
+/// Properties of a sound, without its samples, that the mixer needs.
 struct SoundFacts {
     SoundGroup group{};
     bool loops{};
@@ -17,7 +17,7 @@ struct SoundFacts {
     std::uint32_t samples{};  ///< length of the sound (samples); 0: it cannot be played
 };
 
-/// Facts of all sounds. Impossible distances are replaced by the defaults and counted.
+/// Returns the facts of all sounds. Impossible distances are replaced by the defaults and counted.
 std::vector<SoundFacts> facts_of(const SoundBank& bank, std::uint64_t& bad_values);
 
 /// Clips the values of a voice and counts those that were wrong. Returns false if the voice must be left out:
@@ -25,7 +25,8 @@ std::vector<SoundFacts> facts_of(const SoundBank& bank, std::uint64_t& bad_value
 /// is, or its position is NaN.
 bool check_voice(Voice& voice, bool lasting, std::span<const SoundFacts> sounds, std::uint64_t& bad_values);
 
-/// Makes the axes orthogonal unit vectors. A listener with a NaN keeps its last place.
+/// Makes the axes orthogonal unit vectors. Instead of a listener with invalid values, returns `before`, the
+/// same listener in the last frame.
 Listener checked_listener(const Listener& listener, const Listener& before, std::uint64_t& bad_values);
 
 /// Clips the settings to what the mixer can use.

@@ -19,7 +19,7 @@ public:
     /// Replaces interleaved stereo samples by the limited, delayed ones. NaN becomes 0. Returns true if the
     /// gain of some sample was below 1.
     bool process(std::span<float> stereo);
-    /// Forgets what is in the delay.
+    /// Drops the delayed samples and sets the gain back to 1.
     void clear() { *this = {}; }
 
 private:
@@ -28,11 +28,11 @@ private:
     double lowest_needed() const;
 
     std::array<float, 2 * window> delayed_{};
-    std::array<double, window> needed_ = filled();  ///< gain that each delayed sample needs
+    std::array<double, window> needed_ = filled();  ///< largest gain that each delayed sample allows
     std::array<double, window> held_ = filled();    ///< gain before averaging
     double held_sum_{window};
     double lowest_{1};
-    std::size_t calm_{window};  ///< samples since needed_ or held_ was last below 1
+    std::size_t calm_{window};  ///< number of samples since needed_ or held_ was last below 1
     std::size_t at_{};
 
     static constexpr std::array<double, window> filled() {

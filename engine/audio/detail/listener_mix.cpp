@@ -5,12 +5,13 @@
 namespace thaum::audio::detail {
 namespace {
 
-/// Quieter voices use no source (-100 dB).
+/// Least gain of a voice that gets a source: -100 dB.
 constexpr double min_gain = 1e-5;
 /// Factor on the gain of a voice that already plays: a new voice must be louder by this to take its source.
 constexpr double keep_factor = 1.1;
-/// Largest change of the damping in one block: all of it takes 0.4 s. The filter's output jumps by as much of
-/// the signal as its gain changes, for some samples; 2 % cannot be heard as a click.
+/// Largest change of the damping in one block, so a change from none to all takes 0.4 s. When the gain of the
+/// filter changes, its output jumps for some samples by the same share of the signal; a jump of 2 % cannot be
+/// heard as a click.
 constexpr double max_muffle_change = 0.02;
 /// Offset between the starting samples of loops with neighbouring keys, so that equal sounds do not add up
 /// wave by wave.
@@ -119,7 +120,7 @@ void ListenerMix::gather(const Listener& listener, BlockVoices voices,
         if (heard(voice)) add({&voice, -1, false, gain_of(voice, listener, faders)});
 }
 
-/// Keeps the loudest candidates, in an order that does not depend on the sorting.
+/// Keeps the loudest candidates, in an order that does not depend on the algorithm of std::sort.
 void ListenerMix::choose(MixReport& report) {
     if (candidate_count_ <= max_heard) return;
     const auto all = std::span(candidates_).first(candidate_count_);

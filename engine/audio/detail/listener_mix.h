@@ -1,8 +1,8 @@
 // audio/detail/listener_mix.h: the voices that one listener hears.
 //
-// Each block: frees the sources that have ended or faded, finds the gain of every voice, gives the 64 loudest
-// a source, and lets the others fade out within the block. OpenAL moves each gain evenly over the block that
-// it renders, so neither a change nor a fade clicks.
+// For each block, ListenerMix frees the sources that have ended or faded, finds the gain of every voice,
+// gives the 64 loudest voices a source, and lets the others fade out within the block. OpenAL moves each gain
+// evenly over the block that it renders, so neither a change nor a fade clicks.
 #pragma once
 #include <array>
 #include <memory>
@@ -57,7 +57,7 @@ private:
         bool lasting{};
         double gain{};
     };
-    /// Room for playing and fading voices: as many may fade as may play.
+    /// Room for playing and fading voices: as many voices may fade at a time as may play.
     static constexpr std::size_t max_playing = 2 * max_heard;
     static_assert(max_playing + max_heard <= Loopback::max_at_once);
     static constexpr std::size_t max_candidates = max_playing + 32 + max_begins;

@@ -17,7 +17,7 @@ constexpr float source_radius = 0.25F;
 /// Resampler for a voice played faster or slower: cubic, number 2 in OpenAL's list.
 constexpr ALint cubic_resampler = 2;
 
-// Gain of a voice behind walls, and the further gain of its tones above about 5 kHz.
+// Gain of a voice at full damping by walls, and the further factor on its tones above about 5 kHz.
 constexpr double muffled_gain = 0.5, muffled_high_gain = 0.02;
 
 Expected<void> expect_no_error(std::string_view doing) {
@@ -159,7 +159,8 @@ void Loopback::attach(Source& source, std::uint32_t sound) {
 void Loopback::warm_up() {
     if (buffers_.empty()) return;
     std::array<float, 2 * frame_samples> unheard{};
-    // OpenAL Soft starts with memory for 256 voices, and doubles it before a start that could use them up.
+    // OpenAL Soft starts with memory for 256 voices. It doubles this memory before a start of sources that
+    // could use it up.
     const auto playing = std::span(pool_).first(max_at_once);
     for (int round = 0; round < 3; ++round) {
         begin_changes();

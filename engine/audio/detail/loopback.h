@@ -44,9 +44,9 @@ public:
     bool has_ended(std::uint32_t source) const;
     void set_gain(std::uint32_t source, double gain) const;
     void set_pitch(std::uint32_t source, double pitch) const;
-    /// Position (m; right, up and back of the listener).
+    /// Sets the position of a source relative to the listener: right, up and backwards (m).
     void set_place(std::uint32_t source, fvec3 place) const;
-    /// Dampens high tones; 0 to 1.
+    /// Sets the damping of high tones of a source, from 0 (none) to 1 (as behind walls).
     void set_muffled(std::uint32_t source, double muffled) const;
     /// A source that starts later than at sample 0 fades in within the first block.
     void set_start(std::uint32_t source, std::uint32_t sample) const;
@@ -69,7 +69,8 @@ private:
     Expected<void> upload(const SoundBank& bank);
     Expected<void> make_sources();
     void attach(Source& source, std::uint32_t sound);
-    /// Plays as many sources as will ever play at once, silently, so that OpenAL makes its own memory now.
+    /// Plays as many sources as will ever play at once, silently, so that OpenAL allocates its memory now and
+    /// not during play.
     void warm_up();
     void read_hrtf();
     std::vector<ALCint> attributes(bool hrtf) const;

@@ -9,7 +9,7 @@
 
 namespace thaum::audio::detail {
 
-/// Functions of OpenAL's extensions. If one is missing, no OpenAl is made.
+/// Functions of OpenAL's extensions. If one of them is missing, `find_openal` returns an error.
 struct OpenAl {
     LPALCLOOPBACKOPENDEVICESOFT open_loopback{};
     LPALCRENDERSAMPLESSOFT render{};

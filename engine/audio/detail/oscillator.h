@@ -42,7 +42,7 @@ double steady_gain_at(const Envelope& envelope, double time);
 /// falls.
 double fall_within(double time, double decay);
 
-/// Factor of the decay (s) at `time`; 1 until the decay begins.
+/// Factor by which an envelope with this decay (s) has fallen at `time`; 1 until the decay begins.
 double fall_at(const Envelope& envelope, double decay, double time);
 
 /// Gain of an envelope at `time`, with another decay than the envelope's (s).

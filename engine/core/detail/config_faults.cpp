@@ -39,7 +39,7 @@ public:
     }
 
 private:
-    /// Keys that the table may have but lacks.
+    /// Names that readers asked for in the table of this key. The key may be a misspelling of one of them.
     std::vector<std::string_view> open_names(const UnknownKey& key) const {
         const auto found = asked_.find(key.table);
         if (found == asked_.end()) return {};
