@@ -78,11 +78,11 @@ struct FieldInfo {
 };
 
 namespace detail {
-/// A visitor of fields that accepts anything, for concepts.
+/// Stands for any visitor of fields in the concept `Described`.
 struct AnyVisit {};
 }  // namespace detail
 
-/// A type that lists its own fields (ecs/fields.h). A type from a part that does not use components has a
+/// A type that lists its own fields (ecs/fields.h). A type of a library that does not use components has a
 /// free function `visit_fields_of` instead; Described accepts both.
 template <class T>
 concept NamesFields = requires {
@@ -191,8 +191,8 @@ constexpr std::size_t packed_size() {
     }
 }
 
-/// Tests whether T and its parts list no field twice. With a field listed twice, the sizes could add up in
-/// spite of padding.
+/// Tests whether T and its parts list no field twice. With a field listed twice, the sizes could add up to
+/// sizeof(T) in spite of padding.
 template <class T>
 constexpr bool lists_fields_once() {
     if constexpr (is_array<T>) {
@@ -225,20 +225,20 @@ inline std::uint32_t next_type_number() {
     return type_numbers().count++;
 }
 
-/// Number of a type in this process, assigned before main. It is only an index to the World's own component
-/// numbers.
+/// Number of a type in this process, assigned before main. A World uses it only as an index into its own list
+/// of component numbers.
 template <class T>
 inline const std::uint32_t type_number = next_type_number();
 
 }  // namespace detail
 
-/// A type that names a blob, and its elements: numbers of one type.
+/// A type that gives the name of a blob and the type of its elements, which are numbers.
 template <class T>
 concept Blob = std::is_arithmetic_v<typename T::Element> && requires {
     std::string_view(T::name);
 };
 
-/// A type that names a resource (ecs/resource.h), and the type of its value.
+/// A type that gives the name of a resource (ecs/resource.h) and the type of its value.
 template <class T>
 concept ResourceType = std::is_empty_v<T> && requires {
     typename T::Value;

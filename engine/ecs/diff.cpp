@@ -22,7 +22,7 @@ struct Described {
     std::vector<FieldInfo> fields;
 };
 
-/// Component name -> bytes; a tag has none.
+/// Bytes of each component of one entity, by the name of the component; a tag has no bytes.
 using Parts = std::map<std::string, std::span<const std::byte>>;
 
 struct Parsed {

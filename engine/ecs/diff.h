@@ -11,12 +11,12 @@ namespace thaum::ecs {
 
 /// One value, component or entity in which two snapshots differ.
 struct Difference {
-    std::string component;   ///< component or blob; empty if the entity exists on one side only
+    std::string component;   ///< component or blob; empty if the entity exists in one snapshot only
     std::uint32_t entity{};  ///< number of the entity; `none` for a blob
     /// Name of the field, such as "position.x", or the index "[7]" in a blob. Empty if the component exists
-    /// on one side only, or if the blob has another size there.
+    /// in one snapshot only, or if the blobs differ in size or type.
     std::string field;
-    std::string a, b;  ///< both values as text; "-" where there is none
+    std::string a, b;  ///< values in the two snapshots as text; "-" where a snapshot has none
 };
 
 /// Returns at most `limit` differences, sorted by entity, then component, then field, blobs last. Entities

@@ -32,8 +32,8 @@
         THAUM_VISIT_EACH(Type, __VA_ARGS__)                      \
     }
 
-// visit("a", &Type::a); visit("b", &Type::b); ... for up to 256 fields. A macro cannot call itself, so each
-// pass of THAUM_PASSES expands one more call.
+// Expands to visit("a", &Type::a); visit("b", &Type::b); ... for up to 256 fields. A macro cannot call
+// itself, so each pass of THAUM_PASSES expands one more call.
 #define THAUM_VISIT_EACH(Type, ...) __VA_OPT__(THAUM_PASSES_256(THAUM_VISIT_ONE(Type, __VA_ARGS__)))
 #define THAUM_VISIT_ONE(Type, field, ...)          \
     visit(std::string_view(#field), &Type::field); \

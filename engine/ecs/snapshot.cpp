@@ -166,7 +166,7 @@ struct SnapshotAccess {
         for (std::uint32_t c = 0; c < max_components; ++c) {
             if (mask.test(c) && (c >= world.infos_.size() || !has_cells(world.infos_[c]))) return false;
         }
-        // a duplicate, or the first table has components
+        // Refuses a second table with the same components, and a first table that has components.
         if (world.table_with(mask) != number) return false;
         auto& table = *world.tables_[number];
         if (in.left() < std::size_t{rows} * sizeof(Entity)) return false;
@@ -208,8 +208,8 @@ struct SnapshotAccess {
         return in.ok();
     }
 
-    /// Returns true if the tables and the records agree: every row's entity points back to its row and every
-    /// living record has a row. The free list must be a proper list.
+    /// Returns true if the tables and the records agree: the entity of every row points back to its row,
+    /// every living record has a row, and the free list consists of all other records.
     static bool consistent(World& world) {
         std::size_t rows = 0;
         for (std::uint32_t t = 0; t < world.tables_.size(); ++t) {

@@ -144,13 +144,13 @@ struct Table {
     std::pmr::vector<TagColumn> tags;  ///< columns of those tags that some row of this table has ever had
     RawArray entity_array;
     std::uint32_t rows = 0;
-    /// Capacity of every array; above 0 if there are columns (rows).
+    /// Number of rows for which every array has room; above 0 if the table has columns.
     std::uint32_t capacity = 0;
 
     std::array<std::byte*, max_components> cells;     ///< array of each data component; null: no such column
     std::array<std::uint8_t, max_components> tag_of;  ///< index of each tag in `tags`; no_tag: none
-    /// Edge for each component: leads to the table that has this component as well, or that lacks only this
-    /// component. Null: not known yet.
+    /// Edge for each component. It leads to the table that has this component as well, or, if this table has
+    /// the component, to the table that lacks only this one. Null: not known yet.
     std::array<Pooled<TableEdge>, max_components> edges;
     /// Edges from or to this table, which hold the addresses of its arrays.
     std::pmr::vector<TableEdge*> incident;
@@ -188,15 +188,15 @@ struct Table {
     Entity remove(std::uint32_t row);
     /// Result of `move`.
     struct Moved {
-        /// the new row in the other table; the row of this table that no longer exists
+        /// `to_row`: new row in the other table. `last`: row of this table that no longer exists.
         std::uint32_t to_row{}, last{};
-        Entity filler;  ///< entity that is in the old row now
+        Entity filler;  ///< entity that is now in the old row
     };
     /// Moves the entity's row to the end of the table at the other end of `edge`. The last row of this table
     /// takes its place. `move_cells` moves the cells afterwards.
     Moved move(std::uint32_t row, Entity entity, const TableEdge& edge);
-    /// Moves only the cells that both tables have. If `to` has one column less, the caller fills the hole in
-    /// that column, since only the caller may know its type.
+    /// Moves only the cells that both tables of the edge have. If the table `to` has one column less, the
+    /// caller fills the hole in that column, since only the caller may know its type.
     static void move_cells(const TableEdge& edge, std::uint32_t row, std::uint32_t last,
                            std::uint32_t to_row);
     /// Creates the edge to `other`, which differs from this table in `component` only. Called once for each
@@ -276,7 +276,7 @@ template <class F>
     });
 }
 
-/// Copies a cell. The two may be the same cell.
+/// Copies a cell. `to` and `from` may be the same cell.
 [[gnu::always_inline]] inline void copy_cell(std::byte* to, const std::byte* from, std::size_t size) {
     with_word(size, [&]<class Word>(Word) {
         const std::size_t end = size - sizeof(Word);

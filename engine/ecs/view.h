@@ -51,7 +51,8 @@ struct Term<Without<T>> {
 template <class T>
 inline constexpr bool passed = !Term<T>::tag && !Term<T>::excluded;
 
-/// The argument that a term gives for one row: a reference, or a pointer that may be null.
+/// The argument that a view term gives to the function of `each` for one row: a reference, or a pointer that
+/// may be null.
 template <class T>
 decltype(auto) argument(typename Term<T>::value* base, std::size_t row) {
     if constexpr (Term<T>::optional) {
@@ -83,7 +84,7 @@ class View {
 public:
     View(const World& world, World::Query& query) : world_(world), query_(query) {}
 
-    /// Calls f([entity,] component, ...) for each of them, in the order of tables and rows.
+    /// Calls f([entity,] component, ...) for each matching entity, in the order of tables and rows.
     template <class F>
     void each(F&& f) const {
         const Lock lock(world_);

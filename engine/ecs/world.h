@@ -28,7 +28,7 @@ namespace thaum::ecs {
 /// Iterates over entities (ecs/view.h).
 template <class... Terms>
 class View;
-/// Holds what is no state (ecs/resource.h).
+/// Holds a value that systems share and that is no part of the World's state (ecs/resource.h).
 template <ResourceType R>
 class Resource;
 
@@ -39,7 +39,7 @@ struct Hook {
     void* context = nullptr;
 };
 
-/// Number of tables for which lists reserve room at the start.
+/// Number of tables for which the lists of tables reserve room at the start.
 inline constexpr std::size_t usual_tables = 256;
 
 /// Components and resources that the running system declared to read and write.
@@ -115,7 +115,7 @@ public:
     C* find(Entity entity);
     template <Component C>
     const C* find(Entity entity) const;
-    /// Returns a component that exactly one entity has, such as the match.
+    /// Returns a component that exactly one entity has, such as the state of the match.
     template <Component C>
     C& single();
     template <Component C>
@@ -136,19 +136,21 @@ public:
     template <Blob B>
     std::span<const typename B::Element> blob() const;
 
-    /// Terms: `C` to write, `const C` to read, a tag to require, Maybe<C> for a pointer or null, Without<C>.
+    /// Entities that match all terms: `C` to write, `const C` to read, a tag to require, Maybe<C> for a
+    /// pointer that may be null, Without<C> to exclude.
     template <class... Terms>
     View<Terms...> view();
     template <class... Terms>
     View<Terms...> view() const;
 
-    /// Sets the hook for added components of this type; one without a call removes it.
+    /// Sets the hook for added components of this type. A Hook whose `call` is null removes it.
     template <Component C>
     void on_add(Hook hook) {
         added_[id<C>()] = hook;
         forget_packs();  // because packs record whether there is a hook
     }
-    /// Sets the hook for components of this type that are about to be removed; one without a call removes it.
+    /// Sets the hook for components of this type that are about to be removed. A Hook whose `call` is null
+    /// removes it.
     template <Component C>
     void on_remove(Hook hook) {
         removed_[id<C>()] = hook;
@@ -177,7 +179,7 @@ public:
     std::span<const Pooled<Table>> tables() const { return tables_; }
     /// Number of entities that have a component. A resource is always there and counts as 1.
     std::uint32_t count(std::uint32_t number) const { return counts_[number]; }
-    /// Checks every later access against what the system declared. Null turns the check off.
+    /// Checks every later access against what the running system declared. Null turns the check off.
     void set_access(const Access* access) { access_ = access; }
 
 private:
@@ -322,7 +324,7 @@ private:
     const TableEdge no_edge_{memory_};
     // The edge that was used last. Entities that are spawned together get the same component one after
     // another. Their edge is then known before their records are read. Such a change takes 21 ns instead of
-    // 26 (1,000 loose things that get a Body, add_1 of `thaum bench ecs`).
+    // 26 (1,000 loose objects of the game get a Body, row add_1 of `thaum bench ecs`).
     const TableEdge* last_edge_ = &no_edge_;
     std::vector<Record, ArrayAllocator<Record>> records_;
     std::uint32_t free_ = none;
@@ -458,7 +460,7 @@ inline void World::unmark(Entity entity, std::uint32_t tag) {
     const auto row = record.row;
     const auto [to_row, last, filler] = edge.from->move(row, entity, edge);
     records_[filler.index].row = row;
-    // Set after the line above, because the entity itself may have been the last.
+    // Set after the line above, because the entity itself may have been in the last row.
     record.table = edge.to_number;
     record.row = to_row;
     Table::move_cells(edge, row, last, to_row);

@@ -7,7 +7,7 @@
 namespace thaum::field {
 namespace {
 
-/// Sine and cosine of each component.
+/// Sine and cosine of each component of a vector.
 struct Waves {
     vec3 sine, cosine;
 };

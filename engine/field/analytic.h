@@ -2,14 +2,14 @@
 //
 //     scalar    Sphere, Plane, Gyroid        depth below a surface, or a wave; the surface is at 0
 //     vector    RankineVortex, BeltramiFlow  flows with a known curl
-//               VortexFlow                   three Rankine vortices and noise, from a seed (the orb)
+//               VortexFlow                   three Rankine vortices and noise, from a seed (the game's orb)
 //
 // Each can be called with a place, so `field_of<Scalar>(Sphere{...})` makes a field. They fill procedural
-// volumes (field/volumes.h) and are the exact values against which sampled fields are measured. Results have
+// volumes (field/volume.h) and are the exact values against which sampled fields are measured. Results have
 // the same bits on every processor.
 //
-// The Rankine vortex is a core that turns as a rigid body in a flow without curl (Rankine 1858). Beltrami
-// flows have a curl along the flow itself; this one is Arnold's, Beltrami's and Childress's (ABC).
+// The Rankine vortex is a core that turns as a rigid body in a flow without curl (Rankine 1858). In a
+// Beltrami flow the curl is parallel to the velocity; this one is Arnold's, Beltrami's and Childress's (ABC).
 //
 // Functions are plain and do not allocate. Lengths are in m, speeds in m/s.
 #pragma once
@@ -36,11 +36,11 @@ struct Plane {
     Scalar operator()(vec3 place) const;
 };
 
-/// sin x cos y + sin y cos z + sin z cos x, with one period along each axis
-/// in `period`. Between -1.5 and 1.5.
+/// The gyroid wave sin x cos y + sin y cos z + sin z cos x, scaled to the same period along each axis. Its
+/// values lie between -1.5 and 1.5.
 struct Gyroid {
     double period{1};  ///< length of a period along each axis (m)
-    vec3 phase{};      ///< place where the value is 0 with the slope of a rising sine along each axis (m)
+    vec3 phase{};      ///< place at which the value is 0 and each of the three sines begins to rise (m)
 
     Scalar operator()(vec3 place) const;
 };
@@ -59,7 +59,7 @@ struct RankineVortex {
 
 /// A periodic flow whose curl is `wave` times its velocity.
 struct BeltramiFlow {
-    vec3 strength{1};  ///< A, B, C
+    vec3 strength{1};  ///< strengths A, B and C of its three waves (m/s)
     double wave{1};    ///< wave number (1/m)
 
     Vector operator()(vec3 place) const;

@@ -14,7 +14,7 @@ constexpr int widest_block = 16;
 constexpr int fewest_blocks = 4;
 /// Ratio of the widest to the finest spacing from which on slices count as having steps of their own.
 constexpr double far_apart = 2;
-/// Edge of a block, in widest spacings, for samples with steps.
+/// Edge of a block for samples with steps, as a multiple of the widest spacing.
 constexpr double over_steps = 2;
 
 /// Average of the finite samples of a box; NaN if there are none.
@@ -92,7 +92,8 @@ void fill(BlockAverages& averages, const Grid& grid, const VoxelBox& blocks) {
     }
 }
 
-/// Whether the next `in_a_row` samples, which are adjacent in memory, all equal `value`. In a mask most do.
+/// Whether the next `in_a_row` samples, which are adjacent in memory, all equal `value`, as in most parts of
+/// a mask.
 constexpr int in_a_row = 16;
 bool all_equal(const float* samples, float value) {
     bool equal = true;

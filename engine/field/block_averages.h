@@ -1,10 +1,10 @@
-// field/block_averages.h: averages of blocks of a body's samples, from which surface normals are computed
-// that do not show the body's steps.
+// field/block_averages.h: averages of blocks of a body's samples. Surface normals that are computed from them
+// do not show the body's steps.
 //
 // Two kinds of body have steps that are larger than a sample: one whose samples lie farther apart along one
-// axis, as slices of a scan do, and one whose samples have few values, as a mask's. Blocks are as wide along
-// each axis as the widest spacing, or twice that if slices are twice as far apart as samples or there are few
-// values. So their averages are as far apart along all axes and have values in between.
+// axis, as slices of a scan do, and one whose samples have few values, as those of a mask do. A block is as
+// wide along each axis as the widest spacing, or twice as wide if slices are twice as far apart as samples or
+// there are few values. So the averages are equally far apart along all axes and have values in between.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -17,9 +17,9 @@ namespace thaum::field {
 /// Averages of blocks of a grid's samples. The first block begins at the first sample; the
 /// last ones may hold fewer samples.
 struct BlockAverages {
-    std::array<int, 3> block{1, 1, 1};  ///< samples of a block along each axis
+    std::array<int, 3> block{1, 1, 1};  ///< number of samples of a block along each axis
     std::array<int, 3> count{};         ///< number of blocks along each axis
-    /// Averages of the finite samples of each block, x fastest. Empty: each block is a sample.
+    /// Averages of the finite samples of each block, x fastest. Empty if each block is a single sample.
     std::vector<float> samples{};
     std::uint32_t newest{};  ///< value of Bricks::newest up to which the averages are current
 
@@ -28,8 +28,8 @@ struct BlockAverages {
     Grid grid(const Grid& of) const;
 };
 
-/// Averages of a grid's samples; empty if its samples need no averages. `bricks` belong to a body that
-/// changes; null otherwise.
+/// Averages of a grid's samples; empty if its samples need no averages. `bricks` are those of the grid's body
+/// if the body may change, else null.
 BlockAverages make_block_averages(const Grid& grid, const Bricks* bricks = nullptr);
 
 /// Recomputes the averages of the parts of a body that have changed. No allocation.

@@ -27,13 +27,13 @@ struct Casts {
     std::size_t count = 0;
 };
 
-/// Number of places along the motion at which the tool is applied; neighbours are at most half the smallest
-/// half edge apart.
+/// Number of places along the motion at which the tool is applied. Unless `max_places` limits them,
+/// neighbouring places are at most half of the extent's smallest half edge apart.
 int places_along(const VoxelView& body, const Extent& extent, vec3 motion) {
     const vec3 way = extent.in_metres ? motion : motion / body.spacing;
     const double smallest = std::min({extent.half.x, extent.half.y, extent.half.z});
     const double steps = std::ceil(glm::length(way) / (0.5 * smallest));
-    return steps > 1 ? static_cast<int>(std::min(steps, double{max_places})) : 1;  // NaN: 1
+    return steps > 1 ? static_cast<int>(std::min(steps, double{max_places})) : 1;  // a NaN gives 1
 }
 
 void add_casts(const VoxelView& body, const Operation& operation, const Dab& dab, Casts& casts) {
@@ -75,8 +75,8 @@ VoxelBox box_around(const Casts& casts) {
     return box;
 }
 
-/// Density of a voxel after an operation. `weight` is that of a constant; for a filter it is the fraction by
-/// which the density moves towards its target.
+/// Density of a voxel after an operation. For a constant, `weight` is the weight of the tool at the voxel;
+/// for a filter it is the fraction by which the density moves towards its target.
 float next_density(const VoxelView& body, const Cast& cast, float now, double weight) {
     const double range = static_cast<double>(body.full) - static_cast<double>(body.empty);
     const double empty = static_cast<double>(body.empty), target = empty + cast.operation->density * range;

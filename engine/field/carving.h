@@ -1,11 +1,13 @@
-// field/carving.h: applies a tool to a body of voxels (paper 003, section 6).
+// field/carving.h: applies a tool to a body of voxels (R. S. Avila, L. M. Sobierajski, A haptic interaction
+// method for volume visualization, 1996, section 6).
 //
 // An edit reads and writes only the voxels that the tool reaches, so its time does not depend on the size of
-// the body. Voxels are changed brick by brick. The result depends on the body, the tool and the dab alone.
+// the body. Voxels are changed brick by brick. The result depends on nothing but the body, the tool and the
+// dab (one application of the tool).
 //
-// Density that is not finite, as in some scans, counts as empty. A filter that comes within a millionth of
-// its constant sets it: otherwise a melted voxel would never become empty, and its density would end as a
-// denormal number, which takes many times as long to compute with.
+// Density that is not finite, as in some scans, counts as empty. A filter that brings a density to within a
+// millionth of its constant sets the density to the constant: otherwise a melted voxel would never become
+// empty, and its density would end as a denormal number, which takes many times as long to compute with.
 //
 // Colours have 8 bits, so a weak filter would change nothing after rounding. The fraction
 // is therefore rounded up or down at random, with the right mean. The paper reports this

@@ -20,7 +20,7 @@
 
 namespace thaum::field {
 
-/// A brick's voxels, x fastest. A smaller brick at the far end uses only a part.
+/// Copy of a brick's voxels, x fastest. A smaller brick at the far end of the body uses only a part.
 struct BrickCopy {
     std::uint32_t brick{};
     std::array<float, voxels_of_brick> density{};

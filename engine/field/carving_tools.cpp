@@ -12,8 +12,8 @@ namespace thaum::field {
 namespace {
 
 constexpr double max_extent = 1000;  // largest extent (voxels or m)
-constexpr int max_stamp_edge = 64;   // cells
-constexpr double max_rate = 1e6;     // 1/s
+constexpr int max_stamp_edge = 64;   // largest number of cells along an edge of a stamp
+constexpr double max_rate = 1e6;     // largest rate of a filter (1/s)
 constexpr std::array<std::string_view, 3> property_names{"density", "colour", "material"};
 
 std::array<bool, 3> as_list(const Properties& p) { return {p.density, p.colour, p.material}; }
@@ -166,7 +166,8 @@ Expected<Tool> read_tool(const Config& config, const Materials& materials) {
         const Operation next = read_operation(table, materials);
         check_properties(table, tool.operations, next);
         tool.operations.push_back(next);
-        // More operations than properties: two of them change the same property.
+        // With more operations than properties, two of them change the same property, which has been
+        // reported.
         if (tool.operations.size() > max_operations) break;
     }
     if (tool.operations.empty()) root.report("name", "the tool has no [[operation]]; add one");

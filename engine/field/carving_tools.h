@@ -1,5 +1,5 @@
-// field/carving_tools.h: tools that change voxels, as data files describe
-// them (paper 003, section 6, table 2).
+// field/carving_tools.h: tools that change voxels, as data files describe them (R. S. Avila, L. M.
+// Sobierajski, A haptic interaction method for volume visualization, 1996, section 6, table 2).
 //
 //     version = 1
 //     name = "squirt"
@@ -15,9 +15,9 @@
 //     material = "wax"               for material; a name of the table of materials
 //     only = "surface"               optional: voxels beside the surface; not together with density
 //
-// A filter moves a property towards its constant D: d' = a D + (1 - a) d. Melting has D = 0. For a time t,
+// A filter moves a property d towards its constant D: d' = a D + (1 - a) d. Melting has D = 0. For a time t,
 // a = 1 - exp(-rate w t), where w is the weight of the extent at the voxel. So two edits of t / 2 give the
-// same as one of t. A constant sets the property, and does the same however often it is applied.
+// same as one of t. A constant sets the property to D; applying it again changes nothing.
 //
 // Extents and their keys:
 //
@@ -52,7 +52,7 @@ struct Stamp {
     std::vector<float> weight{};
 };
 
-/// Voxels that an operation reaches, and how strongly.
+/// Region of voxels that an operation reaches, with a weight for each voxel.
 struct Extent {
     ExtentShape shape{};
     /// Half edges along the tool's axes; for a sphere or a Gaussian, the radius along all three (voxels or
@@ -62,7 +62,7 @@ struct Extent {
     Stamp stamp{};           ///< weights, used by ExtentShape::stamp
 };
 
-/// Properties of a voxel.
+/// Set of properties of a voxel.
 struct Properties {
     bool density = false, colour = false, material = false;
 

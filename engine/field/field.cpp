@@ -73,7 +73,7 @@ Taps taps_at(double x, int count, std::ptrdiff_t stride, double per_metre, Kerne
         taps.slope[i] = weights.slope[i] * per_metre;
     }
     const bool low_edge = low == 0, high_edge = low == count - 2;
-    // With only three samples both ends may be near, but never in the same cell.
+    // In a grid of three samples each cell touches one end, but no cell touches both.
     if (low_edge) fold(taps, 0, {1, 2, 3});
     if (high_edge) fold(taps, 3, {2, 1, 0});
     return taps;

@@ -68,8 +68,8 @@ using ScalarField = Field<Scalar>;
 /// Field of three components.
 using VectorField = Field<Vector>;
 
-/// Makes a field from any object that maps a place to a Sample when called. It ends where the object's member
-/// function sample_box() says, if there is one.
+/// Makes a field from any object that maps a place to a Sample when called. If the object has a member
+/// function sample_box(), the box that it returns bounds the field.
 template <class Sample, class Source>
 Field<Sample> field_of(const Source& source) {
     Field<Sample> field{&source, [](const void* what, vec3 place) -> Sample {
@@ -99,8 +99,8 @@ struct Grid {
     Scalar operator()(vec3 place) const { return scalar_at(place.x, place.y, place.z); }
     /// The same value as operator(), to the last bit, without the gradient and in less time.
     double value(vec3 place) const { return value_at(place.x, place.y, place.z); }
-    /// Value at a place counted in samples from the first one, linear between samples and continued beyond
-    /// them. Needs two samples along each axis and numbers that are finite.
+    /// Value at a place counted in samples from the first one, linear between samples. Beyond them it is the
+    /// value of the nearest place inside. Needs two samples along each axis and numbers that are finite.
     double linear_value(double x, double y, double z) const;
 
 private:

@@ -24,11 +24,11 @@ const AnyField& input_of(const FilterStage& stage) {
 
 // ---- reading ----------------------------------------------------------------------------------------------
 
-/// The places one sample before and after a given place along an axis. If the place is within the samples, so
-/// are both.
+/// The places one sample before and after a given place along an axis. If that place lies within the samples,
+/// both neighbours do, too.
 struct Neighbours {
     vec3 low, high;
-    double per_metre;  ///< 1 / distance between the two (1/m)
+    double per_metre;  ///< 1 / distance between the two places (1/m)
 };
 
 Neighbours neighbours_of(const FilterStage& stage, vec3 place, int axis) {

@@ -21,10 +21,10 @@
 // A difference takes 7 reads of the input; `FilteredField::quick` leaves it out where only the value is
 // wanted.
 //
-// Frame: that of the source, whatever scale it is shown in. The output of the filters gradient, curl and
-// divergence is therefore per metre of the data: a curl of 2 /s is that of the measured flow. The gradient
-// that a mode reads itself, without a filter, is per metre in the frame where the field is placed
-// (field/placement.h), because the hand moves in that frame. Reading does not allocate.
+// Results are in the frame of the source, whatever the scale in which it is shown. The output of the filters
+// gradient, curl and divergence is therefore per metre of the data: a curl of 2 /s is that of the measured
+// flow. The gradient that a mode reads itself, without a filter, is per metre in the frame where the field is
+// placed (field/placement.h), because the hand moves in that frame. Reading does not allocate.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -123,8 +123,8 @@ struct FilteredField {
 /// vector. The error names the filter.
 Expected<bool> checked_filters(std::span<const Filter> filters, bool source_is_vector);
 
-/// Puts filters behind a source. Costs next to nothing unless something must be smoothed. The error is that
-/// of `checked_filters`, and then nothing has changed.
+/// Puts filters behind a source. Takes almost no time unless something must be smoothed. The error is that of
+/// `checked_filters`; `out` is then unchanged.
 Expected<void> set_filters(FilteredField& out, const FilterSource& source, std::span<const Filter> filters);
 
 /// Averages samples with Gaussian weights along each axis, up to 4 standard deviations (in samples) away.

@@ -1,4 +1,5 @@
-// field/materials.h: the materials that voxels refer to by an index (paper 003, section 3).
+// field/materials.h: the materials that voxels refer to by an index (R. S. Avila, L. M. Sobierajski, A haptic
+// interaction method for volume visualization, 1996, section 3).
 //
 //     version = 1
 //     [[material]]
@@ -8,8 +9,8 @@
 //     opacity = 0.3                  0: not drawn, but still felt; 1: hides everything behind it
 //     colour = "#E0AC8C"             older files have [224, 172, 140]: red, green, blue, each from 0 to 255
 //
-// The table is fixed while a body is carved. An edit changes the index of a voxel, never a material: that
-// would change the whole body at once.
+// The table is fixed while a body is carved. An edit changes the index of a voxel and never a material,
+// because changing a material would change the whole body at once.
 #pragma once
 #include <optional>
 #include <string>

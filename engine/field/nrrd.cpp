@@ -18,8 +18,8 @@
 namespace thaum::field {
 namespace {
 
-/// Sine of the angle from which an axis counts as turned; and cosine of the angle between two axes from which
-/// they count as skewed.
+/// An axis counts as turned if the sine of its angle to an axis of space is larger than `is_turned`. Two axes
+/// count as skewed if the cosine of the angle between them is larger than `is_skewed`.
 constexpr double is_turned = 1e-6, is_skewed = 1e-3;
 
 using Path = std::filesystem::path;
@@ -301,7 +301,7 @@ Expected<Volume> read_nrrd(const Path& path, const ReadChoice& choice) {
                           "the axes are not at right angles; resample the volume to a straight box");
     if (choice.colours_as_vectors && header->colour > NrrdColour::red_green_blue)
         return fail_field(*header, "kinds", "colours must be red, green and blue; convert to 'RGB-color'");
-    // The file is read to its end now; a short one has been read already.
+    // The rest of the file is read only now; a short file has been read completely with its header.
     if (header->data_files.empty() && file->size() > longest_header) file = read_file(path, max_bytes);
     if (!file) return Error{in_one_line(file.error().message)};
     Volume volume;

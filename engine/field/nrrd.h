@@ -1,13 +1,14 @@
 // field/nrrd.h: volumes in NRRD files (teem.sourceforge.net/nrrd/format.html), the usual format of scans in
 // research.
 //
-// Read: three axes of space, in any order with one of components (3, or colours) and one of time; integers of
-// 8 to 64 bits, float and double, of either byte order; raw, gzip or ascii; samples in the same file, in
-// another, or in several (LIST, or a pattern such as "slice%03d.raw 1 40 1"), behind skipped lines and bytes.
-// Of a file with time, one moment is read; of colours, the luminance. Not read: other kinds of axes (list,
-// matrices, quaternions), two axes of space or four, spaces with time, hex, bzip2, and block types: each is
-// refused in a line that says what it is. The samples come out with x fastest along the axes of the file's
-// space. What a header says about space is kept so:
+// What is read: three axes of space, in any order with at most one axis of components (3, or colours) and one
+// of time; integers of 8 to 64 bits, float and double, in either byte order; the encodings raw, gzip and
+// ascii; samples in the same file, in another one, or in several (LIST, or a pattern such as "slice%03d.raw 1
+// 40 1"), after skipped lines and bytes. From a file with time, one moment is read, and from colours, the
+// luminance. What is not read: other kinds of axes (list, matrices, quaternions), two axes of space or four,
+// spaces with time, the encodings hex and bzip2, and block types. An error of one line names each of these.
+// The samples come out with x fastest along the axes of the file's space. What a header says about space is
+// kept as follows:
 //
 //     space directions along the axes of space   samples are put in order; their lengths are the spacing
 //     directions turned against those axes       placement.turn
@@ -25,16 +26,16 @@
 //     a space such as right-anterior-superior    turned to left-posterior-superior (Volume::is_of_patient)
 //     a left-handed space                        mirrored, so that the frame is right-handed
 //
-// A file that is written says what was read: the same vectors, the same frame, and no origin if there was
+// A file that is written repeats what was read: the same vectors, the same frame, and no origin if there was
 // none. The key/value pair "thaum save:=NAME" tells which files belong to one body (Volume::save_name).
 //
-// Without kinds, an axis of 3 or 4 bytes holds colours, one of 3 other numbers a vector. A detached
-// file that is not where the header says is looked for as detail/sample_file.h says. Samples that
-// floats would make coarse are refused (Rounding, field/volume.h); so are bytes of another encoding,
-// and floats in the other byte order.
+// Without kinds, an axis of 3 or 4 bytes holds colours, and an axis of 3 other numbers a vector. If a
+// detached file is not where the header says, detail/sample_file.h describes where it is looked for. Samples
+// that lose most of their differences when they are rounded to float are refused (Rounding, field/volume.h).
+// So are bytes of another encoding, and floats in the other byte order.
 //
-// Comments and key/value pairs are skipped; what else was left out or changed is in Volume::notes.
-// Samples that are not numbers stay so.
+// Comments and key/value pairs are skipped. Volume::notes lists everything else that was left out or changed.
+// Samples that are not numbers (NaN) remain so.
 #pragma once
 #include <filesystem>
 
@@ -52,8 +53,8 @@ struct ReadChoice {
     bool colours_as_vectors = false;  ///< true: keep colours as vectors; false: keep their luminance
 };
 
-/// Reads a volume. The error is one line with the path and, for a header, the line: a header that claims more
-/// samples than the file can hold allocates no memory.
+/// Reads a volume. The error is one line with the path and, for a fault of the header, the line. A header
+/// that claims more samples than the file can hold allocates no memory.
 Expected<Volume> read_nrrd(const std::filesystem::path& path, const ReadChoice& choice = {});
 
 /// How samples are stored: as they are, or packed by gzip.

@@ -21,7 +21,7 @@ namespace thaum::field {
 struct Placement {
     vec3 origin{};      ///< place of the volume's origin (m, parent frame)
     mat3 turn{1.0};     ///< rotation from the volume's frame to the parent's; orthonormal
-    double scale{1.0};  ///< length in the parent for each length in the volume, > 0
+    double scale{1.0};  ///< length in the parent's frame per length in the volume's frame, > 0
 };
 
 inline vec3 to_parent(const Placement& p, vec3 place) { return p.origin + p.turn * (p.scale * place); }
@@ -84,7 +84,7 @@ struct Placed {
     Field<Sample> field{};  ///< field in the volume's frame
     Placement placement{};
 
-    /// Zeros if the scale is not above 0 or no field is set.
+    /// Value in the parent's frame; zeros if the scale is not above 0 or no field is set.
     Sample operator()(vec3 place) const {
         if (field.read == nullptr || !(placement.scale > 0)) return {};
         return to_parent(placement, field(to_own(placement, place)));

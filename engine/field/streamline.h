@@ -1,12 +1,12 @@
 // field/streamline.h: lines that follow a vector field, such as the paths of a steady flow.
 //
 // A line is traced by its length s: dx/ds = v / |v|, with the Runge-Kutta scheme of order 4. Each step is
-// done twice, whole and in two halves; a fifteenth of the difference estimates the error of the halves, which
-// are kept, and sets the length of the next step (Press et al. 2007, "Numerical recipes", section 17.2). A
-// line whose steps are h long therefore has an error of h^4.
+// done twice, as a whole and in two halves, and the result of the halves is kept. A fifteenth of the
+// difference estimates its error and sets the length of the next step (Press et al. 2007, "Numerical
+// recipes", section 17.2). With steps of the length h, the error of a line is proportional to h^4.
 //
-// Each point has a direction across the line for drawing ribbons. It turns with the matter: by half of the
-// curl's part along the line.
+// Each point has a direction across the line for drawing ribbons. It turns about the line as the flowing
+// matter does, by half of the curl's component along the line.
 #pragma once
 #include <cstdint>
 #include <limits>
@@ -31,7 +31,7 @@ struct StreamlineSettings {
 
 /// One point of a line.
 struct StreamPoint {
-    vec3 place{};    ///< (m)
+    vec3 place{};    ///< position of the point (m)
     vec3 along{};    ///< direction of the line (unit)
     vec3 across{};   ///< direction across the line (unit), perpendicular to `along`
     double speed{};  ///< length of the field's vector (m/s)
@@ -41,8 +41,8 @@ struct StreamPoint {
 /// Reason why a line ends. A field that is not finite counts as `still`.
 enum class StreamEnd : std::uint8_t { length, still, outside, points };
 
-/// Traces a line from `seed` into `out`, whose memory is kept between calls. The first point is the seed. No
-/// points if the field is still at the seed or the seed is outside the box.
+/// Traces a line from `seed` into `out`, whose memory is kept between calls. The first point is the seed.
+/// There are no points if the field is still at the seed or if the seed is outside the box.
 StreamEnd trace(const VectorField& field, vec3 seed, const StreamlineSettings& settings,
                 std::vector<StreamPoint>& out);
 

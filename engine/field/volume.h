@@ -98,7 +98,8 @@ struct Volume {
     vec3 place(int i, int j, int k) const { return spacing * vec3(i, j, k) - 0.5 * extent(); }
 };
 
-/// Gives `volume` the place of another volume with the same number of samples, also for files.
+/// Gives `volume` the placement, frame and file vectors of another volume with the same number of samples, so
+/// that its file also says the same place.
 void lie_as(Volume& volume, const Volume& other);
 
 /// Smallest and largest finite sample of a volume; (0, 0) if there is none.
@@ -116,7 +117,7 @@ std::size_t not_finite(const Volume& volume);
 /// than the best. For vectors, the level of their lengths. The middle of the range if all samples are equal.
 double usual_level(const Volume& volume);
 
-/// Samples a field at count[0] x count[1] x count[2] places about its origin.
+/// Samples a field at count[0] x count[1] x count[2] places, centred on the field's origin.
 Volume sampled(const ScalarField& field, std::array<int, 3> count, vec3 spacing);
 Volume sampled(const VectorField& field, std::array<int, 3> count, vec3 spacing);
 

@@ -12,7 +12,7 @@ namespace thaum::field {
 struct VoxelOverlap {
     std::array<int, 3> count{};  ///< voxels along each axis
     float threshold{};           ///< density from which on a voxel is inside
-    /// A number for each voxel: 1 inside the body, plus 2 inside the wanted body.
+    /// A sum for each voxel: 1 if it is inside the body, plus 2 if it is inside the wanted body.
     std::vector<std::uint8_t> inside{};
     std::size_t both{};    ///< number of voxels inside both bodies
     std::size_t either{};  ///< number of voxels inside at least one of the bodies

@@ -23,8 +23,8 @@ std::uint64_t voxel_hash(const VoxelView& body, BrickHashes& hashes);
 /// Appends all voxels to `out`.
 void save(const VoxelView& body, Bytes& out);
 
-/// Restores saved voxels. The body must have the same count. Bricks that change get a new version. On an
-/// error, such as bytes that end too early, the body may hold part of the snapshot.
+/// Restores saved voxels. The body must have the same number of voxels along each axis. Bricks that change
+/// get a new version. On an error, such as bytes that end too early, the body may hold part of the snapshot.
 Expected<void> restore(const VoxelView& body, ByteReader& saved);
 
 }  // namespace thaum::field

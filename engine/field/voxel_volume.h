@@ -1,7 +1,7 @@
 // field/voxel_volume.h: bodies of voxels from volumes, and back into volumes for files (field/volume.h).
 //
 // A volume holds one property. Density, colour and material are therefore three volumes, each with the count,
-// spacing and placement of the body. They give back every bit of it.
+// spacing and placement of the body. Together they give back every bit of the body.
 #pragma once
 #include <optional>
 

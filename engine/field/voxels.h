@@ -1,4 +1,5 @@
-// field/voxels.h: a body made of voxels that can be felt, seen and carved (paper 003, section 3).
+// field/voxels.h: a body made of voxels that can be felt, seen and carved (R. S. Avila, L. M. Sobierajski, A
+// haptic interaction method for volume visualization, 1996, section 3).
 //
 //     Voxels (owns) -- view --> VoxelView --> edit (field/carving.h)
 //        |                          |
@@ -37,7 +38,7 @@ struct Rgb8 {
     bool operator==(const Rgb8&) const = default;
 };
 
-/// Voxels with low <= (i, j, k) < high. By default there are none.
+/// A box of voxels: those with low <= (i, j, k) < high. By default there are none.
 struct VoxelBox {
     std::array<int, 3> low{}, high{};
 
@@ -116,7 +117,7 @@ struct Voxels {
     Bricks bricks{};
     Placement placement{};  ///< placement of the body in its parent's frame
 
-    /// The arrays, for those who read and change them. Valid until the body is destroyed or moved.
+    /// The arrays, for reading and changing them. Valid until the body is destroyed or moved.
     VoxelView view() { return {count, spacing, empty, full, surface, density, colour, material, &bricks}; }
     /// The density at any place of the body's frame. Valid until the body is destroyed or moved.
     Grid density_grid(Kernel kernel = Kernel::catmull_rom) const;
@@ -135,7 +136,7 @@ VoxelBox brick_box(std::array<int, 3> voxels, std::array<int, 3> brick);
 /// Bricks that hold voxels of the box, as a box of bricks.
 VoxelBox bricks_around(const VoxelBox& box);
 
-/// Calls visit(brick, number) for each of these bricks, x fastest.
+/// Calls visit(brick, number) for each brick of the box of bricks `some`, x fastest.
 template <class Visit>
 void for_each_brick(const Bricks& bricks, const VoxelBox& some, Visit visit) {
     for (int k = some.low[2]; k < some.high[2]; ++k) {

@@ -45,7 +45,7 @@ double clean(double weight) {
     return weight > 1 - min_weight ? 1 : weight;
 }
 
-/// Weight of a voxel at the distance `inside` within an edge.
+/// Weight of a voxel at the depth `inside` behind an edge of the shape (the extent's unit; negative outside).
 double coverage(double inside, double rim) { return clean(0.5 + inside / rim); }
 
 double box_weight(const Footprint& f, vec3 local) {
@@ -61,7 +61,7 @@ double cell_weight(const Stamp& stamp, std::array<int, 3> cell) {
     return static_cast<double>(stamp.weight[static_cast<std::size_t>(at)]);
 }
 
-/// Trilinear between the centres of the cells, 0 beyond them.
+/// Weight of a stamp: trilinear between the centres of the cells, 0 beyond them.
 double stamp_weight(const Footprint& f, vec3 local) {
     const Stamp& stamp = *f.stamp;
     const vec3 cells(stamp.cells[0], stamp.cells[1], stamp.cells[2]);

@@ -40,7 +40,8 @@ using PartWeights = std::array<double, voxels_of_brick>;
 /// Computes the weights of the voxels of `part`, from 0 to 1. Returns their number.
 std::size_t weigh(const Footprint& footprint, const VoxelBox& part, PartWeights& weights);
 
-/// Greatest strength of a filter in one edit. exp(-max_amount) is close to the least normal number.
+/// Largest product of a filter's rate and time in one edit. exp(-max_amount) is close to the least normal
+/// double.
 inline constexpr double max_amount = 700;
 
 /// Turns the first `count` weights w into 1 - exp(-amount w), the part by which a filter moves a property.

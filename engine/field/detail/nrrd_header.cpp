@@ -114,7 +114,7 @@ void read_sizes(NrrdFields& fields, std::size_t limit, NrrdHeader& header, Axes&
 /// Gives an axis the role that its kind means, and notes in the header what the kind says about colours.
 void take_kind(NrrdFields& fields, std::string_view word, Axis& axis, NrrdHeader& header) {
     const auto* kind = kind_of(word);
-    // A single entry of a list or the like, which needs no role.
+    // An axis with one sample, of a list or the like, needs no role.
     const bool of_one = axis.size == 1 && !is_unknown(word);
     if (kind == nullptr && !of_one) {
         fields.report(
@@ -233,7 +233,8 @@ void keep_axes(const Axes& axes, NrrdHeader& header) {
 
 // ---- space ------------------------------------------------------------------------------------------------
 
-/// A unit of length as a divisor of metres: dividing 2 by 1000 rounds like the number 0.002.
+/// A unit of length, as the number of units in a metre. Lengths are divided by it, because 2 / 1000 rounds
+/// like the number 0.002.
 struct Unit {
     std::string_view words;  ///< names of the unit in lower case, separated by blanks
     double in_a_metre{};
@@ -248,8 +249,8 @@ constexpr std::array units_read{
     Unit{" in inch inches ", 1 / 0.0254},
 };
 
-/// Lengths of a field with units. A word that is no unit of length, such as "pixel", counts as no unit, and
-/// the user gets a note.
+/// Converts the lengths of a field to metres by its units. A word that is no unit of length, such as "pixel",
+/// counts as no unit, and the user gets a note.
 class Lengths {
 public:
     Lengths(NrrdHeader& header, std::vector<std::string> units) : header_(header), units_(std::move(units)) {}
@@ -273,7 +274,8 @@ private:
     std::vector<std::string> units_;
 };
 
-/// Signs that make the frame of space right-handed and, for a patient, left-posterior-superior.
+/// Reads the frame of space. Returns the sign of each axis that makes the frame right-handed and, for a
+/// patient, left-posterior-superior.
 vec3 read_space(NrrdFields& fields, NrrdHeader& header) {
     if (fields.has("spacedimension")) (void)fields.integer("spacedimension", 3, 3, 3);
     header.is_in_space = fields.has("space") || fields.has("spacedimension");

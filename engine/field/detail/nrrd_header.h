@@ -1,4 +1,4 @@
-// field/detail/nrrd_header.h: what an NRRD header says of its samples and of space.
+// field/detail/nrrd_header.h: the values of an NRRD header about its samples and about space.
 #pragma once
 #include <array>
 #include <map>
@@ -42,7 +42,7 @@ struct NrrdHeader {
     std::size_t stored{1};            ///< number of samples times components in the file
     std::array<vec3, 3> direction{};  ///< vector from one sample to the next along each of these axes (m)
     std::optional<vec3> first{};      ///< place of the first sample (m)
-    /// From the frame of vector values to that of space; 0: values are not turned.
+    /// Matrix that turns vector values from their own frame to the frame of space; 0: values are not turned.
     mat3 of_values{1.0};
     bool is_in_space{};    ///< true: the header has a frame of space
     bool is_of_patient{};  ///< true: the frame of space is left-posterior-superior

@@ -15,7 +15,8 @@
 namespace thaum::field {
 namespace {
 
-/// Deflate packs at most 1,032 bytes into one; this allows a little more.
+/// Largest ratio of unpacked to packed bytes that is believed. Deflate packs at most 1,032 bytes into one;
+/// this allows a little more.
 constexpr std::size_t max_packed = 1040;
 /// Most bytes that may precede samples at the end of gzip data.
 constexpr std::size_t max_before_end = std::size_t{64} << 20U;

@@ -24,7 +24,7 @@ std::span<const std::string_view> sample_type_names();  ///< Names of all types,
 /// Where the samples of a volume are in a file, counted in samples.
 struct StoredOrder {
     std::ptrdiff_t first{};  ///< index of component 0 of sample (0, 0, 0)
-    /// Step along each axis; negative if the file runs the other way.
+    /// Step along each axis to the next sample; negative if the file runs the other way.
     std::array<std::ptrdiff_t, 3> stride{};
     std::ptrdiff_t component_stride{1};
 };
