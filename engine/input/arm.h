@@ -1,5 +1,5 @@
 // input/arm.h: measurements, forces and facts that pass between a force feedback arm and its user. The user
-// passes a function. The arm's servo thread calls it once a tick with a measurement, and it returns the
+// passes a function, which the arm's servo thread calls once a tick. It gets a measurement and returns the
 // force.
 //
 // A driver quantises its measurements before anything else sees them (1 um, 1 urad), so the integers of a log
@@ -25,8 +25,8 @@ struct ArmReading {
     bool usable{true};        ///< false: the device returned values that are not numbers
 };
 
-/// Function for each tick. It must take no lock, allocate nothing and open no file. It returns the force (N,
-/// device frame).
+/// Function that the arm's servo thread calls in each tick. It must take no lock, allocate nothing and open
+/// no file. It returns the force (N, device frame).
 struct ArmTick {
     vec3 (*step)(void* context, const ArmReading& reading){};
     void* context{};
@@ -43,7 +43,7 @@ struct ArmFacts {
 
 /// Model and serial number, such as "Touch F0000001".
 std::string name_of(const ArmFacts& facts);
-/// Edges of the arm's workspace, as in DeviceSpec::box_um; zero if unknown.
+/// Edges of the arm's workspace (um), as in DeviceSpec::box_um; zero if unknown.
 std::array<std::uint32_t, 3> box_um(const ArmFacts& facts);
 /// Whether `word` names this arm: "arm" names any arm; otherwise its family, model, serial number, or model
 /// and serial number, in upper or lower case.

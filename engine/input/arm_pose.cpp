@@ -5,7 +5,7 @@
 namespace thaum::input {
 namespace {
 
-// Poses measured in a shorter interval count as the same pose (ns).
+// Shortest interval between two poses; poses with less time between them count as the same pose (ns).
 constexpr std::int64_t shortest_tick_ns = 250'000;
 constexpr std::uint32_t set_back_after = 20;  // ticks after which a clock that was set back is accepted
 constexpr double metres_per_um = 1e-6;

@@ -22,8 +22,8 @@ std::uint32_t buttons_of(std::uint32_t arm) {
     return buttons;
 }
 
-/// The step that the arm's thread and the simulation share. `age` is that of model or pose, whichever is
-/// older (samples).
+/// The servo step, the same function for the arm's thread and the simulation. `age` is that of the model or
+/// of the pose, whichever is older (samples).
 vec3 arm_step(const haptics::Servo& servo, haptics::ServoState& state, const haptics::HapticModel& model,
               vec3 position, std::uint32_t age) {
     return haptics::servo_step(servo, state, model, {position, age});

@@ -1,5 +1,5 @@
-// input/arm_servo.h: servo of a real arm. It runs in the thread that calls at 1 kHz, and exchanges data with
-// the simulation without either waiting for the other:
+// input/arm_servo.h: servo of a real arm. It runs in the thread that the arm's driver calls at 1 kHz, and
+// exchanges data with the simulation without either waiting for the other:
 //
 //     simulation:   order (newest model) --> [triple buffer] --> arm's thread: servo step --> force
 //     arm's thread: sample (measurement, model used) --> [queue] --> simulation: each tick takes the next one
@@ -66,7 +66,7 @@ public:
     /// Starts a new simulation, whose epochs begin at 1 again; called by the simulation thread. No tick may
     /// run meanwhile.
     void begin_match() { epochs_before_ = epoch_; }
-    /// Order to fill as ArmState describes, before `publish`.
+    /// Order for the arm's thread. The caller fills it as ArmState describes, then calls `publish`.
     ArmOrder& order() { return orders_.to_fill(); }
     /// Hands the filled order to the arm's thread.
     void publish();
@@ -144,12 +144,14 @@ std::uint32_t model_of(const ArmState& arm, const DeviceSample& sample);
 void take_sample(ArmState& arm, const haptics::Servo& servo, const DeviceSample& sample,
                  const RememberedModel* used, bool skipped);
 
-/// Applies the clutch, once a tick before the model. While the clutch is held, the hand rests at its
-/// position, or at the edge of its reach (m, either way), and the arm's tip moves freely. After the release,
-/// the hand follows the tip from there. While the hand rests, the haptic model must be off.
+/// Applies the clutch; called once a tick before the model is made. While the clutch is held, the hand rests
+/// at its position, or at the edge of its reach (m, to both sides of the middle), and the arm's tip moves
+/// freely. After the release, the hand follows the tip from there. While the hand rests, the haptic model
+/// must be off.
 void rest_hand(ArmState& arm, bool held, vec3 reach);
 
-/// Position of the hand, and of the arm's tip (m, device frame).
+/// Position of the hand: where it rests, or else the arm's tip plus the displacement by the clutch (m, device
+/// frame).
 vec3 hand_of(const ArmState& arm);
 /// Position of the arm's tip (m, device frame).
 vec3 position_of(const ArmState& arm);

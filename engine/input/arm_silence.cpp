@@ -17,7 +17,7 @@ namespace {
 /// Signal that ends the process. The handler of the alarm sends it if another handler hangs in the vendor's
 /// library.
 volatile std::sig_atomic_t ends_by = 0;
-/// Whether this thread is in on_end.
+/// Whether this thread is already in the handler on_end.
 thread_local volatile std::sig_atomic_t ends_here = 0;
 
 void hung(int) {
@@ -44,8 +44,8 @@ void end_as_arms_thread(int signal) noexcept {
     ::alarm(0);
 }
 
-/// The thread cannot go on: after its handler the same instruction would fail again,
-/// or abort() would end the process.
+/// Whether the thread cannot go on after this signal: when the handler returned, the same instruction would
+/// fail again, or abort() would end the process.
 bool is_fault(int signal) {
     switch (signal) {
         case SIGSEGV:
@@ -71,14 +71,14 @@ void hand_on(int signal, void* context) {
     ::kill(::getpid(), signal);
 }
 
-/// exit() may be called anywhere, too.
+/// Ends all forces when exit() is called, which an arm's servo thread may do as well as any other.
 void on_exit() {
     if (ticks::is_arms_thread()) ticks::end_broken();
     silence_arms_and_wait();
 }
 
-/// Other threads may be in this handler at the same time; each waits until the arms are silent. Only a fault
-/// within the handler ends the process at once.
+/// Handler of the signals that end the process. Other threads may be in this handler at the same time; each
+/// waits until the arms are silent. Only a fault within the handler ends the process at once.
 void on_end(int signal, siginfo_t*, void* context) {
     const bool arms = ticks::is_arms_thread(), nested = ends_here != 0;
     if (!is_fault(signal)) {

@@ -20,10 +20,10 @@ void end_silence() noexcept;
 void silence_arms_and_wait() noexcept;
 
 /// Makes the force zero before the process ends by exit(), by quick_exit() or by a signal. That covers
-/// faults, aborts (a failed assertion, an uncaught exception), requests to end (SIGTERM, SIGINT,
-/// SIGQUIT, SIGHUP), a broken pipe and a limit. The force is also zero while the process is stopped
-/// (SIGTSTP, SIGTTIN, SIGTTOU). The process then ends or stops as it would have done otherwise. Signals
-/// that are ignored or handled elsewhere stay unchanged, and so do real-time signals, which libraries
+/// faults, aborts (a failed assertion, an uncaught exception), requests to end (SIGTERM, SIGINT, SIGQUIT,
+/// SIGHUP), a broken pipe and an exceeded limit (SIGXCPU, SIGXFSZ). The force is also zero while the process
+/// is stopped (SIGTSTP, SIGTTIN, SIGTTOU). The process then ends or stops as it would have done otherwise.
+/// Signals that are ignored or handled elsewhere stay unchanged, and so do real-time signals, which libraries
 /// use. A second call does nothing.
 void guard_ends();
 

@@ -69,13 +69,13 @@ constexpr Default pad_defaults[] = {
     {Action::turn_up, "pad right_y +"},
     {Action::turn_down, "pad right_y -"},
     {Action::fire, "pad right_trigger +"},
-    // A bumper, because the right thumb moves the stick while drawing; on the side of the stir trigger,
-    // because the ladle draws as well.
+    // Drawing is on a bumper, because the right thumb moves the stick meanwhile. The bumper is on the side of
+    // the stir trigger, because the ladle draws as well.
     {Action::trace, "pad left_bumper"},
     {Action::next_wand, "pad right_bumper"},
     {Action::previous_wand, "pad left"},
-    // A trigger, because the thumb that would hold a button has to push the
-    // right stick, which moves the ladle.
+    // Stirring is on a trigger, because the thumb that would hold a button has to push the right stick, which
+    // moves the ladle.
     {Action::stir, "pad left_trigger +"},
     {Action::jump, "pad a"},
     {Action::throw_, "pad right_stick"},

@@ -15,8 +15,8 @@
 
 namespace thaum::input {
 
-/// Actions that a control may trigger. First come the bits of Button in their order and the actions that
-/// select a wand, then directions; the last two turn the wheel.
+/// Actions that a control may trigger. The bits of Button come first, in their order, together with the
+/// actions that select a wand. The directions follow, and the last two actions turn the wheel.
 enum class Action : std::uint8_t {
     fire,
     jump,
@@ -90,7 +90,7 @@ enum class PadButton : std::uint8_t {
     down,
     left,
 };
-/// Sticks are positive to the right and up.
+/// Axes of a game pad. Sticks are positive to the right and up.
 enum class PadAxis : std::uint8_t { left_x, left_y, right_x, right_y, left_trigger, right_trigger };
 inline constexpr std::size_t pad_axes = 6;
 
@@ -104,7 +104,7 @@ struct Control {
     bool operator==(const Control&) const = default;
 };
 
-/// All bindings of one player's hands.
+/// All bindings of one player's hands: the controls of each action, and how they act.
 struct Bindings {
     DeviceKind kind{};
     std::array<std::vector<Control>, actions> controls;
@@ -145,8 +145,8 @@ Bindings default_bindings(DeviceKind kind, const KeyCodes& codes);
 /// then fails with file, line and key.
 Bindings read_bindings(const ConfigTable& table, Bindings bindings, const KeyCodes& codes);
 
-/// Stands for an invalid list of controls. Returned when the value in the settings is no text, which has been
-/// reported already.
+/// Text that stands for an invalid list of controls. The reader uses it if the value in the settings is no
+/// text, a fault that has been reported already.
 inline constexpr const char* no_control = "?";
 
 /// Reads one control such as "key w", "mouse left", "wheel up", "pad a", "pad right_trigger +". The error

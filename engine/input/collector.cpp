@@ -10,7 +10,8 @@
 namespace thaum::input {
 namespace {
 
-// Hysteresis, so a trigger at its threshold does not flicker.
+// How far below the press of a trigger its release lies. This hysteresis keeps a trigger at its threshold
+// from flickering.
 constexpr double release_below_press = 0.1;
 constexpr unsigned latch_shift = 32;
 /// Wheel steps of a control that is held, per sample: the first step is at once, then there are 12 a second.

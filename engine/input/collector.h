@@ -13,13 +13,13 @@
 
 namespace thaum::input {
 
-/// Input of one player's hands. `take` belongs to one thread, all other functions to another.
+/// Input of one player's hands. One thread calls `take`, another thread all other functions.
 class HandsCollector {
 public:
     explicit HandsCollector(Bindings bindings);
 
-    /// Events, reported by the main thread. Unbound codes are ignored, so every event may go to every
-    /// collector.
+    /// A key went down or up. The main thread reports all events. Unbound codes are ignored, so every event
+    /// may be reported to every collector.
     void key(int code, bool pressed);
     /// A mouse button went down or up.
     void mouse_button(int code, bool pressed);
@@ -85,9 +85,9 @@ private:
     // Shared by both threads. Motion is a sum since the start, so `take` needs no reset, during which an
     // event could be lost.
     std::atomic<std::int64_t> right_{0}, up_{0}, wheel_{0};
-    /// Low half: held now; high half: pressed since the last `take`.
+    /// Button bits: in the low half those held now, in the high half those pressed since the last `take`.
     std::atomic<std::uint64_t> buttons_{0};
-    /// Six bytes: strafe, forward, turn_right, turn_up, trigger, direction of the wheel.
+    /// Six levels of one byte each: strafe, forward, turn_right, turn_up, trigger, direction of the wheel.
     std::atomic<std::uint64_t> levels_{0};
 
     std::atomic<std::uint32_t> ramp_ticks_{0};  ///< length of the slow start of a turn (ticks)

@@ -15,9 +15,9 @@ inline constexpr std::size_t max_counts = 8;
 /// Number of sources of force in a stirred fluid: those of haptics::fluid_modes, in their order.
 inline constexpr std::size_t fluid_faders = 7;
 
-/// A player's faders for the forces at the hand. The first is the largest force, the others are
-/// shares of a source of force. The sources of a stirred fluid follow, beginning with `fluid`. The
-/// numbers are part of the log's format.
+/// A player's faders for the forces at the hand. `force` is the largest force. Each other fader is the share
+/// of one source of force that the player feels. The sources of a stirred fluid follow, beginning with
+/// `fluid`. The numbers are part of the log's format.
 enum class HandFader : std::uint8_t { none, force, weight, blows, recoil, roughness, fluid };
 inline constexpr std::size_t hand_faders = static_cast<std::size_t>(HandFader::fluid) - 1 + fluid_faders;
 /// Value of HandFader::force that means the share from the data files.
@@ -105,7 +105,8 @@ struct DeviceSample {
     std::uint32_t buttons{};
     /// Wand whose key was pressed last and is still down, 1 to max_wands; 0: none.
     std::uint8_t wand{};
-    /// The device is unplugged or lost. It joins or leaves the match at a tick by a change of this value.
+    /// True: the device is unplugged or lost. A device joins or leaves the match at the tick in which this
+    /// value changes.
     bool away{};
     FaderChange change{};  ///< fader that the player moved in this tick
     /// Age of the haptic model that the servo used (ticks), at least 1. It is 0 for hands, and for an arm in

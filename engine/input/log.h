@@ -77,7 +77,8 @@ struct LogHeader {
     bool operator==(const LogHeader&) const = default;
 };
 
-/// Hashes of the state after `tick` ticks. `tick` is a multiple of hash_interval, or the log's last tick.
+/// Hashes of the state after `tick` ticks, and of all forces since the last multiple of hash_interval before.
+/// `tick` is a multiple of hash_interval, or the log's last tick.
 struct HashRecord {
     Tick tick{};
     std::uint64_t state{};
@@ -121,8 +122,8 @@ public:
     /// Appends the frame of the next tick. Devices beyond the header's must be zero. No file access and no
     /// lock. No allocation while the disk lags less than 4 s behind.
     void append(const InputFrame& frame);
-    /// Appends hashes of the state after `tick` ticks. `tick` is a multiple of hash_interval, rises, and is
-    /// not beyond the appended frames. Call it before the next frame is appended.
+    /// Appends the hashes of state and forces after `tick` ticks. `tick` is a multiple of hash_interval,
+    /// rises, and is not beyond the appended frames. Call it before the next frame is appended.
     void append_hash(Tick tick, std::uint64_t state, std::uint64_t force);
     /// Marks the state after `ticks()` ticks. A block of 512 ticks holds at most 64 marks; others are
     /// dropped.

@@ -81,7 +81,7 @@ void note_hanging(std::string_view driver, bool hangs) {
         u.hanging.erase(one);
 }
 
-/// Like run_watched, but work that hangs is counted as hanging until it returns.
+/// Like run_watched, but work that does not return in time is counted as hanging until it does.
 Watched run_counted(std::string_view driver, std::int64_t limit_ns, const std::atomic<bool>* enough,
                     std::function<void()> work, const std::function<void()>& if_late) {
     auto watched = run_watched(limit_ns, enough, std::move(work), [=] {
@@ -166,7 +166,7 @@ void close_watched(const std::shared_ptr<State>& state) {
         state->patience.close_ns, nullptr, [=] { state->driver->give_up(); }, [] {});
 }
 
-/// Keeps the ticks of a hanging driver until the program ends, because the driver may still use them.
+/// Keeps the state of an arm whose driver hangs until the program ends, because the driver may still use it.
 template <class State>
 void keep_for_ever(const std::shared_ptr<State>& state) {
     static auto* mutex = new std::mutex();
@@ -205,7 +205,7 @@ void leave(std::atomic<OwnThread>& thread, std::string_view driver) {
     if (thread.compare_exchange_strong(runs, OwnThread::given_up)) note_hanging(driver, true);
 }
 
-/// Ticks at 1 kHz until the ticks end.
+/// Runs a tick each millisecond until the arm needs no more ticks.
 void run_servo(ArmTicks& ticks) {
     constexpr std::int64_t period_ns = 1'000'000, max_late_ns = 5 * period_ns;
     auto due = monotonic_ns();

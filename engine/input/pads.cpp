@@ -19,7 +19,7 @@
 // - SDL's own drivers for some pads (HIDAPI) are off, so that every pad is one of Linux's event devices: the
 //   user needs one permission for all, and motors run through that device (input/rumble.h).
 // - No events: SDL would queue them. The states are read after each update, and the queue is emptied.
-// - No signal handlers: those of the program end arms and motors before the program ends.
+// - No signal handlers: SDL's would replace those of the program, which stop arms and motors before it ends.
 
 namespace thaum::input {
 namespace {

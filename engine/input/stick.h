@@ -24,7 +24,7 @@ double checked_push(double push);
 
 /// Deflection of a stick, positive to the right and up.
 struct StickPosition {
-    double x{}, y{};  ///< -1..1
+    double x{}, y{};  ///< deflection to the right and upwards, -1..1
 };
 
 /// Stick position after removing the dead zone. The zone is round, so that a diagonal keeps its direction and

@@ -37,11 +37,11 @@ struct TactileReport {
 /// Plays frames on an output. The output's thread calls `step`.
 class TactilePlayback {
 public:
-    static constexpr double retry_s = 2;           ///< time between two tries to open an output
+    static constexpr double retry_s = 2;           ///< time between two tries to open an output (s)
     static constexpr double longest_life_s = 0.5;  ///< longest time to live that is accepted (s)
 
-    /// Queues a frame; called by the thread that makes frames. Returns false if the queue is full: the output
-    /// is not fed at the moment.
+    /// Queues a frame; called by the thread that makes frames. Returns false if the queue is full, because
+    /// the output is not fed at the moment.
     bool feel(const tactile::TactileFrame& frame);
 
     /// Merges a frame with those that are queued; any thread may call it. Only the newest such frame is used.

@@ -67,7 +67,8 @@ Imports imports_of(const ElfW(Dyn) * entry) {
     return imports;
 }
 
-/// The system's libraries. A search of libm continues in libc.
+/// Handles of the system's libraries. A search in libm continues in libc, so a function counts as one of libm
+/// only if libc has another one.
 struct MachineLibraries {
     void* maths = dlopen("libm.so.6", RTLD_LAZY | RTLD_NOLOAD);
     void* c = dlopen("libc.so.6", RTLD_LAZY | RTLD_NOLOAD);

@@ -16,7 +16,7 @@ constexpr double caught_speed = 1;
 /// Largest speed away from the ground at which a walking mover is kept on the ground, as over a crest of 50
 /// degrees (m/s).
 constexpr double held_speed = 4;
-constexpr double noticed_force = 50;  // smallest missing force that counts as resistance (N)
+constexpr double noticed_force = 50;  // smallest shortfall of the drive that counts as resistance (N)
 constexpr double still = 1e-6;        // smaller velocity changes are ignored (m/s)
 
 struct Ground {

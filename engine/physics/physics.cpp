@@ -33,8 +33,8 @@ using detail::to_bullet;
 
 /// A body this close to a removed or moved one may have rested on it (m).
 constexpr double resting_gap = 0.02;
-/// Largest difference that counts as rounding and not as a push: of velocities (m/s, relative above 1 m/s)
-/// and positions (m).
+/// Largest difference from a free flight that counts as rounding and not as a push: of velocities (m/s,
+/// relative above 1 m/s) and positions (m).
 constexpr double push_tolerance = 1e-9;
 /// Distance within which bodies count as having touched before a rebuild, which discards the pairs in contact
 /// (m).
@@ -68,7 +68,7 @@ Pair pair_of(const btPersistentManifold& manifold) {
     return a < b ? Pair{a, b} : Pair{b, a};
 }
 
-/// Sum over the contact points of a pair in the last step. The caller sets `began`.
+/// Contact of a pair, summed over its contact points in the last step. The caller sets `began`.
 Contact contact_of(const btPersistentManifold& manifold) {
     const Pair pair = pair_of(manifold);
     Contact contact{pair.a, pair.b, {}, {}, 0, false};
@@ -194,7 +194,7 @@ void Physics::Impl::correct_flight(Body& body, vec3 from) const {
     const vec3 velocity = body.state.velocity;
     const vec3 free = body.start_velocity * body.kept_velocity + settings.gravity * body.drive_s;
     if (glm::length(velocity - free) > push_tolerance * (1 + glm::length(free))) return;
-    // The solver removes penetration from the position alone.
+    // If the solver removed penetration, it changed the position but not the velocity.
     if (glm::length(body.state.position - (from + velocity * damping_dt)) > push_tolerance) return;
     body.state.position = from + body.start_velocity * body.drive_s + settings.gravity * body.fall_s2;
     body.bt().getWorldTransform().setOrigin(to_bullet(body.state.position));

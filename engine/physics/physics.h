@@ -54,19 +54,20 @@ struct BodyDesc {
     vec3 size{0.5, 0.5, 0.5};
     /// Mass (kg); 0: static, required for a mesh. A stack can carry 200 times the mass of its lightest body.
     double mass{};
-    /// The product of both bodies' values counts. Restitution is the ratio of speed after to speed
-    /// before the bounce. It applies from 0.2 m/s on (cylinders: within 5 %).
+    /// Friction and restitution. For two bodies in contact, the product of both values counts. Restitution is
+    /// the ratio of the speed after a bounce to the speed before, for bounces from 0.2 m/s on (cylinders:
+    /// within 5 %).
     double friction{0.7};
     double restitution{};
-    double rolling_friction{};  ///< torque per newton of normal force; stops a rolling ball (m)
+    double rolling_friction{};  ///< friction torque per newton of normal force; stops a rolling ball (m)
     double linear_damping{};    ///< share of the velocity lost per second, [0, 1)
     double angular_damping{};
     Layers layer{1};  ///< layers that the body belongs to
     /// layers that the body collides with; two bodies collide if each belongs to a layer of the other's set.
     Layers collides_with{all_layers};
     std::uint32_t upright{};  ///< 1: the body never rotates (as the capsule of a wizard)
-    /// 1: the body's centre never passes through a static body in a step, however thin that body or fast this
-    /// one.
+    /// 1: the body's centre never passes through a static body in a step, however thin the static body or
+    /// fast this body.
     std::uint32_t swept{};
     bool operator==(const BodyDesc&) const = default;
 };
@@ -148,7 +149,7 @@ struct Settings {
     int solver_iterations{10};
     double sleep_speed{0.15};  ///< speed below which a body may fall asleep after 2 s (m/s)
     double sleep_spin{0.3};    ///< angular speed below which a body may fall asleep after 2 s (rad/s)
-    bool skip_asleep{true};    ///< true: skip steps in which nothing can change; false only in tests of this
+    bool skip_asleep{true};    ///< true: skip steps in which nothing can change; false only to test this
     /// true: exact end of free flights, see step(); false only to measure its effect.
     bool exact_flight{true};
 };
@@ -170,8 +171,9 @@ public:
     Physics(Physics&&) noexcept;
     Physics& operator=(Physics&&) noexcept;
 
-    /// Adds a body. Wakes no other body, because otherwise a restored run would differ. An awake
-    /// dynamic body wakes the bodies it meets; a static body added among sleeping ones wakes none.
+    /// Adds a body. Adding it wakes no other body, because otherwise a restored run would differ. In the next
+    /// steps an awake dynamic body wakes the bodies it meets; a static body added among sleeping ones wakes
+    /// none.
     void add(Key, const BodyDesc&, const BodyState&);
     /// Removes a body. Wakes bodies that may have rested on it.
     void remove(Key);
@@ -182,7 +184,8 @@ public:
     const BodyDesc& desc(Key) const;
     /// Place and motion of the body.
     const BodyState& state(Key) const;
-    /// Teleports a body. Wakes bodies that may have touched it before or touch it afterwards.
+    /// Sets the state of a body, which moves it at once. Wakes bodies that may have touched it before or
+    /// touch it afterwards.
     void set_state(Key, const BodyState&);
     /// Velocity of the body's centre of mass (m/s).
     vec3 velocity(Key key) const { return state(key).velocity; }
@@ -195,7 +198,8 @@ public:
     void apply_impulse(Key, vec3 impulse, vec3 point);
     /// Applies an impulse (N s) at the centre of mass and wakes the body; a static body ignores it.
     void apply_central_impulse(Key, vec3 impulse);
-    /// Applies a central impulse without resetting the idle time; a sleeping body ignores it.
+    /// Applies an impulse (N s) at the centre of mass without resetting the idle time; a sleeping body
+    /// ignores it.
     void nudge(Key, vec3 impulse);
     /// Wakes the body and resets its idle time; a static body ignores it.
     void wake(Key);
@@ -223,7 +227,7 @@ public:
     NearbyResult nearby(vec3 point, double radius, std::span<Nearby> into, Layers mask = all_layers,
                         Key ignore_key = no_key) const;
 
-    /// Discards everything that is not in a BodyState (see above). Contacts become empty.
+    /// Discards everything that is not in a BodyState (see the top of this file). Contacts become empty.
     void rebuild();
 
     /// Statistics: steps since the start, and the present numbers of bodies.

@@ -90,7 +90,7 @@ vec2 Torso::chart(vec3 at) const {
 
 vec3 Torso::point(vec2 chart) const {
     const double whole = round();
-    // Limited to half a turn either way.
+    // Way round the body from the middle of the front, at most half way round to either side (m).
     const double way = chart.x - whole * std::floor(chart.x / whole + 0.5);
     const double on_front = std::abs(way);
     const bool behind = on_front > quarter_.back();

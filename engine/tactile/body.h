@@ -18,14 +18,15 @@
 
 namespace thaum::tactile {
 
-/// `whole` means the whole side of the body, for an actuator such as a motor of a pad.
+/// Part of the body. `whole` is the body as a whole, for actuators such as the motors of a pad, of which only
+/// left and right are told apart.
 enum class Part : std::uint8_t { front, back, shoulder_left, shoulder_right, arm_left, arm_right, whole };
 inline constexpr std::size_t part_count = 7;
 
 /// Names as in data files, in the order of Part.
 const std::vector<std::string_view>& part_names();
 
-/// Parts that share one chart. The torso is front and back.
+/// Regions of the body. Each has one chart for all of its parts: the torso has the front and the back.
 enum class Region : std::uint8_t { torso, shoulder_left, shoulder_right, arm_left, arm_right, whole };
 inline constexpr std::size_t region_count = 6;
 
@@ -49,7 +50,7 @@ struct Pose {
     std::array<Transform, part_count> parts{};
 };
 
-/// A rotation about a joint instead of the origin.
+/// Makes the transform of a rotation about a joint; a Transform itself rotates about the origin.
 Transform turned_about(vec3 joint, quat turn);
 
 /// Pose of a wizard whose hanging arms are raised forwards by these angles (rad). Each shoulder turns by half
@@ -72,7 +73,8 @@ public:
     /// Half the width and half the depth of the torso, both > 0 (m).
     Torso(double half_width, double half_depth);
 
-    /// Distance round the body and height of the skin point that is nearest in angle (m).
+    /// Place on the chart (distance round the body, height) of the skin point that lies in the direction of
+    /// `at` from the torso's axis (m).
     vec2 chart(vec3 at) const;
     /// Inverse of `chart` for points on the skin (m, body frame).
     vec3 point(vec2 chart) const;

@@ -26,7 +26,7 @@ struct ClipFrame {
     bool operator==(const ClipFrame&) const = default;
 };
 
-/// A recorded course of strengths over a grid of places.
+/// A recording of strengths over time on a grid of places.
 struct Clip {
     std::string name;
     std::vector<ClipFrame> frames;  ///< strengths; at most max_clip_frames

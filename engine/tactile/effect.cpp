@@ -111,7 +111,8 @@ double Envelope::peak(double from, double to) const {
 }
 
 double Effect::level(double strength) const {
-    // |F_r| = A (k (1 + sin a) + B w max(0, cos a)) has its least value 0 and this greatest one.
+    // While the angle a of the grating runs through a period, |F_r| = A (k (1 + sin a) + B w max(0, cos a))
+    // goes from 0 to A times `greatest`.
     const double w = 2 * pi * carrier();
     const double greatest = stiffness + std::sqrt(stiffness * stiffness + damping * w * damping * w);
     return std::min(1.0, amplitude(strength) * greatest / (2 * full_force));
@@ -131,7 +132,7 @@ double Effect::duration_ms() const {
 Signal signal(const Effect& effect, double strength, double ms) {
     const Grating grating{effect.amplitude(strength), effect.wavelength};
     const double shape = effect.envelope.at(ms);
-    const vec2 p(ms * 1e-3 * skin_speed, 0);  // moving along the wall
+    const vec2 p(ms * 1e-3 * skin_speed, 0);  // position (m) as the skin moves along the wall
     const double deepening = slope(grating, p.x) * skin_speed;
     const double push =
         reaction(effect.stiffness, effect.damping, impact_depth(grating, p), deepening) * shape / full_force;

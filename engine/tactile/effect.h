@@ -93,7 +93,8 @@ struct Effect {
     double reach{};                   ///< distance at which a spread has faded away (m)
     double slowest_hz{};              ///< heartbeats a second at strength 0 (Hz)
     double fastest_hz{};              ///< heartbeats a second at strength 1 (Hz)
-    double length_ms{};               ///< length of a sweep, or of heartbeats that `drive` does not hold (ms)
+    double length_ms{};               ///< length of a sweep, or of heartbeats begun by `start` of the mixer
+                                      ///< (ms)
     std::vector<BodyPoint> places{};  ///< one or two places; empty: at the place that the caller gives
     std::optional<BodyPoint> to{};    ///< end of a sweep
     vec2 sigma_cells{0.7};            ///< width along the chart's two directions (cells of the layout)

@@ -27,7 +27,7 @@ struct Actuator {
 /// A place on the chart of a region that has actuators.
 struct ChartPlace {
     Region region{};
-    vec2 at{};  ///< (m)
+    vec2 at{};  ///< position on the chart (m)
 };
 
 /// Actuators of one device, in the order in which the device expects them. Made by `make_layout`.
@@ -51,7 +51,8 @@ public:
     /// Point of the body at rest for a point of the posed body (m, body frame). Its part is that of the
     /// nearest actuator.
     BodyPoint nearest(const Pose& pose, vec3 point) const;
-    /// Place on the torso that a direction comes from (body frame), at a height (m).
+    /// Place on the torso, at a height (m), that faces the direction `from`, which points from the body to a
+    /// source (body frame).
     BodyPoint facing(vec3 from, double height) const;
 
 private:
@@ -59,7 +60,7 @@ private:
     void prepare();
 
     std::array<std::vector<std::uint8_t>, region_count> groups_{};
-    /// Chart of the actuator's own region, and chart of Region::whole.
+    /// Chart places of each actuator: on the chart of its own region, then on that of Region::whole (m).
     std::array<std::array<vec2, max_actuators>, 2> charts_{};
     std::array<double, region_count> pitch_{};
 };

@@ -184,7 +184,7 @@ TactileMixer::Playing* TactileMixer::free_place(int priority) {
 /// Starts an event now or when the gap of its actuator is over, or merges it with another event.
 void TactileMixer::schedule(Playing& next, Tick now) {
     auto& free_at = free_at_[next.main];
-    // An event that waits for the gap begins a gap of its own.
+    // An event that waits begins a gap of its own, so an actuator is taken for at most two gaps.
     const bool in_gap = free_at > now && free_at - now <= 2 * settings_.gap;
     auto* running = in_gap || count_ == max_playing ? running_at(next.main, now) : nullptr;
     if (in_gap && running != nullptr) {
@@ -264,7 +264,8 @@ void TactileMixer::stop() {
 
 // ---- making frames ---------------------------------------------------------------------------------------
 
-/// The frame covers the time since the last one. A driven effect stays in its hold until it is released.
+/// Part of the effect's time that the frame covers: the time since the last frame. A driven effect stays in
+/// its hold until it is released.
 TactileMixer::Span TactileMixer::span_of(const Playing& playing, double ms) const {
     const auto& envelope = effect_of(playing).envelope;
     double to = static_cast<double>(mixed_at_) - static_cast<double>(playing.begin);
@@ -332,7 +333,7 @@ void TactileMixer::add_clip(const Playing& playing, const Effect& effect, double
     add_shares(playing, amplitude, energies);
 }
 
-/// Returns false after the last heartbeat.
+/// Adds the beats of a heartbeat that fall into the frame. Returns false after the last one.
 bool TactileMixer::add_heartbeat(Playing& playing, bool held, double ms) {
     const auto& effect = effect_of(playing);
     const double rate = effect.slowest_hz + (effect.fastest_hz - effect.slowest_hz) * playing.strength;

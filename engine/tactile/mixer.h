@@ -84,7 +84,8 @@ public:
 
     /// Sets the faders from the next frame on. Values outside 0 to 1 are clipped and counted.
     void set_faders(const Faders& faders);
-    /// A pose that is not finite is counted and ignored.
+    /// Sets the pose in which touched places lie (Where::touching). A pose that is not finite is counted and
+    /// ignored.
     void set_pose(const Pose& pose);
     /// Starts an effect by its number in the bank. `strength` is 0 to 1.
     void start(std::uint32_t effect, const Where& where, double strength, Tick now);
@@ -102,8 +103,8 @@ public:
     const MixerCounts& counts() const { return counts_; }
 
 private:
-    /// Places of a sweep for which shares are solved. Between two of them shares are interpolated, which
-    /// moves the centroid along a straight line exactly.
+    /// Number of places of a sweep at which the shares of the actuators are solved. Between two of these
+    /// places the shares are interpolated, which moves the centroid along a straight line exactly.
     static constexpr std::size_t max_places = 9;
 
     struct Playing {
@@ -118,7 +119,8 @@ private:
         Tick released{};      ///< tick at which the hold ended
         std::uint8_t main{};  ///< actuator at which the beginning is strongest
         bool felt{};          ///< true: the effect has been in a frame
-        /// Shares for each place; for a spread, the first element holds distances instead (m).
+        /// Shares of the energy for each actuator (tactile/phantom.h), for each place; for a spread, the
+        /// first element holds distances instead (m).
         std::array<Shares, max_places> places{};
     };
     /// Part of an effect's time that a frame covers (ms since the beginning).
@@ -163,9 +165,9 @@ private:
     /// Tick from which another event may begin at an actuator.
     std::array<Tick, max_actuators> free_at_{};
     std::array<Shares, clip_cells> clip_shares_{};  ///< shares of each cell of a clip
-    // sum of the energies of one frame at each actuator
+    // Sum of the energies of all effects in one frame, at each actuator.
     std::array<float, max_actuators> energy_{};
-    /// Largest energy of a single effect at each actuator; that effect gives the carrier.
+    /// Largest energy of a single effect at each actuator. The effect with this energy gives the carrier.
     std::array<float, max_actuators> strongest_{};
     std::array<bool, max_actuators> on_{};
     std::array<Tick, max_actuators> may_begin_{};

@@ -5,7 +5,7 @@
 namespace thaum::tactile {
 namespace {
 
-constexpr double min_sigma = 0.2;    // cells
+constexpr double min_sigma = 0.2;    // smallest width of the Gaussian (cells)
 constexpr double kept_share = 0.01;  // smallest share that is kept, relative to the largest one
 constexpr double min_share = 1e-4;   // smallest share that is kept if the place cannot be rendered otherwise
 // Largest error of the felt place that is accepted when actuators are left out (cells).
@@ -25,7 +25,7 @@ struct Cells {
     std::size_t count{};
 };
 
-/// Moves a place into the bounding box of all actuators of its region.
+/// Moves a place into the bounding box of all actuators of its region, in which places can be rendered.
 vec2 reachable(const Layout& layout, const ChartPlace& place) {
     vec2 low(1e9), high(-1e9);
     for (const auto i : layout.group(place.region)) {

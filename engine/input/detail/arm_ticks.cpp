@@ -80,7 +80,7 @@ std::optional<vec3> answer(ArmTicks& ticks, const ArmReading& reading) {
     return is_finite(force) ? limited(force, ticks.peak_force) : vec3(0);
 }
 
-/// The force, faded in over `ramp_ticks` after a stall in which the watchdog has ended it.
+/// The force, faded in over `ramp_ticks` if the watchdog has ended the force in a stall.
 vec3 resumed(ArmTicks& ticks, vec3 force) {
     constexpr std::uint32_t ramp_ticks = 50;
     if (ticks.stalled.exchange(false)) ticks.resumed = 1;
@@ -106,7 +106,8 @@ bool do_tick(ArmTicks& ticks) {
     ticks.times.begins(now);
     ArmReading reading{.time_ns = now};
     if (const auto fault = ticks.driver->read(reading); fault != 0) return end_ticks(ticks, fault);
-    // Before the check below: a thread that asks for silence after it waits for the next tick.
+    // Cleared before the check below: if another thread asks for silence after this check, it must wait for
+    // the next tick.
     ticks.silent = false;
     const bool silent = silence_wanted || stops != 0 || !ticks.accepted;
     const auto force = ticks.ending ? std::nullopt : silent ? vec3(0) : answer(ticks, reading);

@@ -29,11 +29,11 @@ struct ArmTicks {
 
     // Shared with the watchdog (detail/stall_watch.h).
     std::atomic<std::uint64_t> done{0};  ///< ticks that have returned
-    /// The arm may exert a force: the last one that it took is not known to be zero.
+    /// True: the arm may exert a force, since the last force that it took is not known to be zero.
     std::atomic<bool> pushes{false};
     std::atomic<bool> stalled{false};    ///< true: the watchdog has ended the force since the newest tick
     std::atomic<bool> unwatched{false};  ///< true: the watchdog must end
-    /// Ticks since the last stall, at most those of the ramp; used by the servo thread.
+    /// Ticks since the last stall, at most the length of the ramp after it; used by the servo thread.
     std::uint32_t resumed{};
 };
 

@@ -14,12 +14,13 @@
 namespace thaum::input::detail {
 namespace {
 
-constexpr std::uint32_t block_magic = 0x4b4c4254;  // "TBLK"
+constexpr std::uint32_t block_magic = 0x4b4c4254;  // the characters "TBLK"
 constexpr std::size_t block_checksum_offset = 32;
 constexpr int compression_level = 3;
 
-/// Largest unpacked size of a block (bytes). A residual takes at most a token (2 bytes) and 5 bytes. A hash
-/// takes at most 18 bytes and a mark 8. Counts, lengths and the total take at most 10.
+/// Largest unpacked size of a block (bytes). In a column, a tick takes at most a token (2 bytes) and a
+/// residual (5 bytes). A hash takes at most 18 bytes and a mark 8. Counts, lengths and the total take at most
+/// 10.
 constexpr std::size_t max_raw(BlockKind kind, std::size_t ticks, std::uint32_t format) {
     if (kind == BlockKind::end) return 10 + 4 + result_limit + 16;
     return max_devices * columns(format) * (1 + ticks * 7) + block_hashes * 18 + block_marks * 8 + 8;

@@ -70,7 +70,7 @@ int integer_of(const Api& api, Name name, int most) {
 }
 
 vec3 workspace_of(const Api& api) {
-    constexpr double most = 10;  // m
+    constexpr double most = 10;  // longest edge of a workspace that is believed (m)
     std::array<double, 6> mm{};
     api.hdGetDoublev(usable_workspace, mm.data());
     const vec3 edges = vec3(mm[3] - mm[0], mm[4] - mm[1], mm[5] - mm[2]) * 1e-3;

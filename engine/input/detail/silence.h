@@ -4,9 +4,10 @@
 
 namespace thaum::input::ticks {
 
-/// With `wanted`, every tick from now on gives its arm no force; without, ticks give force again.
+/// If `wanted` is true, every tick from now on gives its arm no force; otherwise ticks give force again.
 void silence(bool wanted) noexcept;
-/// No force from `begin_stop` to `end_stop`, whatever `silence` says. Several threads may be between the two.
+/// Between `begin_stop` and `end_stop` no arm gets a force, whatever `silence` says. Several threads may be
+/// between the two calls.
 void begin_stop() noexcept;
 void end_stop() noexcept;
 /// Whether zero force was sent to every open arm.

@@ -12,7 +12,7 @@ namespace thaum::input {
 /// Name of the library call in which a thread is at the moment; null between calls.
 using CallNote = std::atomic<const char*>;
 
-/// Names the call for the thread's watchdog, if it has one, during the object's lifetime.
+/// During its lifetime, names the call to the watchdog of this thread, if the thread has one.
 class NotedCall {
 public:
     explicit NotedCall(const char* name);
@@ -28,9 +28,9 @@ struct Watched {
     std::string line{};
 };
 
-/// Runs `work` on a thread of its own and waits for it, but no longer than until `enough` (null: never) is
-/// true. It waits limit_ns in slices of 20 ms, which take longer while other programs use the processor. If
-/// the work ends after it was given up, `if_late` runs next on the same thread.
+/// Runs `work` on a thread of its own and waits until it ends, until `enough` is true (null: never), or for
+/// limit_ns. The time is counted in slices of 20 ms, which take longer while other programs use the
+/// processor. If the work ends after it was given up, `if_late` runs next on the same thread.
 Watched run_watched(std::int64_t limit_ns, const std::atomic<bool>* enough, std::function<void()> work,
                     std::function<void()> if_late);
 

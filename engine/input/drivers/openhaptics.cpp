@@ -31,12 +31,12 @@ namespace {
 
 // ---- calibration ------------------------------------------------------------------------------------------
 
-/// A task for the library's thread. It is never destroyed, because the library may run it late.
+/// A calibration, run by the library's thread. It is never destroyed, because the library may run it late.
 struct Calibration {
     const Api* api{};
     Handle handle{};
-    bool update = false;             ///< true: start the calibration; false: only query its state
-    std::atomic<bool> asked{false};  ///< true: the task runs once
+    bool update = false;             ///< true: calibrate the arm; false: only query its state
+    std::atomic<bool> asked{false};  ///< true: the library's thread must run it, once
     std::atomic<bool> done{false};
     std::atomic<unsigned int> status{0}, code{0};
 };
@@ -62,7 +62,7 @@ unsigned int do_calibration(void*) {
     return callback_done;
 }
 
-/// Runs the task. Returns the error of the task, or that of a library that did not run it.
+/// Runs the calibration. Returns its error, or the library's error if the library did not run it.
 unsigned int run_calibration(const Api& api, Handle handle, bool update) {
     auto& c = calibration();
     c.api = &api;
@@ -202,7 +202,7 @@ private:
     Handle handle_ = invalid_handle;
     ArmFacts facts_{};
     std::atomic<bool> ticks_asked_{false};  ///< true: the library may have run our ticks
-    std::atomic<unsigned long> task_{0};    ///< the scheduler's number of our ticks, once accepted
+    std::atomic<unsigned long> task_{0};    ///< the scheduler's number for our ticks, once it accepted them
     std::atomic<bool> accepted_{false};     ///< true: the scheduler has taken our ticks
     std::atomic<bool> in_frame_{false};     ///< true: the servo thread has begun a frame
     /// true: the servo thread is in a read or write, or between the two.
@@ -217,8 +217,9 @@ private:
     std::array<char, 96> words_{};  ///< the library's text for the fault that ended the ticks
 };
 
-/// The current frame of the library may have failed, so another one is begun. After a fault in the library's
-/// thread, another arm may be the current one.
+/// Sends zero force in the open frame of the library, or in a new one. If that frame has failed, another one
+/// is tried. The arm is made the current one first, because after a fault in the library's thread another arm
+/// may be.
 bool OpenHaptics::write_zero() noexcept {
     if (in_frame_)
         api_->hdMakeCurrentDevice(handle_);

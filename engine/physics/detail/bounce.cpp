@@ -35,12 +35,12 @@ ClosingSpeeds closing_at(const btManifoldPoint& point, const btRigidBody* a, con
 /// Speed at which two bodies separate at the end of the step in which they bounce (m/s). They bounce with
 /// their speed at the time of contact. At the start of the step they are `gap` apart, or -gap inside each
 /// other. While they move apart, their acceleration acts as in free flight. Penetration adds no speed,
-/// because it is removed from the positions alone.
+/// because it is removed from the positions alone; `taken_out` is the share of it that this step removes.
 btScalar rebound(const ClosingSpeeds& closing, btScalar gap, btScalar e, btScalar dt, btScalar taken_out) {
     const btScalar gained = closing.end - closing.now, acceleration = gained / dt;
-    const btScalar at_contact = closing.now * closing.now + 2 * acceleration * gap;  // squared
+    const btScalar at_contact = closing.now * closing.now + 2 * acceleration * gap;  // squared speed
     const btScalar speed = e * std::sqrt(std::max(btScalar(0), at_contact));
-    const btScalar start = gap > 0 ? -e * gap : (1 - taken_out) * gap;  // the path apart is this plus v dt
+    const btScalar start = gap > 0 ? -e * gap : (1 - taken_out) * gap;  // distance after dt, without v dt
     if (start + speed * dt <= 0) return speed;
     // v^2 = speed^2 - 2 acceleration (start + v dt)
     const btScalar root = gained * gained + speed * speed - 2 * acceleration * start;
@@ -77,8 +77,8 @@ void BouncingWorld::adjust_contact(btPersistentManifold& manifold, btScalar dt, 
     store_unused_path(*manifold.getBody1(), normal * (most * give_b / (give_a + give_b)));
 }
 
-/// Stores the part of a body's path by which it must be moved back. Two adjacent floors may both request it,
-/// so it is stored only once.
+/// Stores the part of a body's path by which it must be moved back. Two adjacent floors may both request the
+/// same part, so only what exceeds the stored part in that direction is added.
 void BouncingWorld::store_unused_path(const btCollisionObject& object, const btVector3& path) {
     const btScalar length = path.length();
     if (length <= 0) return;

@@ -8,7 +8,7 @@
 namespace thaum::physics::detail {
 namespace {
 
-constexpr double slack = 0.1;  // m
+constexpr double slack = 0.1;  // distance by which a box is larger than its body on each side (m)
 
 btDbvtVolume volume_of(const Box& box, double margin) {
     return btDbvtVolume::FromMM(to_bullet(box.low - margin), to_bullet(box.high + margin));

@@ -24,7 +24,7 @@
 namespace thaum::physics::detail {
 namespace {
 
-constexpr double static_box_margin = 0.001;  // m
+constexpr double static_box_margin = 0.001;  // largest collision margin of a static box (m)
 
 /// Bullet's own correction for contacts on meshes: at edges within a flat surface it replaces the contact's
 /// normal by that of the triangle.

@@ -18,7 +18,7 @@ namespace thaum::physics::detail {
 inline btVector3 to_bullet(vec3 v) { return {v.x, v.y, v.z}; }
 inline vec3 from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 
-/// A mesh with its search tree; shared by all bodies of that shape and constant.
+/// A mesh with its search tree. All bodies of that shape share it, and it never changes.
 class Mesh {
 public:
     explicit Mesh(const TriangleMesh&);
@@ -45,10 +45,10 @@ struct BulletBody {
 
 BulletBody make_body(Key, const BodyDesc&, const BodyState&, const std::vector<Mesh>&, const Settings&);
 
-/// Writes everything in a state except the members about sleep.
+/// Writes a state to Bullet's body, except for the members about sleep.
 void write_motion(btRigidBody&, const BodyState&);
-/// Writes the members about sleep. This must be the last change of a body, because most other changes wake
-/// it.
+/// Writes the members about sleep to Bullet's body. This must be the last change of a body, because most
+/// other changes wake it.
 void write_sleep(btRigidBody&, const BodyState&);
 BodyState read_state(const btRigidBody&);
 

@@ -43,13 +43,13 @@ struct CastHit {
 /// Casts a path against one convex shape. `nearest` maps a point to its NearestPoint.
 template <class NearestTo>
 std::optional<CastHit> cast(const Path& path, const NearestTo& nearest) {
-    // When a path grazes a curved side, the gap halves each time, so 30 are enough.
+    // When a path grazes a curved side, each advance halves the gap, so 30 advances are enough.
     constexpr int max_advances = 100;
     CastHit touch{0, -path.direction};
     for (int i = 0; i < max_advances; ++i) {
         const NearestPoint here = nearest(path.from + touch.travelled * path.direction);
         // If the direction is undefined here, the previous one is kept. At a start inside the shape there is
-        // none.
+        // no previous one.
         if (here.normal != vec3{} && (i > 0 || here.distance > 0)) touch.normal = here.normal;
         const double gap = here.distance - path.radius;
         if (gap <= touching) return touch;

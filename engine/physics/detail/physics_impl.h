@@ -23,10 +23,10 @@ struct Body {
     double reach{};          ///< distance of the body's farthest point from its position (m)
     double kept_velocity{};  ///< share of the velocity left by damping after a step of damping_dt
     double kept_spin{};
-    /// Velocity that gravity gives in such a step, divided by gravity. It is also the path divided by the
-    /// initial velocity (s).
+    /// Velocity that gravity gives in a step of damping_dt, divided by gravity. It is also the path of a body
+    /// in that step without gravity, divided by its initial velocity (s).
     double drive_s{};
-    double fall_s2{};       ///< path that gravity gives in such a step, divided by gravity (s^2)
+    double fall_s2{};       ///< path that gravity gives in a step of damping_dt, divided by gravity (s^2)
     vec3 start_velocity{};  ///< velocity at the start of the step (m/s)
     BulletBody bullet;
     BoundTree::Leaf leaf{};

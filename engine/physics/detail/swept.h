@@ -18,7 +18,7 @@ struct InnerSpheres {
     double radius{};  ///< radius of all spheres (m)
     /// Length of a path up to which a step needs no cast, because Bullet finds the contacts in time (m).
     double min_path{};
-    double centre_gap{};  ///< smallest distance of the body's centre from a wall (m)
+    double centre_gap{};  ///< distance from a wall at which the body's centre is stopped (m)
 
     const vec3* begin() const { return centres.data(); }
     const vec3* end() const { return centres.data() + count; }

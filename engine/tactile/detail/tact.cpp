@@ -118,7 +118,7 @@ double fade(const std::string& type, double part) {
 /// One side of the vest in one effect of a track.
 struct Side {
     std::size_t first_cell{};
-    double start{}, length{};  ///< ms
+    double start{}, length{};  ///< start of the effect and its length (ms)
 };
 
 void draw_points(Reader& reader, Canvas& canvas, const Side& side, std::size_t frame, const Json& step,
