@@ -25,7 +25,7 @@ inline constexpr std::array<std::string_view, max_channels> surround_channels{
 
 /// One sine wave.
 struct ChannelTone {
-    double amplitude{};  ///< 0 to 1
+    double amplitude{};  ///< amplitude of the wave, 0 to 1
     double hz{};         ///< frequency (Hz)
 };
 
@@ -34,7 +34,7 @@ class ChannelTones {
 public:
     static constexpr double lowest_hz = 5, highest_hz = 1000;
 
-    /// `channels`: 1 to max_channels.
+    /// Makes silent waves for 1 to max_channels channels.
     explicit ChannelTones(std::size_t channels) : channels_(channels) {}
 
     /// Changes the wave of a channel within the next block. The amplitude is clipped to 0 to 1; NaN counts as

@@ -34,11 +34,12 @@ struct Voice {
     /// Identifies a lasting voice from frame to frame; unused for voices that play once.
     std::uint32_t key{};
     std::uint32_t heard_by{3};  ///< bit i: listener i hears the voice
-    bool at_ear{};              ///< true: has no place, and is equally loud wherever the listener is
+    bool at_ear{};              ///< true: the voice has no place, and is equally loud wherever the listener
+                                ///< is
     /// True: played at the ear, but the caption names the side on which `position` lies.
     bool sided{};
     vec3 position{};  ///< position of the sound (m, world)
-    double gain{1};   ///< 0 to 1
+    double gain{1};   ///< gain of the voice, 0 to 1
     double pitch{1};  ///< speed of playing, 0.25 to 4
     /// Damping of high tones by walls for each listener, 0 to 1.
     std::array<double, max_listeners> muffled{};
@@ -64,7 +65,7 @@ struct VoiceList {
 
 /// Listeners and voices of one frame of 8 ms.
 struct AudioFrame {
-    std::uint32_t listener_count{1};  ///< 1 or 2
+    std::uint32_t listener_count{1};  ///< number of listeners, 1 or 2
     std::array<Listener, max_listeners> listeners{};
     VoiceList<32> begins;  ///< voices that begin in this frame and play to the end of their sound
     /// Voices of looping sounds. A voice that is missing from a later frame fades out within that frame.

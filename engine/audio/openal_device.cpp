@@ -66,7 +66,8 @@ public:
     void close() override { end(); }
 
 private:
-    /// If OpenAL cannot tell the number of its channels, assume that it has those asked for.
+    /// Whether the device has the channels that were asked for. If OpenAL cannot tell their number, the
+    /// device is assumed to have them.
     bool has_channels() const {
         if (channels_ == 2 || alcIsExtensionPresent(device_, "ALC_SOFT_output_mode") == ALC_FALSE)
             return true;

@@ -14,8 +14,8 @@ constexpr double block_s = static_cast<double>(frame_samples) / sample_rate;
 constexpr double playing_rest_s = 0.002;
 /// Time between two checks of the queues while nothing plays (s): short enough that they do not fill up.
 constexpr double silent_rest_s = 0.1;
-/// Largest rate at which a device may take blocks, relative to real time. One that claims to take more could
-/// keep a core busy.
+/// Largest rate at which a device may take blocks, relative to real time. A device that claims to take more
+/// could keep a core busy.
 constexpr double max_speed = 1.25;
 /// Longest time between two steps that is counted as waiting for the device (s).
 constexpr double longest_wait_s = 0.05;

@@ -55,7 +55,7 @@ struct Tone {
     std::vector<Partial> partials;
 };
 
-/// Which frequencies of noise pass.
+/// Filter of a noise: which frequencies pass.
 enum class NoiseFilter : std::uint8_t { low, band, high };
 
 /// White noise through two equal filters in a row. Its strength does not depend on the width of the band.
@@ -106,7 +106,7 @@ struct Recipe {
     std::string name;
     std::string description;
     std::string caption;  ///< words on the screen for people who do not hear the sound; empty: none
-    bool important{};     ///< true: shown even to players who want few captions
+    bool important{};     ///< true: the caption is shown even to players who want few captions
     SoundGroup group{};
     bool loops{};
     double near_m{1.5};  ///< distance up to which the sound has its full loudness (m)
@@ -123,7 +123,8 @@ struct Recipe {
 /// Reads a recipe. `name` names the sound; messages call the file NAME.toml.
 Expected<Recipe> read_recipe(std::string_view toml, std::string name);
 
-/// Number of sample operations that a recipe takes. `read_recipe` refuses a recipe with too many.
+/// Number of operations on samples that making the sound of a recipe takes. `read_recipe` refuses a recipe
+/// with too many.
 double work_of(const Recipe& recipe);
 
 }  // namespace thaum::audio

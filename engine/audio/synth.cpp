@@ -111,7 +111,8 @@ Expected<Recipe> load_recipe(const std::filesystem::path& file) {
     if (!toml) return toml.error();
     auto recipe = read_recipe(*toml, file.stem().string());
     if (recipe) return recipe;
-    // The recipe's reader knows the name of the file, but not its folder.
+    // The recipe's reader knows the name of the file but not its folder, which is therefore added to each
+    // line.
     std::optional<Error> error;
     for (const auto& line : lines_of(recipe.error()))
         add_faults(error, Error{text(file.parent_path().string(), "/", line)});

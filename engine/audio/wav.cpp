@@ -35,7 +35,7 @@ Expected<WavWriter> WavWriter::create(std::filesystem::path path, WavFormat form
     return WavWriter(std::move(*file), std::move(path), format, channels);
 }
 
-/// RIFF with the chunks "fmt ", "fact" (length in samples) and "data".
+/// Makes the header: RIFF with the chunks "fmt ", "fact" (length in samples) and "data".
 Bytes WavWriter::header() const {
     const std::uint16_t size = bytes_of(format_);
     const auto frame_size = static_cast<std::uint16_t>(size * channels_);

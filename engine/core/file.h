@@ -42,7 +42,7 @@ std::string near_file(std::string_view name, const std::filesystem::path& folder
 bool write_all(int fd, std::span<const std::byte> bytes);
 
 /// Waits until the bytes of an open file are on the disk. On failure returns false with errno set. An
-/// interruption is no failure, nor is a file system without a disk.
+/// interruption by a signal is no failure, nor is a file that does not support flushing.
 bool flush_to_disk(int fd);
 
 /// Opens a placeholder for each of standard input, output and error that is closed. Without it, a file that

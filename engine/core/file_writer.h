@@ -29,12 +29,12 @@ public:
 
     /// Appends bytes. After a failure (a full disk) writes nothing more; `close` reports the failure.
     void write(std::span<const std::byte> bytes);
-    /// Appends characters in the same way.
+    /// Appends the characters of a text as `write` appends bytes.
     void write(std::string_view text);
     /// Replaces the first bytes of what was written, such as a header with a
     /// length that is known only at the end.
     void replace_start(std::span<const std::byte> bytes);
-    /// Hands all bytes to the system.
+    /// Hands all bytes that were written so far to the operating system.
     void flush();
     /// Whether all writes so far succeeded. Bytes that were not flushed may still fail.
     bool is_whole() const { return fault_ == 0; }

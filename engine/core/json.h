@@ -27,7 +27,7 @@ public:
     /// unsigned type, otherwise `integer`.
     enum class Kind : std::uint8_t { null, boolean, integer, unsigned_integer, real, string, array, object };
 
-    Json() noexcept = default;  ///< null
+    Json() noexcept = default;  ///< the value null
     Json(bool value) noexcept;
     Json(long long value) noexcept;
     Json(unsigned long long value) noexcept;

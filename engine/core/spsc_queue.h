@@ -11,8 +11,8 @@ namespace thaum {
 template <class T, std::size_t N>
 class SpscQueue {
 public:
-    // The writing thread alone calls:
-    /// Returns false if the queue is full.
+    // The next function belongs to the writing thread.
+    /// Adds a value. Returns false if the queue is full.
     bool push(const T& value) {
         const auto end = end_.load(std::memory_order_relaxed);
         if (end - begin_.load(std::memory_order_acquire) == N) return false;
@@ -21,7 +21,7 @@ public:
         return true;
     }
 
-    // The reading thread alone calls:
+    // The next functions belong to the reading thread.
     /// Returns the oldest value, valid until `pop`; null if the queue is empty.
     const T* front() const {
         const auto begin = begin_.load(std::memory_order_relaxed);

@@ -46,7 +46,7 @@ private:
 /// Appends one part as text.
 inline void append_text(std::string& out, const TextPart& part) { part.append_to(out); }
 
-/// Appends the parts to each other.
+/// Returns the text of all parts, one after the other.
 std::string joined_text(std::initializer_list<TextPart> parts);
 
 /// text("tick ", 12, " differs") -> "tick 12 differs". The work is done by joined_text, which is compiled

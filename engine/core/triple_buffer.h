@@ -20,7 +20,7 @@ public:
     /// Hands the filled value to the reader. Called by the writer.
     void publish() { back_ = middle_.exchange(back_ | fresh, std::memory_order_acq_rel) & index; }
 
-    // The reading thread alone calls the following functions.
+    // The next functions belong to the reading thread.
     /// Takes the newest value. Returns false if no newer value was published since the last call.
     bool take() {
         if ((middle_.load(std::memory_order_relaxed) & fresh) == 0) return false;

@@ -33,7 +33,7 @@ haptics::HapticModel sphere() {
     return model;
 }
 
-/// Where the hand wants to be (m): from above down into the sphere in half a second, then to and fro.
+/// Target of the hand (m): from above down into the sphere in half a second, then to and fro.
 vec3 hand_target(Tick tick) {
     const double depth = 0.02 * std::min(seconds(tick) / 0.5, 1.0);
     return {0.015 * det::sin(pi * std::max(seconds(tick) - 0.5, 0.0)), 0.045 - depth, 0};

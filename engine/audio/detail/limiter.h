@@ -1,9 +1,9 @@
 // audio/detail/limiter.h: keeps a stereo signal within -1 to 1 without clipping its waves.
 //
-// The signal is delayed by 2 ms. The gain of each sample is the average, over the delay, of the least gain
-// that any sample within the delay needs. So the gain is low enough when a peak comes out, and it has moved
-// there evenly. After a peak it rises slowly. Both channels get the same gain, so that no voice moves to the
-// other side.
+// The signal is delayed by 2 ms. For each sample the limiter finds the largest gain that keeps it within -1
+// to 1. The least of these gains within the delay, averaged over the delay, is the gain of the output. So the
+// gain is low enough when a peak comes out, and it has moved there evenly. After a peak it rises slowly. Both
+// channels get the same gain, so that no voice moves to the other side.
 #pragma once
 #include <array>
 #include <cstddef>

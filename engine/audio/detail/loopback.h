@@ -48,10 +48,11 @@ public:
     void set_place(std::uint32_t source, fvec3 place) const;
     /// Sets the damping of high tones of a source, from 0 (none) to 1 (as behind walls).
     void set_muffled(std::uint32_t source, double muffled) const;
-    /// A source that starts later than at sample 0 fades in within the first block.
+    /// Sets the sample at which a source starts. If it is not the first sample, the source fades in within
+    /// the first block.
     void set_start(std::uint32_t source, std::uint32_t sample) const;
     void start(std::span<const std::uint32_t> sources) const;
-    /// Changes made between these two calls take effect together.
+    /// Changes made between `begin_changes` and `end_changes` take effect together.
     void begin_changes() const { defer_(); }
     void end_changes() const { process_(); }
 

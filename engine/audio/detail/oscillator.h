@@ -45,7 +45,7 @@ double fall_within(double time, double decay);
 /// Factor by which an envelope with this decay (s) has fallen at `time`; 1 until the decay begins.
 double fall_at(const Envelope& envelope, double decay, double time);
 
-/// Gain of an envelope at `time`, with another decay than the envelope's (s).
+/// Gain of an envelope at `time`, with `decay` (s) in place of the envelope's own decay.
 inline double gain_at(const Envelope& envelope, double decay, double time) {
     return steady_gain_at(envelope, time) * fall_at(envelope, decay, time);
 }

@@ -20,7 +20,7 @@ struct ParserAsserted {};  ///< Thrown when an assertion of the parser fails.
 #define TOML_MAX_NESTED_VALUES 16
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
-#if !defined(__clang__)  // clang has no such warning
+#if !defined(__clang__)  // clang lacks the warning that is turned off here
 #pragma GCC diagnostic ignored "-Wterminate"
 #endif
 // The white-space and letter tables of toml++ mark a letter such as U+00E9 in place of white space as
