@@ -225,8 +225,8 @@ inline std::uint32_t next_type_number() {
     return type_numbers().count++;
 }
 
-/// Number of a type in this process, assigned before main. A World uses it only as an index into its own list
-/// of component numbers.
+/// Number of a type in this process, assigned before main. A World uses it only as an index into its own
+/// lists.
 template <class T>
 inline const std::uint32_t type_number = next_type_number();
 

@@ -157,8 +157,8 @@ void diff_fields(const Described& a, std::span<const std::byte> bytes_a, const D
     }
 }
 
-/// Lists elements of a blob that differ. A blob that one side lacks, or whose size or type differs, counts as
-/// one difference.
+/// Lists elements of a blob that differ. A blob that one side lacks, or whose size differs, counts as one
+/// difference. Both blobs are read as numbers of the type that `a` gives, if `a` has the blob.
 void diff_blob(const Parsed& a, const Parsed& b, const std::string& name, std::size_t limit,
                std::vector<Difference>& out) {
     const auto bytes_of = [&](const Parsed& side) {

@@ -14,7 +14,7 @@ struct Difference {
     std::string component;   ///< component or blob; empty if the entity exists in one snapshot only
     std::uint32_t entity{};  ///< number of the entity; `none` for a blob
     /// Name of the field, such as "position.x", or the index "[7]" in a blob. Empty if the component exists
-    /// in one snapshot only, or if the blobs differ in size or type.
+    /// in one snapshot only, or if the sizes of the blobs differ.
     std::string field;
     std::string a, b;  ///< values in the two snapshots as text; "-" where a snapshot has none
 };

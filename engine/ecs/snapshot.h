@@ -25,7 +25,7 @@ namespace thaum::ecs {
 inline constexpr std::string_view snapshot_magic = "THAUMECS";
 inline constexpr std::uint32_t snapshot_format = 2;
 
-/// Overwrites `out`. Reusing the same `out` avoids allocation.
+/// Saves the World in `out`, whose contents are replaced. Reusing the same `out` avoids allocation.
 void save(const World& world, Bytes& out);
 
 /// Restores a saved World. The World must have declared the same components. Hooks are not called, so the

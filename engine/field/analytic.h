@@ -31,7 +31,7 @@ struct Sphere {
 /// Depth below a plane: positive on the side away from `normal` (m).
 struct Plane {
     vec3 through{};        ///< any point on the plane
-    vec3 normal{0, 1, 0};  ///< unit
+    vec3 normal{0, 1, 0};  ///< normal of the plane, a unit vector
 
     Scalar operator()(vec3 place) const;
 };
@@ -68,7 +68,7 @@ struct BeltramiFlow {
 /// A transverse wave: its velocity is at right angles to its direction, so it has no divergence.
 struct FlowWave {
     vec3 wave{};      ///< wave number along each axis (1/m)
-    vec3 velocity{};  ///< velocity at a crest; at a right angle to `wave`
+    vec3 velocity{};  ///< velocity at a crest (m/s); at a right angle to `wave`
     double phase{};   ///< angle of the wave at the origin (rad)
 
     Vector operator()(vec3 place) const;

@@ -76,7 +76,7 @@ void fill_run(BlockAverages& averages, const Grid& grid, const VoxelBox& run) {
         one.high[0] = i + 1;
         const VoxelBox box = samples_of(averages, grid, one);
         const double sum = sums[static_cast<std::size_t>(i - run.low[0])];
-        // One sample that is not finite makes the sum so. Then only the finite samples are averaged.
+        // A sample that is not finite makes the sum not finite. Then only the finite samples are averaged.
         result[i] = std::isfinite(sum) ? static_cast<float>(sum / (rows * (box.high[0] - box.low[0])))
                                        : average(grid, box);
     }

@@ -22,7 +22,7 @@ namespace thaum::field {
 struct Dab {
     vec3 place{};      ///< place of the tool (m)
     vec3 motion{};     ///< motion of the tool since the last dab (m)
-    mat3 turn{1.0};    ///< tool frame to body frame, for boxes, plates and stamps
+    mat3 turn{1.0};    ///< rotation from the tool's frame to the body's; boxes, plates and stamps use it
     double seconds{};  ///< time since the last dab (s), by which a filter acts
     /// Random seed for the rounding of colours; differs from dab to dab, such as the tick.
     std::uint64_t seed{};

@@ -93,7 +93,7 @@ Extent read_extent(const ConfigTable& table) {
     return extent;
 }
 
-/// Reads the keys of the filter. Sets the density that melting moves towards.
+/// Reads the keys of a filter. The density towards which melting moves stays 0, its default.
 void read_filter(const ConfigTable& table, Operation& operation) {
     enum : std::size_t { melt, construct, mix };
     const auto filter = table.choice("filter", {"melt", "construct", "mix"});

@@ -40,7 +40,7 @@
 
 namespace thaum::field {
 
-/// What a filter does (table above).
+/// Kind of a filter (table above).
 enum class FilterKind : std::uint8_t { magnitude, gradient, curl, divergence, scale, clamp, smooth };
 
 /// Names of all kinds, in their order.
@@ -109,7 +109,7 @@ struct SmoothedSamples {
 /// A source and its filters. Fields refer to this object, so it must not be moved.
 struct FilteredField {
     AnyField field{};  ///< the output, with value and gradient
-    AnyField quick{};  ///< the same value; gradients that would need differences are 0
+    AnyField quick{};  ///< output with the same value; gradients that would need differences are 0
     std::array<FilterStage, max_filters> stages{};
     std::vector<std::unique_ptr<SmoothedSamples>> smoothed{};
     std::uint64_t smoothings{};  ///< number of times that samples have been smoothed so far

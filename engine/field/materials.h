@@ -22,7 +22,7 @@
 
 namespace thaum::field {
 
-/// What voxels are made of, as a data file describes it.
+/// A material of voxels, as a data file describes it.
 struct Material {
     std::string name;
     double stiffness{};  ///< stiffness of the wall that a hand feels (N/m)

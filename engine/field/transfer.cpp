@@ -130,7 +130,7 @@ void draw(TransferFunction& f, double x, double y, double width) {
     if (!(width > 0) || !std::isfinite(x) || !std::isfinite(width) || std::isnan(y)) return;
     const double column = std::round(limited_coordinate(x) / width);
     const double left = (column - 1) * width, middle = column * width, right = (column + 1) * width;
-    // So far from 0, neighbouring columns may round to the same number.
+    // Far from 0, neighbouring columns may round to the same number.
     if (!(left < middle && middle < right && -max_coordinate <= left && right <= max_coordinate)) return;
     set_column(f, left, middle, right, limited_coordinate(y));
 }

@@ -61,7 +61,7 @@ Expected<Voxels> voxels_of(const Volume& volume, std::optional<DensityRange> ran
     body.placement = volume.placement;
     body.empty = used.empty;
     body.full = used.full;
-    // In double precision, because the sum of two floats may be too large for a float.
+    // Computed in double precision, because the sum of two floats may be too large for a float.
     body.surface = static_cast<float>(0.5 * (double{used.empty} + double{used.full}));
     body.density = volume.samples;
     return body;

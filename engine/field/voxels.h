@@ -63,7 +63,8 @@ inline constexpr int voxels_of_brick = brick_size * brick_size * brick_size;
 struct Bricks {
     std::array<int, 3> count{};
     std::vector<std::uint32_t> version{};  ///< value of `newest` when each brick last changed
-    /// 1 after the body was made: a reader that has seen 0 reads every brick.
+    /// Number of the newest change. It is 1 after the body was made, so a reader that has seen 0 reads every
+    /// brick.
     std::uint32_t newest = 1;
 
     std::size_t at(int i, int j, int k) const {

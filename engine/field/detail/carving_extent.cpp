@@ -6,7 +6,7 @@
 namespace thaum::field {
 namespace {
 
-constexpr double bell_exponent = 4.5;  // the radius is three standard deviations
+constexpr double bell_exponent = 4.5;  // makes the radius three standard deviations of the bell
 constexpr double rim_voxels = 2;
 constexpr double min_weight = 1e-9;
 

@@ -24,14 +24,15 @@ struct Footprint {
     vec3 step{1};    ///< distance between voxels, in the extent's unit
     vec3 half{};     ///< half edges along the tool's axes, in the extent's unit
     double rim{};    ///< width of the rim, in the extent's unit
-    mat3 turn{1.0};  ///< tool frame to body frame
+    mat3 turn{1.0};  ///< rotation from the tool's frame to the body's
 };
 
-/// The footprint has no voxels if `place` is outside the body or if a number is not finite.
+/// Places an extent in a body. The footprint has no voxels if `place` is outside the body or if a number is
+/// not finite.
 Footprint footprint_of(const VoxelView& body, const Extent& extent, vec3 place, const mat3& turn);
 
-/// Like footprint_of, for a plate that reaches from one place to the next. Its z axis lies along the motion,
-/// its y axis as near to the tool's as that allows. Without motion it is a box.
+/// Like footprint_of, for a plate that reaches along the motion to `place`. Its z axis lies along the motion,
+/// its y axis as near to the tool's y axis as that allows. Without motion it is a box.
 Footprint plate_of(const VoxelView& body, const Extent& extent, vec3 place, vec3 motion, const mat3& turn);
 
 /// A number for each voxel of a part of at most 8 x 8 x 8 voxels, x fastest.

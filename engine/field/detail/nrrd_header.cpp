@@ -333,8 +333,8 @@ struct Spacings {
     std::vector<std::optional<double>> given, of_ends;
 };
 
-/// Notes which part of the fields for the ends of the axes is not used: their position, or all of them if
-/// other fields contradict them.
+/// Notes for the user that of "axis mins" and "axis maxs" only the spacings count and not the position, or
+/// that neither has an effect beside other fields of space.
 void note_ends(NrrdFields& fields, const Axes& axes, const Spacings& spacings, bool has_directions,
                NrrdHeader& header) {
     const auto low = numbers_if_there(fields, "axismins", axes);
@@ -355,8 +355,8 @@ void note_ends(NrrdFields& fields, const Axes& axes, const Spacings& spacings, b
             "'axis mins' and 'axis maxs' have no effect beside the other fields of space");
 }
 
-/// Reads where the samples lie into the header: directions, or else spacings along the axes of space, and the
-/// origin.
+/// Reads where the samples lie, and stores it in the header: directions, or else spacings along the axes of
+/// space, and the origin.
 void read_place(NrrdFields& fields, const Axes& axes, vec3 sign, NrrdHeader& header) {
     const auto directions = read_directions(fields, axes);
     const Spacings spacings{numbers_if_there(fields, "spacings", axes), spacings_of_ends(fields, axes)};

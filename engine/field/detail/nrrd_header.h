@@ -14,7 +14,7 @@ namespace thaum::field {
 
 enum class NrrdEncoding : std::uint8_t { raw, gzip, ascii };
 
-/// What the components of a sample mean, and so what a volume keeps of them.
+/// Meaning of the components of a sample, which decides what a volume keeps of them.
 enum class NrrdColour : std::uint8_t { none, red_green_blue, value_last, luminance_second };
 
 /// A file of samples that a header names.
@@ -31,7 +31,7 @@ struct NrrdHeader {
     bool big_endian{};
     NrrdEncoding encoding{};
     std::array<int, 3> sizes{};  ///< samples along each axis of space, in the file's order
-    /// Distance in memory to the next sample along each of these axes (samples).
+    /// Distance in memory to the next sample along each axis of space (samples).
     std::array<std::ptrdiff_t, 3> stride{};
     int components{1};  ///< number of components read of each sample: 1 or 3
     std::ptrdiff_t component_stride{1};
@@ -40,7 +40,7 @@ struct NrrdHeader {
     int frames{1};              ///< number of moments of time
     std::ptrdiff_t frame_stride{};
     std::size_t stored{1};            ///< number of samples times components in the file
-    std::array<vec3, 3> direction{};  ///< vector from one sample to the next along each of these axes (m)
+    std::array<vec3, 3> direction{};  ///< vector from one sample to the next along each axis of space (m)
     std::optional<vec3> first{};      ///< place of the first sample (m)
     /// Matrix that turns vector values from their own frame to the frame of space; 0: values are not turned.
     mat3 of_values{1.0};
@@ -51,7 +51,7 @@ struct NrrdHeader {
     /// Position in the file at which samples after the header begin (bytes).
     std::size_t data_at{};
     std::size_t skipped_lines{};  ///< number of lines to skip in each file before the samples
-    /// Number of bytes to skip after those lines; -1: the samples are at the end of the file.
+    /// Number of bytes to skip after the skipped lines; -1: the samples are at the end of the file.
     long skipped_bytes{};
     std::vector<std::string> notes;  ///< messages for the user, one line each
 };

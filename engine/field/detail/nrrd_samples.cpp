@@ -144,7 +144,7 @@ void note_more(const NrrdHeader& header, const FileOfSamples& file, std::vector<
     const auto type = header.encoding == NrrdEncoding::raw
                           ? other_type(header, file.samples, file.bytes.size() + file.not_read)
                           : "";
-    // One byte too many at the beginning would shift all samples.
+    // At most two bytes too many may be a line break before the samples, which would shift all of them.
     const bool one_line_more =
         header.encoding == NrrdEncoding::raw && file.bytes.size() <= size_of(header.type) * file.samples + 2;
     const auto ends = one_line_more ? line_too_many(header, file) : "";

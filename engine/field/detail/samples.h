@@ -21,7 +21,7 @@ std::string_view name_of(SampleType type);
 std::pair<double, double> limits_of(SampleType type);
 std::span<const std::string_view> sample_type_names();  ///< Names of all types, in the order of SampleType.
 
-/// Where the samples of a volume are in a file, counted in samples.
+/// Positions of a volume's samples in a file, counted in samples.
 struct StoredOrder {
     std::ptrdiff_t first{};  ///< index of component 0 of sample (0, 0, 0)
     /// Step along each axis to the next sample; negative if the file runs the other way.
