@@ -28,7 +28,7 @@ public:
     /// Ticks since the pose was measured.
     std::uint32_t age() const { return age_; }
 
-    /// Any thread may call this.
+    /// Counts of invalid poses so far. Any thread may call it.
     PoseFaults faults() const;
 
 private:

@@ -41,8 +41,9 @@ struct ArmOrder {
 /// Data from the arm's thread to the simulation, in each tick.
 struct ArmSample {
     ArmReading reading{};             ///< reading of the arm; the last valid one if `pose_age` is not 0
-    std::uint32_t epoch{}, sample{};  ///< numbers that count from 1; `sample` starts again in each epoch
-    std::uint32_t model{};            ///< number of the model used
+    std::uint32_t epoch{}, sample{};  ///< number of the epoch, and number of the sample in the epoch; both
+                                      ///< count from 1
+    std::uint32_t model{};            ///< number of the model that the arm's thread used
     std::uint32_t pose_age{};         ///< ticks since the pose was measured
     vec3 force{};                     ///< force that the arm got for this sample (N)
 };
@@ -77,7 +78,7 @@ public:
     /// Number of samples in the queue.
     std::size_t waiting() const { return samples_.size(); }
 
-    /// Any thread may call this.
+    /// Counts of faults so far. Any thread may call it.
     ArmFaults faults() const;
 
 private:

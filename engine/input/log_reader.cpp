@@ -30,7 +30,7 @@ struct LogDescriptor {
         if (fd >= 0) ::close(fd);
     }
 
-    /// Returns false if the file has fewer bytes or the disk cannot read them.
+    /// Reads the bytes at a position. Returns false if the file has fewer bytes or the disk cannot read them.
     bool read_at(std::size_t at, std::span<std::byte> into) const {
         while (!into.empty()) {
             const auto n = ::pread(fd, into.data(), into.size(), static_cast<off_t>(at));

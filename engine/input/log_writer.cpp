@@ -38,7 +38,7 @@ constexpr auto sync_interval = std::chrono::seconds(1);
 
 }  // namespace
 
-/// What the log's thread does after a block.
+/// Action of the log's thread after it has written a block.
 enum class AfterBlock : std::uint8_t { go_on, stop, end_block };
 
 struct QueuedBlock : detail::Block {
@@ -110,7 +110,7 @@ struct LogWriter::State {
         current = take_spare();
     }
 
-    /// Starts the log's thread; nothing is written before. The error is that of start_thread.
+    /// Starts the log's thread, which alone writes blocks to the file. The error is that of start_thread.
     Expected<void> start() {
         auto started = start_thread([this] { work(); });
         if (!started) return started.error();
@@ -305,7 +305,7 @@ struct LogWriter::State {
         }
         write_failed = true;
         const auto why = fits ? std::strerror(errno) : "a log holds 1 GiB and no more";
-        // If this fails too, readers find a cut-off block, which they leave out as well.
+        // If truncating fails too, readers find a cut-off block, which they leave out as well.
         const bool cut = ::ftruncate(fd, static_cast<off_t>(good_size)) == 0;
         stop(text(why, "; kept up to tick ", on_disk.load(), cut ? "" : " and part of a block"));
         return false;

@@ -99,7 +99,8 @@ double believable(double value, double most) { return value >= 0 && value <= mos
 
 /// Facts with short, printable texts and possible numbers.
 ArmFacts checked(ArmFacts facts) {
-    // No arm is stronger, stiffer or wider. A larger value has another unit or is invalid.
+    // Largest values that are believed. No arm is stronger, stiffer or wider, so a larger value has another
+    // unit or is invalid.
     constexpr double max_force = 100, max_stiffness = 1e5, max_damping = 1e3, max_edge = 10, max_rate = 1e5;
     constexpr int max_freedom = 16;
     auto& spec = facts.spec;

@@ -60,7 +60,7 @@ public:
 
     /// Begins to call `tick` at 1 kHz. May be called once.
     Expected<void> start(ArmTick tick);
-    /// Any thread may call this. After `lost` or `fault` there are no more ticks.
+    /// State of the arm. After `lost` or `fault` there are no more ticks. Any thread may call it.
     ArmStatus status() const;
     /// Statistics of the times of the ticks so far.
     TickReport times() const;

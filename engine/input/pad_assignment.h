@@ -24,7 +24,7 @@ public:
     /// Instruction for the user, to be shown on the screen: "press A, the lowest of the four buttons". Empty:
     /// all controls were asked for.
     std::string_view asks() const;
-    /// Number of the current question, from 0, and the number of all questions.
+    /// Number of the current question, from 0.
     std::size_t number() const { return number_; }
     /// Number of questions.
     static std::size_t count();

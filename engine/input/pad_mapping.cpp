@@ -82,7 +82,7 @@ Expected<PadMapping> read_pad_mapping(std::string_view line) {
                          "' is no mapping of a pad: must be as in SDL's gamecontrollerdb.txt, 32 hexadecimal "
                          "digits, a name and controls such as a:b0, with commas between them"));
     std::ranges::transform(model, std::back_inserter(mapping.model), lower_case);
-    take_word(line);  // its name
+    take_word(line);  // skips the model's name
     std::size_t mapped = 0;
     while (!line.empty()) {
         const auto element = take_word(line);

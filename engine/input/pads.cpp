@@ -51,7 +51,7 @@ double share_of(std::int16_t value) { return std::max(-1.0, value / 32767.0); }
 struct OpenPad {
     SDL_JoystickID id = -1;
     Controller controller{nullptr, SDL_GameControllerClose};
-    /// Model whose mapping from this program the pad uses; empty: SDL has its own mapping.
+    /// Model of the mapping of this program that the pad uses; empty: the pad uses a mapping of SDL's own.
     std::string own_model{};
 };
 
@@ -291,7 +291,7 @@ std::vector<Stick> PadReader::own() const {
     return sticks;
 }
 
-// SDL has no function that removes a mapping.
+// SDL has no function that removes a mapping, so SDL is ended and started again with the other mappings.
 void PadReader::forget(const std::string& model) {
     auto& s = *state_;
     s.wait();

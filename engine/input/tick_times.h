@@ -34,7 +34,8 @@ struct TickReport {
     std::uint64_t missed{};  ///< number of periods that passed without a tick
     /// Absolute difference between tick interval and period: median, 99th percentile and largest (us).
     double jitter_median{}, jitter_p99{}, jitter_worst{};
-    /// Time from the measurement of the pose to the force handed to the device, in the same way (us).
+    /// Time from the measurement of the pose to the force handed to the device: median, 99th percentile and
+    /// largest (us).
     double answer_median{}, answer_p99{}, answer_worst{};
 };
 

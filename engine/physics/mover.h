@@ -33,7 +33,7 @@ struct MoverSettings {
     double walk_speed{4.5};          ///< speed along the ground (m/s)
     double ground_acceleration{40};  ///< largest acceleration on the ground (m/s^2)
     double air_acceleration{4};      ///< largest acceleration in the air (m/s^2)
-    double push_force{700};          ///< largest force against resistance (N)
+    double push_force{700};          ///< largest force with which the mover pushes against a resistance (N)
     double adhesion{60};  ///< acceleration towards the ground that keeps the feet on it over a crest (m/s^2)
     double jump_speed{4.6454278597};  ///< sqrt(2 * 9.81 * 1.1), for an apex of 1.1 m (m/s)
     double steepest_cos{0.64278761};  ///< cosine of the steepest slope on which it can stand: 50 degrees

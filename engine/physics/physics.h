@@ -150,7 +150,8 @@ struct Settings {
     double sleep_speed{0.15};  ///< speed below which a body may fall asleep after 2 s (m/s)
     double sleep_spin{0.3};    ///< angular speed below which a body may fall asleep after 2 s (rad/s)
     bool skip_asleep{true};    ///< true: skip steps in which nothing can change; false only to test this
-    /// true: exact end of free flights, see step(); false only to measure its effect.
+    /// true: a body in free flight ends each step at its exact place, see step(); false only to measure the
+    /// effect.
     bool exact_flight{true};
 };
 
@@ -165,7 +166,8 @@ struct Counters {
 /// A world of rigid bodies.
 class Physics {
 public:
-    /// May throw std::bad_alloc. Wrong settings or an empty mesh fail an assertion.
+    /// Makes a world without bodies. May throw std::bad_alloc. Wrong settings or an empty mesh fail an
+    /// assertion.
     explicit Physics(const Settings& settings = {}, const std::vector<TriangleMesh>& meshes = {});
     ~Physics();
     Physics(Physics&&) noexcept;

@@ -21,7 +21,7 @@ inline constexpr std::size_t max_clip_frames = 3000;  ///< largest number of fra
 
 /// Strengths at one moment.
 struct ClipFrame {
-    std::array<std::uint8_t, clip_cells> strength{};  ///< 0 to 100
+    std::array<std::uint8_t, clip_cells> strength{};  ///< strength of each cell, 0 to 100
 
     bool operator==(const ClipFrame&) const = default;
 };

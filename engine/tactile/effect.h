@@ -84,8 +84,8 @@ struct Effect {
     Method method{};
     double weakest{};     ///< amplitude A at strength 0 (m)
     double strongest{};   ///< amplitude A at strength 1 (m)
-    double wavelength{};  ///< L (m)
-    double stiffness{};   ///< k (N/m)
+    double wavelength{};  ///< wavelength L of the grating (m)
+    double stiffness{};   ///< stiffness k (N/m)
     double damping{};     ///< damping B (N s/m)
     Envelope envelope{};
     Pattern pattern{};

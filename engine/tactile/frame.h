@@ -23,7 +23,7 @@ struct TactileFrame {
     /// Number of ticks after which an output must be silent if there is no newer frame.
     Tick time_to_live{};
     std::uint64_t count{};                           ///< number of actuators in use
-    std::array<float, frame_capacity> amplitude{};   ///< 0 to 1
+    std::array<float, frame_capacity> amplitude{};   ///< amplitude of each actuator, 0 to 1
     std::array<float, frame_capacity> carrier_hz{};  ///< frequency (Hz); meaningless where the amplitude is 0
 
     /// Whether all amplitudes are 0.

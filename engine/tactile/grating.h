@@ -21,8 +21,8 @@ namespace thaum::tactile {
 
 /// A sinusoidal grating (see above).
 struct Grating {
-    double amplitude{};   ///< A, >= 0 (m)
-    double wavelength{};  ///< L, > 0 (m)
+    double amplitude{};   ///< amplitude A, >= 0 (m)
+    double wavelength{};  ///< wavelength L, > 0 (m)
 };
 
 /// Height of the grating over the wall, from 0 to 2 A (m).

@@ -81,7 +81,7 @@ void Layout::prepare() {
                             : vec2(at.z, at.y);
         charts_[1][i] = {at.x, 0};
     }
-    // Any actuator can stand for its side of the body.
+    // On a device without actuators of this region, each actuator stands for its side of the body.
     auto& whole = groups_[static_cast<std::size_t>(Region::whole)];
     if (whole.empty()) {
         for (std::size_t i = 0; i < actuators.size(); ++i) whole.push_back(static_cast<std::uint8_t>(i));

@@ -38,7 +38,8 @@ public:
     std::vector<Actuator> actuators{};  ///< the actuators, 1 to max_actuators of them
 
     /// Chart place at which a point of the body is rendered. A part without actuators is rendered on the
-    /// torso. On a device without actuators on the torso, only the side of the body is rendered.
+    /// torso. A device without actuators on the torso renders only whether the point is to the left or to the
+    /// right.
     ChartPlace chart_place(const BodyPoint& point) const;
     /// Numbers of the actuators that render a region; never empty for a region of a ChartPlace.
     std::span<const std::uint8_t> group(Region region) const;
@@ -71,7 +72,7 @@ Expected<Layout> make_layout(std::string name, Torso torso, std::vector<Actuator
 
 /// Reads a layout file. An error names file, line and key.
 Expected<Layout> read_layout(const Config& file);
-/// Reads a file of at most 64 KiB.
+/// Reads a layout from a file of at most 64 KiB.
 Expected<Layout> load_layout(const std::filesystem::path& path);
 
 }  // namespace thaum::tactile

@@ -33,14 +33,14 @@ struct Where {
     vec3 direction{};
     double height{};
 
-    /// At the effect's own places, or at the middle of the chest if it has none.
+    /// Names the effect's own places, or the middle of the chest if it has none.
     static Where own() { return {}; }
-    /// At a point of a part (body at rest).
+    /// Names a point of a part (body at rest).
     static Where on(BodyPoint point) { return {Kind::on_part, point, {}, 0}; }
-    /// At a point that something touches (m, body frame, in the current pose).
+    /// Names a point that something touches (m, body frame, in the current pose).
     static Where touching(vec3 point) { return {Kind::touched, {Part::whole, point}, {}, 0}; }
-    /// On the side of the torso that faces a direction (body frame, from the body
-    /// to the source), at a height (m).
+    /// Names the side of the torso that faces a direction (body frame, from the body to the source), at a
+    /// height (m).
     static Where from(vec3 direction, double height = 1.15) { return {Kind::from, {}, direction, height}; }
 };
 
@@ -112,7 +112,7 @@ private:
         std::uint32_t key{};  ///< key of `drive`; 0: the effect plays to its end
         Tick begin{};
         Tick driven_at{};     ///< tick of the last call of `drive`
-        double strength{};    ///< 0 to 1
+        double strength{};    ///< strength of the effect, 0 to 1
         double level{};       ///< amplitude of the motors, 0 to 1
         double beat_ms{};     ///< time since the last heartbeat (ms)
         double held_ms{};     ///< time on the envelope at which the decay began (ms); below 0: still held

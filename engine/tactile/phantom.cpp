@@ -12,8 +12,9 @@ constexpr double min_share = 1e-4;   // smallest share that is kept if the place
 constexpr double tolerated = 0.01;
 constexpr double solved = 1e-4;  // error at which the search stops (cells); far below what skin resolves
 constexpr double longest_step =
-    4;  // largest change of l in one step, for each cell; keeps Newton's method from overshooting
-// Keeps l finite if the place is on the edge; costs an error of about 0.001 cells.
+    4;  // largest change of l (tactile/phantom.h) in one step, for each cell; keeps Newton's method from
+        // overshooting
+// Added to the curvature to keep l finite if the place is on the edge; costs an error of about 0.001 cells.
 constexpr double stiffening = 1e-4;
 
 /// Positions of the participating actuators relative to the wanted place, in cells.
@@ -36,7 +37,7 @@ vec2 reachable(const Layout& layout, const ChartPlace& place) {
     return place.at + glm::clamp(vec2(0), low, high);
 }
 
-/// Value of log Z at l, and the centroid of the shares there.
+/// Value of log Z (tactile/phantom.h) at l, and the centroid of the shares there.
 struct Potential {
     double value{};
     vec2 centroid{};
@@ -95,7 +96,7 @@ void balance(Cells& cells) {
 }
 
 /// Removes actuators whose share is less than `share` of the largest one, then balances the others. Returns
-/// false if those cannot render the place.
+/// false if the others cannot render the place.
 bool drop_below(Cells& cells, double share) {
     const auto end = cells.share.begin() + static_cast<std::ptrdiff_t>(cells.count);
     const double least = share * *std::max_element(cells.share.begin(), end);

@@ -47,8 +47,8 @@ bool run_tick(std::uint64_t number) noexcept;
 /// already did.
 bool prefer_this_thread(int priority);
 
-/// After this call the step function is never called again. Returns false if a tick hangs in the driver; the
-/// ticks must then never be destroyed.
+/// Ends the ticks, so that the step function is never called again. Returns false if a tick hangs in the
+/// driver; the ticks must then never be destroyed.
 bool close_ticks(ArmTicks& ticks);
 
 }  // namespace thaum::input

@@ -42,7 +42,7 @@ std::uint32_t state_of(const DeviceSample& s) {
            std::uint32_t{s.change.percent} << percent_shift;
 }
 
-/// Returns false if the value is not one that `state_of` can give.
+/// Sets the state of a sample. Returns false if the value is not one that `state_of` can give.
 bool set_state(DeviceSample& s, std::uint32_t state) {
     s.away = (state & away_bit) != 0;
     s.change = {static_cast<std::uint8_t>(state >> fader_shift),

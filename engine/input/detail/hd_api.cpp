@@ -200,7 +200,8 @@ std::string advice(const Api& api, unsigned int code) {
 // ---- facts and measurements -------------------------------------------------------------------------------
 
 ArmFacts facts_of(const Api& api) {
-    // No arm of this class is stronger or stiffer. A larger value has another unit or is invalid.
+    // Largest values that are believed. No arm of this class is stronger or stiffer, so a larger value has
+    // another unit or is invalid.
     constexpr double max_force = 100, max_stiffness_n_per_mm = 100, max_damping_n_s_per_mm = 1;
     constexpr int max_freedom = 16, max_rate = 100'000;
     ArmFacts facts;

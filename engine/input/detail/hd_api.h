@@ -20,20 +20,20 @@ constexpr unsigned long servo_hz = 1000;
 
 enum Name : unsigned int {
     current_buttons = 0x2000,
-    current_position = 0x2050,   // in mm
+    current_position = 0x2050,   // position of the tip (mm)
     current_transform = 0x2052,  // the pose as a matrix of 16 numbers, column by column
     version = 0x2500,
     model_type = 0x2501,
     serial_number = 0x2504,
-    usable_workspace = 0x2551,  // lowest x, y, z, then highest x, y, z, in mm
+    usable_workspace = 0x2551,  // lowest x, y, z, then highest x, y, z (mm)
     input_dof = 0x2553,
     output_dof = 0x2554,
     update_rate = 0x2600,
-    nominal_max_stiffness = 0x2602,  // in N/mm
-    nominal_max_force = 0x2603,      // in N
+    nominal_max_stiffness = 0x2602,  // stiffness (N/mm)
+    nominal_max_force = 0x2603,      // force (N)
     nominal_max_continuous_force = 0x2604,
-    nominal_max_damping = 0x2609,  // in N/(mm/s)
-    current_force = 0x2700,        // in N
+    nominal_max_damping = 0x2609,  // damping (N/(mm/s))
+    current_force = 0x2700,        // force (N)
     force_output = 0x4000,
     max_force_clamping = 0x4001,
     force_ramping = 0x4002,

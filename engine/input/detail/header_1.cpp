@@ -19,7 +19,8 @@ constexpr std::uint32_t known = invert_y | no_forces | percent_bits << force_shi
                                 box_follows;
 }  // namespace flag
 
-/// No limit on the length of a list: bodies of format 1 are at most 1 MiB, which limits their lists.
+/// Stands for no limit on the length of a list: bodies of format 1 are at most 1 MiB, which limits their
+/// lists.
 constexpr std::size_t any_count = 0xffffffffU;
 
 std::uint8_t percent_at(std::uint32_t flags, std::uint32_t shift) {

@@ -14,7 +14,7 @@
 namespace thaum::physics::detail {
 
 struct Box {
-    vec3 low{}, high{};  ///< corners (m)
+    vec3 low{}, high{};  ///< lowest and highest corner of the box (m)
 };
 
 /// Capacity of a search. With more bodies near a place, the tree is no faster than a search of all

@@ -169,7 +169,7 @@ void Mesh::gather(vec3 point, double radius, const Nearby& body, NearestSurfaces
     within.point = point;
     within.triangle = body;
     within.into = &into;
-    const vec3 half(radius + 1e-6);  // the tree rounds outwards
+    const vec3 half(radius + 1e-6);  // a margin for the tree's rounding
     parts_->shape->processAllTriangles(&within, to_bullet(point - half), to_bullet(point + half));
 }
 

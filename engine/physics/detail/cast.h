@@ -30,7 +30,7 @@ NearestPoint nearest_to_triangle(const vec3 (&corner)[3], vec3 point);
 struct Path {
     vec3 from;
     vec3 direction;  ///< direction of the path (unit)
-    double length;   ///< length (m)
+    double length;   ///< length of the path (m)
     double radius;   ///< radius of the sphere; 0: a ray (m)
 };
 
