@@ -40,7 +40,7 @@ using Magnitudes8 = std::int32_t __attribute__((vector_size(32)));
 inline Magnitudes8 magnitudes_of(const Floats8& values) {
     return std::bit_cast<Magnitudes8>(values) & std::numeric_limits<std::int32_t>::max();
 }
-/// The larger one in each lane.
+/// The larger magnitude in each lane.
 inline Magnitudes8 larger_magnitudes(const Magnitudes8& a, const Magnitudes8& b) { return a > b ? a : b; }
 
 /// Whether a comparison holds in some lane.

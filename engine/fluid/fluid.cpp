@@ -15,8 +15,8 @@
 namespace thaum::fluid {
 
 struct Workspace {
-    std::unique_ptr<StaggeredSolver> staggered;  ///< null for `classic`
-    std::unique_ptr<SolverApart> apart;          ///< null for `thaum`
+    std::unique_ptr<StaggeredSolver> staggered;  ///< solver `thaum`; null for `classic`
+    std::unique_ptr<SolverApart> apart;          ///< solver `classic`; null for `thaum`
 };
 
 void DeleteWorkspace::operator()(Workspace* workspace) const { delete workspace; }
@@ -26,12 +26,12 @@ namespace {
 /// Makes the solver of `classic`; null if the program does not link it.
 constinit MakeSolver make_classic = nullptr;
 
-constexpr double min_h = 1e-6;  // m
+constexpr double min_h = 1e-6;  // smallest edge length of a cell (m)
 constexpr double max_h = 1e3;
-constexpr double max_lid = 1e3;      // m/s
-constexpr double max_gravity = 1e3;  // m/s^2
+constexpr double max_lid = 1e3;      // largest speed of the lid (m/s)
+constexpr double max_gravity = 1e3;  // largest magnitude of gravity (m/s^2)
 constexpr double max_weight = 1e3;
-constexpr double max_diffusion = 1e3;  // m^2/s
+constexpr double max_diffusion = 1e3;  // largest diffusion coefficient (m^2/s)
 constexpr double max_density = 1e6;    // largest density of one cell
 constexpr int max_sweeps = 1000;
 

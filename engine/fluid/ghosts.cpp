@@ -41,7 +41,8 @@ Mirrors wall_mirrors(int n, float factor, int depth) {
     return result;
 }
 
-/// In these rules, layers 0 and n are the walls themselves.
+/// Rules for a quantity that is sampled on the faces across the axis. Layers 0 and n are the walls
+/// themselves.
 Mirrors face_mirrors(int n, int depth) {
     Mirrors result;
     result.add({0, 0, 0});
@@ -71,7 +72,8 @@ void copy_scaled(const float* from, float* to, std::ptrdiff_t count, float facto
 }
 
 void fill_row(const Lattice& lattice, const Mirrors& all, float* row) {
-    // Rows are written in multiples of eight, so the values beyond the last cell are still arbitrary here.
+    // Rows are written in multiples of eight, so values beyond the ghosts are still arbitrary here and are
+    // set to 0.
     for (const Mirror& m : all) row[m.to] = m.factor == 0 ? 0 : m.factor * row[m.from];
     for (std::ptrdiff_t i = lattice.cells[0] + ghosts; i < round_up_to_8(lattice.cells[0]); ++i) row[i] = 0;
 }

@@ -20,7 +20,7 @@ struct Rows {
     std::vector<Row> rows{};  ///< row j of layer k has the index k * lattice.cells[1] + j
     /// Starts of the lattice rows that have fluid close enough to an end for ghosts to mirror it.
     std::vector<std::ptrdiff_t> rows_near_sides{};
-    bool complete{};  ///< true: every row is complete
+    bool complete{};  ///< true: every row contains all cells of its lattice row
 
     /// The part of a row along x that is used.
     Row at(int j, int k) const {

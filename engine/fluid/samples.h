@@ -14,6 +14,7 @@
 
 namespace thaum::fluid {
 
+/// Number of layers of ghost cells on each side of a lattice.
 inline constexpr int ghosts = 3;
 
 /// Allocator of sample arrays, which keeps their beginnings apart in the cache.

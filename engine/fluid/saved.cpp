@@ -15,10 +15,10 @@ constexpr std::size_t hash_size = 8;
 constexpr std::size_t max_shape_numbers = 16;
 constexpr std::size_t max_shape_name = 32;
 
-// Bound that no push can exceed; its square is still finite in float.
+// Largest absolute value of a sample. No push can exceed it, and its square is still finite in float.
 constexpr double max_sample = 1e18;
-constexpr double max_height = 1e6;      // m
-constexpr double max_node_speed = 1e9;  // m/s
+constexpr double max_height = 1e6;      // largest height of a node of the surface (m)
+constexpr double max_node_speed = 1e9;  // largest speed of a node of the surface (m/s)
 
 // ---- contents of the body, listed once for saving and restoring ------------------------------------------
 

@@ -21,7 +21,7 @@ namespace {
 /// all modes that are five times slower lose less than 1e-6.
 constexpr double max_phase = 1;
 
-/// The springs, divided by the mass of a node.
+/// Stiffnesses of the springs and of the level, divided by the mass of a node (1/s^2), and the drag (1/s).
 struct SpringNetwork {
     std::size_t stride{}, first{}, end{};  ///< nodes that move, in x and in z: [first, end)
     double structural{}, shear{}, level{}, drag{};
@@ -83,8 +83,8 @@ inline double spring_acceleration(const SpringNetwork& net, const double* h, std
     return net.structural * (sides - 4 * middle) + net.shear * (corners - 4 * middle) - net.level * middle;
 }
 
-/// Beyond a free rim the heights are mirrored, so waves are reflected without inversion. Shear springs
-/// that would lead outwards lie along the rim.
+/// Writes the mirror images of the heights beyond a free rim, so that waves are reflected without inversion.
+/// Shear springs that would lead outwards lie along the rim.
 void mirror(const SpringNetwork& net, double* h) {
     if (!net.mirrored) return;
     const std::size_t n = net.end, s = net.stride;
@@ -161,7 +161,8 @@ double height_under(const SpringNetwork& net, const Footprint& print, const doub
     return sum;
 }
 
-/// Upward force on the probe (N): from outside the surface only pushes, from inside it only pulls.
+/// Upward force of the surface on a probe (N). The surface can only push a probe above it, and only pull one
+/// that is `inside`, that is, has broken through.
 double contact_force(const SpringSurfaceSettings& s, const Footprint& print, bool inside, double height) {
     const double gap = s.contact * (height - print.height);
     return inside ? std::clamp(gap, -s.cling, 0.0) : std::clamp(gap, 0.0, s.pop_through);
@@ -215,7 +216,8 @@ void accelerate(const SpringNetwork& net, Values h, Values v, double* __restrict
     }
 }
 
-/// As above, but with the drag of a later velocity: drag (v + t before).
+/// As above, but with the drag of the velocity of a later stage, v + t before. There `before` is the
+/// acceleration of an earlier stage.
 void accelerate(const SpringNetwork& net, Values h, Values v, Values before, double t, double* __restrict a) {
     for (std::size_t z = net.first; z < net.end; ++z) {
         const auto [begin, end] = vectors(net, z);
@@ -321,7 +323,7 @@ void fall_asleep(SpringSurface& surface) {
     surface.asleep = 1;
 }
 
-/// Whether a probe touches the level surface, which wakes it.
+/// Whether a probe touches the level surface; if so, the surface wakes.
 bool touches_level(const SpringSurface& surface, const ProbeFootprints& footprints) {
     for (std::size_t p = 0; p < footprints.count; ++p) {
         const Footprint& print = footprints.prints[p];

@@ -29,8 +29,8 @@ std::string value_of(const char* variable) {
 
 int on_lost_display(void*) {
     static std::atomic<bool> told{false};
-    // Another thread has reported the error and is ending the program. If this function returned, Xlib would
-    // call exit().
+    // If another thread has reported the error, it is ending the program, and this thread waits. If this
+    // function returned, Xlib would call exit().
     while (told.exchange(true)) ::pause();
     tell_user("the display is gone: the X server has ended");
     std::quick_exit(1);
@@ -46,7 +46,7 @@ std::string display_for_windows() {
 std::string display_not_spoken() { return speaks("Wayland") ? std::string() : value_of(wayland); }
 
 void end_with_display() {
-    // GLFW loads Xlib itself, and Xlib's headers may not be installed.
+    // The function is looked up by name: GLFW loads Xlib itself, and Xlib's headers may not be installed.
     using Handler = int (*)(void*);
     using SetHandler = Handler (*)(Handler);
     if (auto* set = reinterpret_cast<SetHandler>(::dlsym(RTLD_DEFAULT, "XSetIOErrorHandler")); set != nullptr)

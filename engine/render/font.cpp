@@ -146,7 +146,8 @@ int Font::line_height(int size) {
     return extent.above + extent.below;
 }
 
-/// Uses the face's own metrics, or more if hinting lifts an accent above them.
+/// Heights above and below the base line: those of the face's metrics, or more if hinting lifts an accent
+/// higher.
 Font::Extent Font::extent_of(int size) {
     if (const auto found = state_->extents.find(size); found != state_->extents.end()) return found->second;
     state_->use_size(size);
@@ -177,7 +178,7 @@ Line Font::lay_out(std::u32string_view line, int size) {
         high = std::max({high, pen, out.glyphs.back().x + g.width});
         before = c;
     }
-    // Some letters reach left of the pen. The box includes them.
+    // Some letters reach left of the pen. The box of the line includes these parts.
     for (auto& g : out.glyphs) g.x -= low;
     out.width = high - low;
     return out;

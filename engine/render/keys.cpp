@@ -20,7 +20,7 @@ struct Key {
     std::string_view name;
 };
 
-/// Names, parted by spaces, of keys with the codes from `first` to `last`.
+/// Names, separated by spaces, of the keys with codes from `first` to `last`.
 struct KeyRun {
     int first, last;
     std::string_view names;

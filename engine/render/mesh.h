@@ -45,7 +45,7 @@ struct Patch {
     /// faded (Vertex::far_away). Empty if there is no plain form.
     MeshData plain{};
     float detail{};  ///< size of the detail that `plain` lacks (m)
-    // If `full` is empty, `plain` is behind other patches of the same detail. It is visible only if one of
+    // If `full` is empty, `plain` is behind other patches that have such detail. It is visible only if one of
     // those may be drawn plain.
     bool sunless{};  ///< true: the sun never reaches it, so no shadow map look-up is needed
 };

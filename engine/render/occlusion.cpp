@@ -7,13 +7,13 @@
 namespace thaum::render {
 namespace {
 
-/// A convex polygon. A face of four corners gains at most one corner when clipped.
+/// A convex polygon. A face of the block has four corners and gains at most one corner when clipped.
 struct Polygon {
     std::array<vec3, 5> at{};
     std::size_t count{};
 };
 
-/// The face across `axis` on the given side, relative to the point.
+/// Face of the block across `axis`, at its high or low side. The corners are relative to the point.
 Polygon face(const Block& block, int axis, bool high_side, vec3 point) {
     constexpr int around[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -40,7 +40,7 @@ Polygon above_horizon(const Polygon& in, vec3 normal) {
     return out;
 }
 
-/// Lambert's sum. Its sign depends on the winding of the polygon.
+/// Form factor of a polygon, as Lambert's sum over its edges. Its sign depends on the winding of the polygon.
 double lambert(const Polygon& p, vec3 normal) {
     double sum = 0;
     for (std::size_t i = 0; i < p.count; ++i) {

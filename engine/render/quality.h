@@ -1,12 +1,13 @@
 // render/quality.h: the cost of a picture, in three presets:
 //
-//              inside       point lights      sun's shadow             colours
+//              resolution   point lights      sun's shadow             colours
 //   low        720 lines    4, each vertex    baked into the vertices  fog and tone curve at each vertex
 //   medium     720 lines    8, each vertex    map, one bilinear tap    the same, in the sun and in the shade
 //   high       the window's 8, each pixel     map, nine taps           16-bit floats, tone mapped last, bloom
 //
 // At low, detail finer than two pixels is drawn plainly: joints of far stone, meshes with coarser copies. A
-// volume is marched in 7, 10 and 28 steps, at low and medium with a third of the view's pixels along a side.
+// volume is ray-marched in 7, 10 and 28 steps, at low and medium with a third of the view's pixels along a
+// side.
 //
 // `auto` is not a preset but a way to choose one. It starts from the device that draws (a processor or a
 // graphics card) and then follows measured times. It never alternates: a preset that proved too slow is not

@@ -52,7 +52,7 @@ int scaled_length(int length, float scale) {
     return std::max(1, static_cast<int>(std::lround(static_cast<float>(length) * scale)));
 }
 
-/// Scales the edges instead of the size, so that adjacent rectangles stay adjacent.
+/// Scales a rectangle by its edges instead of its size, so that adjacent rectangles stay adjacent.
 Rect scaled_rect(const Rect& r, float scale) {
     const auto edge = [&](int at) { return static_cast<int>(std::lround(static_cast<float>(at) * scale)); };
     const int x = edge(r.x), y = edge(r.y);
@@ -357,7 +357,8 @@ void Renderer::State::collect_volume(const ViewScene& view, int height, Quality 
     its.volume.count = collect(dipped, {mesh_bounds, mesh_levels}, its.sight, batches);
 }
 
-/// Runs before the views are drawn. Marching does not need the views, so it need not wait for them.
+/// Marches rays through the volumes of all views. This runs before the views are drawn, because it does not
+/// need them and so need not wait for them.
 void Renderer::State::march_volumes(const Frame& frame, std::span<const ViewBatches> of_views, int width,
                                     int height) {
     const auto is_seen = [](const ViewBatches& its) { return its.volume.volume != nullptr; };
@@ -365,8 +366,8 @@ void Renderer::State::march_volumes(const Frame& frame, std::span<const ViewBatc
     const auto before = volumes.sent();
     const int share = march_share(frame.quality);
     volumes.begin((width + share - 1) / share, (height + share - 1) / share, frame.quality);
-    // Ordered by target, not by view: each change of the target makes the rasteriser pass over all of the
-    // target's tiles.
+    // The work is ordered by target, not by view: each change of the target makes the rasteriser pass over
+    // all of the target's tiles.
     for (const auto& its : of_views) {
         if (!is_seen(its)) continue;
         volumes.begin_depth(its.volume, its.sight, programs.shadow);
@@ -381,8 +382,8 @@ void Renderer::State::march_volumes(const Frame& frame, std::span<const ViewBatc
     statistics.volumes_sent = volumes.sent() - before;
 }
 
-/// Runs after all views, so that the vertices of the last view are processed before anything waits for the
-/// marching.
+/// Draws the volumes over their views. This runs after all views, so that the vertices of the last view are
+/// processed before anything waits for the ray marching.
 void Renderer::State::show_volumes(std::span<const ViewBatches> of_views, int height) {
     for (const auto& its : of_views) {
         if (its.volume.volume == nullptr) continue;
@@ -488,8 +489,8 @@ void Renderer::State::draw_patchworks(const MeshProgram& program, const ViewBatc
     }
 }
 
-/// Draws the patchworks. At Quality::medium, patches without sun use the program of Quality::low, which has
-/// no shadow map, but with all lights.
+/// Draws the patchworks. At Quality::medium, patches without sun use a program like that of Quality::low,
+/// which has no shadow map, but with all lights.
 void Renderer::State::draw_stone(const ViewScene& view, const ViewBatches& its, Quality quality,
                                  const ShadowView& shadow) {
     const auto& program = programs.alone[static_cast<std::size_t>(quality)];

@@ -92,7 +92,7 @@ struct Scan {
     bool lit = false;
     /// Distance between samples along a ray (in sample distances); a quick picture doubles it.
     float step = 0.5F;
-    // Surface:
+    // Values of a surface:
     float level = 0.5F;  ///< density of the surface; denser places are inside
     fvec3 colour{1};     ///< colour in linear light
     float sun = 1;       ///< share of the sunlight that reaches it

@@ -24,7 +24,7 @@ namespace thaum::render {
 /// Handle of a mesh, returned by Renderer::upload.
 using MeshId = std::uint32_t;
 
-/// From where a view is seen.
+/// Position, direction and projection from which a view is seen.
 struct Camera {
     fvec3 position{0, 1.7F, 0};
     fquat orientation{1, 0, 0, 0};  ///< rotation from camera axes to world axes

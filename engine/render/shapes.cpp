@@ -123,7 +123,8 @@ fvec2 edge_normal(fvec2 from, fvec2 to) {
     return {along.y, -along.x};
 }
 
-/// Normal at the point where two edges meet: shared if the turn is gentle, else `own`.
+/// Normal at the point where two edges of the profile meet: the mean of both if they turn by less than
+/// `crease` (rad), else `own`.
 fvec2 shared_normal(fvec2 own, fvec2 other, float crease) {
     if (glm::dot(own, other) < std::cos(crease)) return own;
     return glm::normalize(own + other);

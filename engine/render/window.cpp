@@ -84,8 +84,8 @@ GLFWwindow* open_window(const WindowSpec& spec) {
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_DEPTH_BITS, 24);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
-    // A window that loses the focus must not change the screen's mode, since the other player may be in a
-    // menu.
+    // By default, a full-screen window that loses the focus is minimised and the screen's mode changes. This
+    // must not happen while another player uses the window, for example in a menu.
     glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
     GLFWmonitor* monitor = full_screen_monitor(spec);
     Size size = size_on_screen(spec.size);
@@ -100,7 +100,7 @@ GLFWwindow* open_window(const WindowSpec& spec) {
 
 namespace {
 
-// GLFW passes a bare pointer to its callbacks.
+// State of a window. It is stored in GLFW's pointer for users, since callbacks get nothing but GLFW's window.
 Window::State& state_of(GLFWwindow* w) { return *static_cast<Window::State*>(glfwGetWindowUserPointer(w)); }
 
 const WindowEvents& events_of(GLFWwindow* w) {

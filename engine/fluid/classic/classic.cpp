@@ -9,10 +9,11 @@
 namespace thaum::fluid {
 namespace {
 
-/// Rule for the values of a field in the one layer of ghosts that this solver uses.
+/// Rule for the values of a field in its ghost cells. This solver uses only the layer next to the box.
 struct Border {
     std::array<float, 3> factor{1, 1, 1};  ///< multiple of the nearest inner cell, for walls across each axis
-    float lid{};                           ///< value that is added in the ghosts above the top of y
+    float lid{};                           ///< added in the ghost cells above the top of y: twice the speed
+                                           ///< of the lid (m/s)
 };
 
 Border border_of_scalar() { return {}; }
@@ -23,14 +24,14 @@ Border border_of_velocity(const Settings& settings, std::size_t component) {
         const bool through = axis == component;
         if (through || settings.edges[axis] == Edge::no_slip) result.factor[axis] = -1;
     }
-    // The wall lies half-way between the inner cell and the ghost, so their mean must be the speed of
-    // the wall.
+    // The wall lies half-way between the inner cell and the ghost cell, so the mean of their velocities must
+    // be the speed of the wall.
     if (component == 0 && settings.edges[1] == Edge::no_slip)
         result.lid = static_cast<float>(2 * settings.lid);
     return result;
 }
 
-/// Both ends of one row of cells along an axis, with their ghosts.
+/// Both ends of one row of cells along an axis, with their ghost cells.
 struct RowEnds {
     std::ptrdiff_t last;    ///< index distance from the first cell of the row to the last
     std::ptrdiff_t stride;  ///< index distance from a cell to the next
@@ -44,8 +45,8 @@ struct RowEnds {
     }
 };
 
-/// The axes are filled one after another, each including the ghosts of earlier axes, so that edges and
-/// corners are right.
+/// Fills the ghost cells of a field, one axis after another. Each axis includes the ghost cells of earlier
+/// axes, so that those at edges and corners are right, too.
 void fill_border(const Lattice& lattice, const Border& border, Samples& samples) {
     const auto [nx, ny, nz] = lattice.cells;
     const auto sides = [&](std::size_t axis) {
@@ -79,8 +80,8 @@ void relax(const Lattice& lattice, const Border& border, int sweeps, float own, 
             float* const c = x.data() + first;
             float west = c[-1];
             for (int i = 0; i < n; ++i) {
-                // The cell that was written last is added last, because only that term must wait for its
-                // result.
+                // The neighbour that was written last is added last, because only this term must wait for the
+                // result of the previous iteration.
                 const float others = c[i + 1] + c[i - ny] + c[i + ny] + c[i - nz] + c[i + nz];
                 west = (b[i] + share * (others + west)) * inverse;
                 c[i] = west;
@@ -128,8 +129,9 @@ void subtract_gradient(Fluid& fluid, const Samples& pressure) {
     }
 }
 
-/// Some divergence remains for two reasons: the sweeps are not exact, and a difference across two cells does
-/// not see the shortest waves.
+/// Subtracts the gradient of the pressure, so that the flow becomes nearly free of divergence. Some
+/// divergence remains for two reasons: the sweeps are not exact, and a difference across two cells does not
+/// see the shortest waves.
 void project(Fluid& fluid, ClassicScratch& scratch) {
     write_divergence(fluid, scratch.source);
     std::ranges::fill(fluid.now.pressure, 0.0F);
@@ -201,7 +203,7 @@ float sample(const Lattice& lattice, const TracedPlace& place, const Samples& sa
     return mix(low, high, pz);
 }
 
-/// Calls `f` with each cell and the place where its fluid was dt earlier.
+/// Calls `f` with each cell and the place where the fluid in it was dt earlier.
 template <class F>
 void trace_back(const Tracer& tracer, F&& f) {
     const auto [nx, ny, nz] = tracer.lattice.cells;
@@ -286,7 +288,7 @@ StepReport report_of(const Fluid& fluid, Samples& divergence) {
     for (const Samples& component : fluid.now.velocity)
         result.speed = std::max(result.speed, largest(fluid.lattice, component));
     write_divergence(fluid, divergence);
-    // The values written by write_divergence contain a factor of h^2; the reported measure has a factor of h.
+    // write_divergence gives the divergence times -h^2; the report has it times h and divided by the speed.
     if (result.speed > 0)
         result.divergence = largest(fluid.lattice, divergence) / (fluid.lattice.h * result.speed);
     result.energy = energy(fluid);

@@ -1,20 +1,20 @@
-// fluid/classic/classic.h: the paper's own solver, the baseline for measurements. It is Stam's stable fluids
-// ("Real-Time Fluid Dynamics for Games", 2003) in three dimensions, as used by Mora and Lee 2008,
-// section 4.
+// fluid/classic/classic.h: the solver of the paper Mora and Lee 2008, section 4, as a baseline for
+// measurements. It is Stam's stable fluids ("Real-Time Fluid Dynamics for Games", 2003) in three dimensions.
 //
 //     add forces -> diffuse -> project -> advect -> project;      substances: diffuse -> advect
 //
 // All components are sampled at cell centres. Diffusion and pressure are solved by a fixed number of
-// Gauss-Seidel sweeps. Diffusion starts from the current field, pressure from zero. Advection traces
-// each cell back along one straight line and interpolates linearly there. The solver is stable for any
-// time step, but it smears, loses mass and leaves some divergence.
+// Gauss-Seidel sweeps. Diffusion starts from the current field, pressure from zero. Advection traces each
+// cell back along one straight line and interpolates linearly there. The solver is stable for any time step,
+// but it smears, loses mass and leaves some divergence.
 //
-// The method has no additions. Two mistakes of common ports are corrected: the divergence uses half the
-// difference across two cells, and the viscosity is not multiplied by the number of cells. As in the
-// paper, there are no solids inside the box. One viscosity holds for the whole box: that of the base
-// fluid plus the mean of each substance's.
+// Nothing was added to the method. Two mistakes of common ports are corrected: the divergence uses half the
+// difference across two cells, and the viscosity is not multiplied by the number of cells. As in the paper,
+// there are no solids inside the box. One viscosity holds for the whole box: that of the base fluid plus the
+// mean of each substance's.
 //
-// It stands in a library of its own, thaum_fluid_classic, all of which a program must link to have it.
+// The solver is a library of its own, thaum_fluid_classic. A program that uses it must link that library
+// whole, because a static object in it registers the solver.
 #pragma once
 #include "fluid/fluid.h"
 

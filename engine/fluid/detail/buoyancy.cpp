@@ -6,7 +6,7 @@
 namespace thaum::fluid {
 namespace {
 
-/// Advection of one row of values along one axis; the change is multiplied by -2 h (m/s).
+/// Advection of one row of values along one axis. The rate of change is multiplied by -2 h (m/s).
 struct AxisAdvection {
     const float* velocity;
     const float* open;  ///< open shares of the faces; null: all faces are open
@@ -54,7 +54,8 @@ struct LevelFaces {
     }
 };
 
-/// Mean of both_sides over the open faces of a level, for each position along x.
+/// Mean of LevelFaces::both_sides over the open faces of one level, for each position along x. If the levels
+/// do not lie across x, all positions have the same mean.
 using LevelMeans = std::array<float, max_cells>;
 
 LevelMeans means_of(const LevelFaces& faces) {
@@ -81,7 +82,7 @@ LevelMeans means_of(const LevelFaces& faces) {
     return means;
 }
 
-/// Adds the force on the faces, minus the mean of each level.
+/// Adds the force of the weight on the faces, minus its mean over each level.
 void add_weight_of(const LevelFaces& faces, float pull, const LevelMeans& means, float* force) {
     faces.each_8([&](std::ptrdiff_t at, std::ptrdiff_t x) {
         const Floats8 more = 0.5F * pull * (faces.both_sides(at) - load(means.data() + x));

@@ -29,7 +29,7 @@ DensityStencil densities_along(const float* density, const float* aperture, std:
     auto& v = result.value;
     for (std::ptrdiff_t i = 0; i < 7; ++i) v[static_cast<std::size_t>(i)] = density[(i - 3) * s];
     if (aperture == nullptr) return result;
-    // Number of open cells before the wall, at most 3.
+    // Numbers of open cells between this cell and the wall on either side, at most 3.
     std::ptrdiff_t above = 0, below = 0;
     while (above < 3 && aperture[(above + 1) * s] > 0) ++above;
     while (below < 3 && aperture[-below * s] > 0) ++below;

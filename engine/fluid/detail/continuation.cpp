@@ -12,7 +12,8 @@ namespace {
 /// Search range of a fit along each axis (cells). With a shorter range the fit has too few faces: it follows
 /// noise, and the flow gains energy.
 constexpr int reach = 2;
-/// Added to the variance of the positions of a fit's faces, which may all lie in one plane (cells^2).
+/// Added to the variance of the positions of a fit's faces, so that the fit has a solution if all faces lie
+/// in one plane (cells^2).
 constexpr double min_spread = 1e-6;
 /// Largest sum of the absolute weights of a fit. This value and upwind_share were chosen by trials in turning
 /// and stirred bowls of 16 to 64 cells: with 6, flows gained energy.
@@ -88,8 +89,9 @@ std::vector<FittedFace> open_faces_around(const Faces& faces, const Cells& centr
     return result;
 }
 
-/// Turns the weights of the fit into weights of the velocities, for the value of the fitted function at the
-/// centre. Far outside, where a fit would magnify noise, the function is made as much flatter as needed.
+/// Solves the least-squares fit of a linear function. Replaces the weight of each face in the fit by its
+/// weight in the value of the function at the centre of the continued face. If that centre lies so far from
+/// the fitted faces that the weights would magnify noise, the slope of the function is reduced (max_weights).
 void solve_fit(std::vector<FittedFace>& faces) {
     double total = 0;
     vec3 mean(0);
@@ -182,7 +184,8 @@ void Continuation::apply(std::array<Samples, 3>& velocity) {
 }
 
 void Continuation::correct(const RungeKuttaStage& stage) const {
-    // Each sum below is twice the advecting velocity on a side, and twice the mean of two velocities.
+    // `low` and `high` are twice the advecting velocity on the two sides of the face. With 1 / h and the
+    // means of two advected velocities, the common factor is 1 / 4 h.
     const auto factor = static_cast<float>(0.25 / lattice_.h);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto along = static_cast<std::size_t>(lattice_.stride[axis]);

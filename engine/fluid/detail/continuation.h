@@ -28,7 +28,8 @@ public:
     /// Replaces the velocities on cut faces, and on closed faces beside fluid, by continued ones.
     /// Neither reads nor writes ghosts.
     void apply(std::array<Samples, 3>& velocity);
-    /// Adds the two terms to a stage that Momentum has computed from a continued velocity.
+    /// Adds the terms of divergence and upwind differences (see the top of this file) to a stage that
+    /// Momentum has computed from a continued velocity.
     void correct(const RungeKuttaStage& stage) const;
 
 private:

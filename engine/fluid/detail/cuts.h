@@ -12,7 +12,7 @@
 
 namespace thaum::fluid {
 
-/// Share of a place (m) that is solid, 0 to 1. The wall is the surface where it is 0.5.
+/// Function that gives the solid share of a place (m), 0 to 1. The wall is the surface where it is 0.5.
 using SolidShare = std::function<double(vec3)>;
 
 /// The open part of a face.

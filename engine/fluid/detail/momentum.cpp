@@ -56,8 +56,8 @@ FluxFactors flux_factors(float h, float viscosity) {
     return {-(fourth ? 9.0F / 768 : 0.25F) / h, viscosity / (h * h) / (fourth ? 12 : 1)};
 }
 
-/// The first axis is added to the sum of the other two, so exchanging those two axes changes no bit of the
-/// sum.
+/// Rate of change of eight samples of q by advection along the axes a, b and c, and by viscosity. The first
+/// axis is added to the sum of the other two, so exchanging those two changes no bit of the result.
 template <bool fourth, bool viscous>
 inline Floats8 rate_at(const CarryingRows& a, const CarryingRows& b, const CarryingRows& c, const float* q,
                        std::ptrdiff_t i, const FluxFactors& factors) {
@@ -72,8 +72,8 @@ inline Floats8 rate_at(const CarryingRows& a, const CarryingRows& b, const Carry
         if constexpr (fourth) {
             const Floats8 twos = sum_of_both_sides(q, 2 * a.step) +
                                  (sum_of_both_sides(q, 2 * b.step) + sum_of_both_sides(q, 2 * c.step));
-            // The factors are integers (twelfths), which float represents exactly, so what leaves one sample
-            // enters the others.
+            // The factors are whole numbers of twelfths, which float represents exactly. So viscosity keeps
+            // the momentum: what leaves one sample enters its neighbours.
             sum += factors.spread * ((16.0F * ones - twos) - 90.0F * load(q));
         } else {
             sum += factors.spread * (ones - 6.0F * load(q));
@@ -85,7 +85,7 @@ inline Floats8 rate_at(const CarryingRows& a, const CarryingRows& b, const Carry
 /// Input and output arrays of one row.
 struct RowTargets {
     const float* start;
-    const float* before;  ///< sum of the earlier stages
+    const float* before;  ///< result of the earlier stages; the start in the first stage
     const float* force;   ///< acceleration by forces; null: no force
     const float* open;    ///< open shares of faces; null: all are open
     float* sum;

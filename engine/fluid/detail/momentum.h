@@ -1,20 +1,21 @@
 // fluid/detail/momentum.h: rate of change of the velocity by advection, and by viscosity, on the staggered
 // grid.
 //
-// Component a is advected along b. The advecting velocity T is interpolated along a. The advected
-// component q is the mean of two neighbours h apart, and of two neighbours 2 h apart:
+// Component a is advected along b. The advecting velocity T is interpolated along a. The advected component q
+// is the mean of two neighbours h apart (mean1), and of two neighbours 2 h apart (mean2):
 //
 //     d(T q)/db  ~  4/3 d1( (T + delta2(T) / 32) mean1 q ) - 1/3 d2( mean1(T) mean2 q )
 //
-// where delta2 is the second difference along b. The error of a wave's speed is (k h)^4 / 30, that of
-// the common form with neighbours 3 h apart (Morinishi, Lund, Vasilyev and Moin 1998) is 2.25 times as
-// large. The share delta2 / 32 makes both terms fit each other: without it, mean1(T) would have an error
-// of second order. With it, the factors of T are those of the divergence (pressure.h), 9/8 d1 - 1/8 d3.
+// where d1, d2 and d3 are differences over h, 2 h and 3 h, and delta2 is the second difference along b. The
+// error of a wave's speed is (k h)^4 / 30, that of the common form with neighbours 3 h apart (Morinishi,
+// Lund, Vasilyev and Moin 1998) is 2.25 times as large. The share delta2 / 32 makes both terms fit each
+// other: without it, mean1(T) would have an error of second order. With it, the factors of T are those of the
+// divergence (pressure.h), 9/8 d1 - 1/8 d3.
 //
-// In the sum over b, the terms that multiply q itself therefore add up to half of the divergence. It is
-// zero, so these terms are left out. The rest is skew-symmetric. It conserves energy whatever the
-// divergence is (Verstappen and Veldman 2003), and momentum where the divergence is zero.
-// Order 2 uses d1( T mean1 q ), which is the scheme of Harlow and Welch 1965.
+// In the sum over b, the terms that multiply q itself therefore add up to half of the divergence. It is zero,
+// so these terms are left out. The rest is skew-symmetric. It conserves energy whatever the divergence is
+// (Verstappen and Veldman 2003), and momentum where the divergence is zero. Order 2 uses d1( T mean1 q ),
+// which is the scheme of Harlow and Welch 1965.
 #pragma once
 #include <array>
 

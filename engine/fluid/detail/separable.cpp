@@ -46,7 +46,7 @@ std::vector<double> column(const Wave& wave, int count, double offset) {
     return result;
 }
 
-/// Shorter ranges are not folded further, because folding would take longer than the work it saves.
+/// Shortest range that is folded (places). Folding a shorter one would take longer than the work it saves.
 constexpr int min_fold = 8;
 constexpr double symmetry_error = 1e-9;
 
@@ -138,7 +138,7 @@ inline void multiply_block(const float* matrix, std::ptrdiff_t pitch, int depth,
     }
 }
 
-/// Multiplies by matrix[in][out].
+/// Multiplies `in` by a matrix of n x n elements, stored as matrix[in][out].
 void multiply(const float* matrix, int n, const Floats8* in, Floats8* out) {
     int r = 0;
     for (; n - r >= 6 && n - r != 8; r += 6) multiply_block<6>(matrix + r, n, n, in, out + 2 * r);
@@ -154,7 +154,8 @@ struct RowBlock {
     std::size_t width;
 };
 
-/// `whole` means that width equals `wide`, a compile-time constant, which is faster.
+/// Copies one row of a block. `whole` means that the width equals `wide`, a compile-time constant, which is
+/// faster.
 template <bool whole>
 inline void load_row(const RowBlock& rows, int row, Floats8* to) {
     if constexpr (!whole) to[0] = to[1] = Floats8{};
@@ -251,7 +252,7 @@ void divide_columns(const Waves& waves, const SpectralDivision& by, const RowBlo
         const Floats8 outer = load(by.outer + column + 8 * v), inner = load(by.inner + column + 8 * v);
         for (int i = 0; i < waves.count; ++i) found[2 * i + v] *= by.scale / ((by.along[i] + outer) + inner);
     }
-    // The first value belongs to the constant wave, which is the mean.
+    // The first value belongs to the constant wave. It is the mean, which the equation does not determine.
     if (column == 0) found[0][0] = 0;
     for (std::size_t d = 0; d < waves.dense.size(); ++d) {
         const CellRange& places = waves.dense[d];
@@ -329,7 +330,7 @@ PressureSolver::PressureSolver(const Lattice& lattice, int order)
         by_x_.insert(by_x_.end(), symbols[1].size(), x);
         by_y_.insert(by_y_.end(), symbols[1].begin(), symbols[1].end());
     }
-    // The arrays are padded because the last columns may be read past their end.
+    // The arrays are padded because vectors of the last columns are read past their end.
     for (auto* by : {&by_x_, &by_y_}) by->resize(by->size() + wide, 1.0F);
     along_z_ = symbols[2];
 }

@@ -97,7 +97,8 @@ Solids::Maxima Solids::divergence(const std::array<Samples, 3>& velocity) {
     Magnitudes8 largest{}, fastest{};
     each_row(rows_, [&, x = x, y = y, z = z](Row row) {
         for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8) {
-            // This also gives correct values beyond the end of a row whose length is no multiple of eight.
+            // Velocities past the end of a row whose length is no multiple of eight do not count: diagonal_
+            // is 0 there.
             const auto holds = load(diagonal_.data() + i) > zero8;
             const Floats8 ux = load(u + i), vy = load(v + i), wz = load(w + i);
             const Floats8 along_x = load(a + i + x) * load(u + i + x) - load(a + i) * ux;
@@ -160,7 +161,8 @@ Solids::Products Solids::precondition() {
                 packed_.data() + (k * lattice_.cells[1] + j) * nx + (row.at - lattice_.at(0, j, k));
             Floats8 by_residual{}, by_image{};
             for (std::ptrdiff_t i = 0; i < row.count; i += 8) {
-                // The operator is -lap, but the direct solve of the box is for +lap.
+                // The direct solve of the box is for +lap, but the operator here is -lap, so its result is
+                // subtracted.
                 const Floats8 d = load(diagonal_.data() + row.at + i);
                 const Floats8 residual = load(residual_.data() + row.at + i);
                 const Floats8 both = load(own_.data() + row.at + i) * residual - load(found + i);
@@ -213,8 +215,8 @@ int Solids::solve(double left, double tolerance, int max_iterations) {
     while (iterations < max_iterations && left > tolerance) {
         const Products products = precondition();
         if (!(products.residual > 0)) break;
-        // Conjugate to the previous direction, which may be the start of the search or belong to the previous
-        // round.
+        // The new direction is conjugate to the previous one, which may be the start of the search or belong
+        // to the previous round.
         const auto turn = static_cast<float>(curvature_ > 0 ? -products.image / curvature_ : 0);
         each_row(rows_, [&](Row row) {
             for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8)

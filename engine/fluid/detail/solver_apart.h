@@ -1,5 +1,5 @@
-// fluid/detail/solver_apart.h: a solver in a library of its own. A program that
-// does not link it has no such fluids.
+// fluid/detail/solver_apart.h: interface of a solver that is a library of its own. A program that does not
+// link that library cannot make fluids with this solver.
 #pragma once
 #include <memory>
 
@@ -19,7 +19,8 @@ public:
 
 using MakeSolver = std::unique_ptr<SolverApart> (*)();
 
-/// Registers the solver of `Solver::classic`; for a static object, so that it is done before main begins.
+/// Registers how to make the solver of `Solver::classic`. The object is static, so that this is done before
+/// main begins.
 struct ClassicIs {
     explicit ClassicIs(MakeSolver make);
 };

@@ -227,7 +227,8 @@ void StaggeredSolver::end_stage(const Settings& settings, Velocity& velocity) {
     fill_sides(settings, velocity, solids_ ? 1 : ghosts);
 }
 
-/// The velocity at the start of a step as advection reads it. The next stage overwrites second_stage_.
+/// Velocity at the start of a step as advection reads it. Where the fluid slips along solids, this is a
+/// continued copy in second_stage_, which the second stage overwrites.
 const StaggeredSolver::Velocity& StaggeredSolver::carrying_velocity(const Settings& settings,
                                                                     const Velocity& velocity) {
     if (!continuation_) return velocity;
@@ -238,7 +239,7 @@ const StaggeredSolver::Velocity& StaggeredSolver::carrying_velocity(const Settin
     return second_stage_;
 }
 
-/// Makes sum_ the new velocity.
+/// Ends a sub-step: makes sum_ the new velocity, after a projection if there are solids.
 void StaggeredSolver::end_step(const Settings& settings, State& now, double dt, StepReport& report) {
     if (solids_) {
         const auto found = solids_->project(sum_, now.projected, max_divergence_with_solids, max_iterations);

@@ -46,7 +46,7 @@ constexpr double max_sharpness = 0.25;
 /// Intensities of segregation from which on edges are kept sharp in part, and fully. A Gaussian has at most
 /// 0.41 in a flow that stretches it. At 0.5 and above, more of a body lies in its inside than on its edge.
 constexpr double segregation_of_blurred = 0.5, segregation_of_sharp = 0.6;
-// Smaller numbers soon become subnormal (below 1e-38), which are slow.
+// Densities below this become 0. Smaller ones would soon be subnormal floats (below 1e-38), which are slow.
 constexpr float min_density = 1e-20F;
 
 using Floats = const float* __restrict;
@@ -61,7 +61,7 @@ struct FaceRow {
     std::ptrdiff_t step;            ///< index distance between the cells on both sides of a face
 };
 
-/// Values of one sub-step, which is a part of the whole time.
+/// Factors of one sub-step, which covers a part of the whole time.
 struct SubstepScale {
     float courant;    ///< factor on the Courant numbers of the whole time
     float diffusion;  ///< k dt / h^2
@@ -75,7 +75,8 @@ struct TransportTerms {
     bool solids, diffuses, sharpens;
 };
 
-// These are exact and have no branch; GCC does not vectorise loops with several branches.
+// Larger and smaller of x and 0. They are exact and have no branch, as GCC does not vectorise loops with
+// several branches.
 inline float above_zero(float x) { return 0.5F * (x + std::abs(x)); }
 inline float below_zero(float x) { return 0.5F * (x - std::abs(x)); }
 
@@ -163,9 +164,9 @@ inline float donors(float part, float diffusion, Floats courant, Floats aperture
            donor<terms>(part * courant[i], below, value[i - s], value[i]);
 }
 
-/// Applies the first-order fluxes to a row of cells, and computes the share of the differences that each cell
-/// can take. `part` limits differences that leave a cell, so that its density stays above zero. `room` limits
-/// those that enter it, so that its density stays below `ceiling`.
+/// Applies the first-order fluxes to a row of cells. Then computes which share of the flux differences (fifth
+/// order minus first) each cell can take. `part` limits differences that leave a cell, so that its density
+/// stays above zero. `room` limits those that enter it, so that its density stays below `ceiling`.
 template <TransportTerms terms>
 [[gnu::noinline]] void limit_row(SubstepScale scale, const std::array<FaceRow, 3>& faces,
                                  const Fluxes& difference, Floats start, float ceiling, std::ptrdiff_t count,
@@ -187,7 +188,8 @@ template <TransportTerms terms>
         const float given =
             ((above_zero(x[i]) - below_zero(x[i + 1])) + (above_zero(y[i]) - below_zero(y[i + sy]))) +
             (above_zero(z[i]) - below_zero(z[i + sz]));
-        // Slightly below the exact share, so that rounding cannot exceed the limit.
+        // The factor keeps the shares slightly below the exact ones, so that rounding cannot exceed the
+        // limit.
         const float most = left * 0.999999F / (taken + 1e-30F);
         const float free = above_zero(ceiling - left) * 0.999999F / (given + 1e-30F);
         value[i] = left;
@@ -196,7 +198,7 @@ template <TransportTerms terms>
     }
 }
 
-/// The difference through a face, limited by the cells on both sides. `s` is the step from the cell
+/// The flux difference through a face, limited by the cells on both sides. `s` is the step from the cell
 /// below to the one above.
 inline float limited_difference(Floats difference, Floats part, Floats room, std::ptrdiff_t i,
                                 std::ptrdiff_t s) {
@@ -204,7 +206,7 @@ inline float limited_difference(Floats difference, Floats part, Floats room, std
            below_zero(difference[i]) * minimum(part[i], room[i - s]);
 }
 
-/// Applies the limited differences to a row of cells.
+/// Applies the limited flux differences to a row of cells.
 [[gnu::noinline]] void apply_limited_row(const Fluxes& difference, Floats value, Floats part, Floats room,
                                          std::ptrdiff_t count, float* __restrict result) {
     const Floats x = difference.low[0], y = difference.low[1], z = difference.low[2];
@@ -232,8 +234,8 @@ struct LevelCrossing {
     double beyond_mean() const { return either > 0 ? density - flow * carried / either : density; }
 };
 
-/// Adds the low faces of a row of cells to `levels`. The level of each cell is `across` higher than
-/// that of the previous cell.
+/// Adds the fluxes through the low faces of a row of cells to `levels`. The level of each cell is `across`
+/// higher than that of the previous cell.
 template <TransportTerms terms>
 [[gnu::noinline]] void add_crossed(SubstepScale scale, const FaceRow& face, Floats difference, Floats start,
                                    Floats part, Floats room, std::ptrdiff_t count, std::ptrdiff_t across,
@@ -338,7 +340,8 @@ void each_layer(const SubstepContext& c, const Samples& value, Layer layer) {
     layer(nz - 1);
 }
 
-/// The density after `part` of the sum of fluxes so far.
+/// Computes the density of the next stage: that at the start, changed by `part` times the sum of the fluxes
+/// so far.
 template <StageIndex stage, TransportTerms terms>
 void take_stage(const SubstepContext& c, const Samples& value, float part, Samples& next) {
     each_layer<stage, terms>(c, value, [&](int k) {
@@ -392,7 +395,7 @@ vec3 substep(const Lattice& lattice, const FaceFlow& face_flow, SubstepScale sca
                              part.data() + at, room.data() + at);
         });
     });
-    // Values beyond walls are never used, because the difference there is 0.
+    // Values beyond walls are never used, because the flux difference through a wall is 0.
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (lattice.edges[axis] != Edge::periodic) continue;
         fill_ghosts_across(c.rows(), axis, GhostRule::even, part);

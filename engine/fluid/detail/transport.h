@@ -94,7 +94,7 @@ struct TransportSettings {
     /// Largest number of sub-steps, >= 1; 10 are enough for a flow of four cells along two axes at
     /// once.
     int max_substeps{10};
-    vec3 moved_along{};  ///< nonzero for the axes along which `moved` is to be computed
+    vec3 moved_along{};  ///< the component of an axis is nonzero if `moved` is to be computed along it
 };
 
 /// Result of one transport of a substance.
@@ -105,9 +105,9 @@ struct TransportReport {
     /// Part of the diffusion that was applied; below 1 if the sub-steps were not enough. At least half of
     /// the available sub-steps are reserved for the flow.
     double spread{1};
-    /// Density that crossed the faces along each axis, positive upwards (cells); the first moment grew
-    /// by this. Circulation of the mean density of a level is left out. It would be zero but for the
-    /// error of the pressure solve.
+    /// Density that crossed the faces along each axis, positive upwards (cells). The first moment of the
+    /// density along the axis grew by as much. Circulation of the mean density of a level is left out. It
+    /// would be zero but for the error of the pressure solve.
     vec3 moved{};
     std::int64_t cells{};  ///< visited cells, over all sub-steps
 };

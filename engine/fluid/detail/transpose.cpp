@@ -20,7 +20,8 @@ inline Floats8 high_of(const Floats8& a, const Floats8& b) {
     if constexpr (distance == 1) return __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
 }
 
-/// Exchanges halves between rows r and r + distance.
+/// One of three passes that transpose eight rows: exchanges blocks of `distance` elements between the rows r
+/// and r + distance.
 template <int distance>
 inline void exchange(const Floats8* in, Floats8* out) {
 #pragma GCC unroll 8

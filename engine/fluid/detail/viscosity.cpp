@@ -10,15 +10,15 @@
 namespace thaum::fluid {
 namespace {
 
-/// Smallest distance to a wall that is used, in h. A place with walls along three axes loses its
-/// velocity by the product of three factors. If that product were thousands, the pressure would take
-/// minutes to settle.
+/// Smallest distance to a wall that is used (cells). A place with walls along three axes loses its velocity
+/// by the product of three factors. If that product were thousands, the pressure would take minutes to
+/// settle.
 constexpr double min_way = 0.2;
 /// Smallest ratio of the velocity at the centre of a face to that at the centre of its open part. Faces with
 /// a smaller ratio are dragged (DraggedFace).
 constexpr double min_factor = 0.25;
-/// Strength of the drag, relative to dt nu / h^2 and to the distance from the centre of the open part
-/// to the wall in h.
+/// Strength of the drag on a dragged face: a multiple of nu dt / h^2, divided by the distance from the centre
+/// of the open part to the wall (cells).
 constexpr float drag_factor = 8;
 /// Limits of the explicit half for a link between open places and for a link to a wall. Even if both links of
 /// a place are at their limit, no wave grows in the explicit half, so energy only falls. Between open places
@@ -26,7 +26,8 @@ constexpr float drag_factor = 8;
 constexpr float max_explicit_link = 0.25F;
 constexpr float max_explicit_wall_link = 0.5F;
 
-/// Layout of slabs: lines that are parallel and adjacent along x. Lines along x are adjacent along y.
+/// Layout of slabs. A slab is a layer of parallel lines side by side along x, or along y if the lines run
+/// along x.
 struct Slabs {
     std::size_t beside, outer;  ///< axis along which lines are adjacent, and axis across the slabs
     std::ptrdiff_t pitch;       ///< number of lines in a slab, rounded up to a multiple of eight
@@ -41,7 +42,7 @@ Slabs slabs_along(const Lattice& lattice, std::size_t across) {
 /// ends. Row r has the r-th velocity of every line, and begins `row` values after row r - 1.
 struct Lines {
     float* value;
-    const float* coefficient;  ///< values of face_coefficients_
+    const float* coefficient;  ///< dt nu / (passes h^2) of the places, from Viscosity::face_coefficients_
     std::ptrdiff_t row;
     std::ptrdiff_t count;  ///< places along a line
     std::ptrdiff_t pitch;  ///< number of parallel lines, rounded up to a multiple of eight
@@ -75,8 +76,8 @@ float max_coefficient(const Lattice& lattice, const ViscousStep& step) {
     return static_cast<float>(step.thickest * step.dt / (step.passes * lattice.h * lattice.h));
 }
 
-/// The lines along one direction on which one component of the velocity is solved. Each slab sets their
-/// arrays.
+/// The lines along one direction on which one component of the velocity is solved. The caller sets their
+/// arrays for each slab.
 Lines lines_along(const Lattice& lattice, const ViscousStep& step, std::size_t axis, std::size_t across) {
     const Slabs slabs = slabs_along(lattice, across);
     const bool adjacent = lattice.stride[slabs.beside] == 1;  // if not, the slab is transposed first
@@ -199,7 +200,7 @@ void begin(const Lines& lines, const RowBuffers& buffers, const EliminationFacto
             const Floats8 half = explicit_part(ends, zero8 + max_explicit_link);
             store(buffers.ring + i, half * (value - load(lines.value + last + i)));
             // The matrix of a periodic line is that of a line with open ends plus ends * (e0 - en)(e0 -
-            // en)^T.
+            // en)^T, where e0 and en are the unit vectors of its first and its last place.
             for (std::ptrdiff_t r = 1; r + 1 < lines.count; ++r)
                 store(left.corner + r * lines.pitch + i, zero8);
             store(left.corner + i, ends - half);
@@ -403,8 +404,8 @@ void Viscosity::find_faces(const SolidShare& solid, std::size_t axis) {
     dragged_speeds_.resize(std::max(dragged_speeds_.size(), dragged_[axis].size()));
 }
 
-/// Weights from a least-squares fit to neighbours whose velocity grows in proportion to their distance
-/// from the wall.
+/// Describes a cut face that is dragged. Its neighbours' weights are those of a least-squares fit of a
+/// velocity that grows in proportion to the distance from the wall.
 DraggedFace Viscosity::dragged_face(const SolidShare& solid, std::size_t axis, const CutFace& face) const {
     const double h = lattice_.h;
     const double middle = distance_to_wall(solid, face.middle, h);
@@ -507,8 +508,8 @@ void Viscosity::component(const ViscousStep& step, std::size_t axis, Samples& u)
     });
 }
 
-/// Adds a force's contribution to eight places with the given coefficients: the part that the explicit half
-/// would have computed if the force had acted from the start of the step.
+/// Adds what a force contributes to eight places with the given coefficients, times `sign`: the part of its
+/// velocity that the explicit half would have used if the force had acted before the step.
 void Viscosity::add_force(const ViscousStep& step, std::size_t axis, float sign, const Floats8& coefficients,
                           std::ptrdiff_t at, Samples& u) {
     const auto half = 0.5F * sign * static_cast<float>(step.dt);
@@ -518,8 +519,8 @@ void Viscosity::add_force(const ViscousStep& step, std::size_t axis, float sign,
     store(u.data() + at, load(u.data() + at) + (coefficients < zero8 ? zero8 : more));
 }
 
-/// Scales velocities from the centre of the open part to the centre of the face. The velocities of dragged
-/// faces are saved.
+/// Converts the velocities of cut faces, before a solve, from the centre of the open part to the centre of
+/// the face. Saves those of dragged faces and sets them to 0.
 void Viscosity::scale_to_lines(std::size_t axis, Samples& u) {
     const auto& dragged = dragged_[axis];
     for (std::size_t i = 0; i < dragged.size(); ++i) {
@@ -529,7 +530,8 @@ void Viscosity::scale_to_lines(std::size_t axis, Samples& u) {
     for (const ScaledFace& face : scaled_[axis]) u[face.at] *= face.factor;
 }
 
-/// Scales velocities back, and drags the remaining faces towards the result on the lines.
+/// Converts the velocities of cut faces back after a solve. Pulls those of dragged faces towards a profile
+/// that fits their neighbours.
 void Viscosity::scale_to_faces(const ViscousStep& step, std::size_t axis, Samples& u) {
     const auto& dragged = dragged_[axis];
     const auto across = static_cast<std::size_t>(lattice_.stride[axis]);
@@ -559,7 +561,7 @@ void Viscosity::along(const ViscousStep& step, std::size_t axis, std::size_t acr
     const RowBuffers buffers{closed_.data(), zeros.data(),   link.data(), below.data(),
                              flux.data(),    to_wall.data(), ends.data()};
     const EliminationFactors left{upper_.data() + w, corner_.data() + w};
-    // Slabs of another width may have left values here.
+    // The row of zeros before the first place. Slabs of another width may have left values in it.
     for (auto* rows : {&upper_, &corner_}) std::fill_n(rows->data(), w, 0.0F);
     for (int o = 0; o < lattice_.cells[outer]; ++o) {
         if (solids_ != nullptr) {

@@ -13,9 +13,10 @@
 // A force that is constant over the step must not be damped as if it had acted before the step. Its
 // explicit part is added at the end, so that a steady flow does not depend on dt.
 //
-// Where the viscosity varies, the link between two places has the harmonic mean of their coefficients. A flow
-// along layers is then exact if they meet halfway between places. Where they meet within a cell that holds no
-// other fluid, the coefficient of the cell tells how far each layer reaches into it.
+// A place is a sample of one velocity component; the link between two neighbouring places has a coefficient
+// dt nu / h^2. Where the viscosity varies, it is the harmonic mean of their coefficients. A flow along layers
+// is then exact if they meet halfway between places. Where they meet within a cell that holds no other fluid,
+// the coefficient of the cell tells how far each layer reaches into it.
 //
 // Curved walls: the coefficient of a link from an open place to the wall beside it is divided by the
 // open part of its length. No slip then holds at the true position of the wall (Gibou, Fedkiw, Cheng
@@ -45,15 +46,15 @@ struct ViscousStep {
     int passes = 1;                 ///< number of passes into which the step is divided
 };
 
-/// A link between a place that belongs to a line and a neighbour beyond a wall.
+/// A link between a place that belongs to a line of the solver and a neighbour beyond a wall.
 struct CutLink {
     int slab{};
     std::ptrdiff_t at{};  ///< index in the slab of the lower place
     float nearer{};       ///< h divided by the distance from the open place to the wall
 };
 
-/// A cut face that belongs to the lines. Its velocity is scaled from the centre of its open part to the
-/// centre of the face.
+/// A cut face that belongs to the lines of the solver. Its velocity is scaled from the centre of its open
+/// part to the centre of the face.
 struct ScaledFace {
     std::size_t at{};
     /// Distance of the centre of the face from the wall, divided by that of the centre of the open part.
@@ -96,7 +97,7 @@ private:
     Lattice lattice_;
     const Solids* solids_;
     Rows rows_;  ///< cells that hold fluid
-    /// Above 0 for faces that belong to the lines; empty if there are no solids.
+    /// Above 0 for faces that belong to the lines of the solver; empty if there are no solids.
     std::array<Samples, 3> on_lines_;
     std::array<std::vector<ScaledFace>, 3> scaled_;
     std::array<std::vector<DraggedFace>, 3> dragged_;
@@ -106,10 +107,10 @@ private:
     /// Range with open places, by component, direction and slab.
     std::array<std::array<std::vector<CellRange>, 3>, 3> open_ranges_;
     Samples face_coefficients_;  ///< dt nu / (passes h^2) at each face; below 0 on closed faces
-    // Arrays of parallel lines, [place along a line][line]. Lines along x alone need value_ and
-    // coefficient_.
+    // Arrays of parallel lines, [place along a line][line]. Lines along x need all four; others only upper_
+    // and corner_.
     std::vector<float> value_, coefficient_, upper_, corner_;
-    // One value for each of the parallel lines.
+    // Scratch rows with one value for each of the parallel lines.
     std::array<std::vector<float>, 7> rows_of_lines_;
     std::vector<float> closed_;
 };

@@ -7,10 +7,10 @@
 
 namespace thaum::fluid {
 
-/// Coefficient of the link between two places: the harmonic mean of theirs, because the layers
-/// between the places resist one after the other. It is exact where the viscosity jumps halfway. With
-/// the arithmetic mean, a thin layer beside a thick one is half a cell too thin. A negative
-/// coefficient marks a closed place.
+/// Coefficient of the link between two places: the harmonic mean of theirs, because the layers between the
+/// places resist one after the other. It is exact where the viscosity jumps halfway. With the arithmetic
+/// mean, a thin layer beside a thick one is half a cell too thin. A negative coefficient marks a closed
+/// place. If `holds`, such a place brakes the other one; if not, it has no link.
 inline Floats8 link(bool holds, const Floats8& a, const Floats8& b) {
     const Floats8 low = smaller(a, b), high = larger(a, b);
     // This order of operations leaves equal coefficients unchanged, to the bit.
@@ -26,13 +26,14 @@ inline constexpr float layers_from = 1.1F;
 /// Rows of coefficients of six consecutive places. The link joins the third and the fourth.
 using LinkRows = std::array<const float*, 6>;
 
-/// Coefficients of the places around one place, in order from its far side to the far side of the neighbour
-/// that it faces.
+/// Coefficients of five consecutive places, seen from the middle one (`own`): two places behind it, itself,
+/// the neighbour at the other end of the link, and the place beyond that neighbour.
 struct HalfPlaces {
     Floats8 far_behind, behind, own, faced, far_faced;
 };
 
-/// Difference between a place and the one beyond it; 0 if that one is closed.
+/// Absolute difference between the coefficient of a place and that of the place beyond it; 0 if that one is
+/// closed.
 inline Floats8 step_beyond(const Floats8& place, const Floats8& beyond) {
     const Floats8 step = beyond < zero8 ? zero8 : beyond - place;
     return larger(step, -step);

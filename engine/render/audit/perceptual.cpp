@@ -75,7 +75,7 @@ double delta_e(const float* a, const float* b) {
 }  // namespace
 
 Lab lab_of(double red, double green, double blue) {
-    // IEC 61966-2-1 to XYZ, relative to the white of red = green = blue = 1.
+    // Linear sRGB light to XYZ (IEC 61966-2-1), relative to the white of red = green = blue = 1.
     const double x = (0.4124 * red + 0.3576 * green + 0.1805 * blue) / 0.9505;
     const double y = 0.2126 * red + 0.7152 * green + 0.0722 * blue;
     const double z = (0.0193 * red + 0.1192 * green + 0.9505 * blue) / 1.0890;

@@ -68,7 +68,7 @@ std::size_t collect(std::span<const Instance> instances, const MeshTables& meshe
         const auto& instance = instances[i];
         THAUM_ASSERT(instance.mesh < meshes.bounds.size(), "an instance of a mesh that was never uploaded");
         const auto& own = meshes.bounds[instance.mesh];
-        // An empty mesh, or a matrix that is not finite.
+        // An empty mesh is not drawn, nor an instance with a matrix that is not finite.
         if (own.radius <= 0 || !finite(instance.model)) continue;
         const auto there = placed(own, instance.model);
         if (within(planes, there) && !is_hidden(sight.hidden, there.centre, fvec3(there.radius)))

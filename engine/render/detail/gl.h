@@ -7,7 +7,7 @@
 
 namespace thaum::render::detail {
 
-/// `Free` is the glDelete... function for one name.
+/// Owns one OpenGL object by its name. `Free` is the glDelete... function for one object.
 template <auto Free>
 class GlName {
 public:
@@ -27,7 +27,8 @@ private:
     GLuint name_{};
 };
 
-// epoxy's functions are pointers, so they cannot be template arguments.
+// Functions that delete one object. They are needed because epoxy's own are pointers, which cannot be
+// template arguments.
 inline void free_buffer(GLuint n) { glDeleteBuffers(1, &n); }
 inline void free_vertex_array(GLuint n) { glDeleteVertexArrays(1, &n); }
 inline void free_texture(GLuint n) { glDeleteTextures(1, &n); }

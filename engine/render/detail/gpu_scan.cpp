@@ -51,7 +51,7 @@ void allocate(const Scan& scan, GpuScan& gpu) {
     gpu.brick_versions.clear();
 }
 
-/// Sends the samples of a box of bricks.
+/// Sends the samples of a box of bricks to the scan's textures.
 void send_box(const Scan& scan, const GpuScan& gpu, const ScanBox& bricks,
               std::vector<std::uint8_t>& scratch) {
     ScanBox box;
@@ -71,7 +71,7 @@ void send_box(const Scan& scan, const GpuScan& gpu, const ScanBox& bricks,
     put(gpu.paint, GL_RGBA, GL_UNSIGNED_BYTE);
 }
 
-/// Sends new samples and returns the number of bricks sent.
+/// Sends new samples to the scan's textures and returns the number of bricks sent.
 std::size_t send_samples(const Scan& scan, GpuScan& gpu, std::vector<std::uint8_t>& scratch) {
     const bool painted = !scan.colours.empty() || !scan.materials.empty();
     const bool fits =
@@ -93,7 +93,8 @@ std::size_t send_samples(const Scan& scan, GpuScan& gpu, std::vector<std::uint8_
     return sent;
 }
 
-/// Absorption of a layer with this opacity (1/m). Opacity 1 would be infinite, so it is limited.
+/// Absorption coefficient with which a layer of thickness `unit` (m) has this opacity (1/m). For opacity 1 it
+/// would be infinite, so the opacity is limited.
 float absorption(float opacity, float unit) {
     constexpr float most = 0.99999F;
     return opacity > 0 ? -std::log(1 - std::min(opacity, most)) / unit : 0.0F;

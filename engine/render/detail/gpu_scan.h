@@ -26,8 +26,8 @@ struct GpuScan {
 
 GpuScan make_gpu_scan();
 
-/// Sends what has changed since the last drawing and returns the number of bricks sent. `scratch` is kept
-/// between calls. drawable(scan) must be true.
+/// Sends the parts of a scan that changed since the last call to its textures, and returns the number of
+/// bricks sent. `scratch` is kept between calls. drawable(scan) must be true.
 std::size_t send(const Scan& scan, GpuScan& gpu, std::vector<std::uint8_t>& scratch);
 
 /// Hash of the contents of table and materials.

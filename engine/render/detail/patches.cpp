@@ -8,9 +8,9 @@
 namespace thaum::render::detail {
 namespace {
 
-// Width of ground lines, and a wizard's eye height. Seen from there, a line starts to fade at the distance at
-// which it is less than a pixel high.
-constexpr float line_width = 0.06F, eye_height = 1.7F;  // m
+// Width of the lines on the ground and height of a wizard's eyes (m). Seen from that height, a line starts to
+// fade at the distance at which it is less than a pixel high.
+constexpr float line_width = 0.06F, eye_height = 1.7F;
 
 /// Half size of the box around the mesh.
 fvec3 half_of(const MeshData& mesh) {
@@ -26,8 +26,8 @@ fvec3 across(const MeshData& mesh, std::size_t first) {
     return glm::cross(at(1) - at(0), at(2) - at(0));
 }
 
-/// Fits the cone from which no front face is visible (Shirman and Abi-Ezzi 1993). All normals are within the
-/// cone, and its apex is behind every triangle.
+/// Fits a cone that contains all normals and whose apex is behind every triangle. No front face is visible
+/// from the places in a second cone, at the other side of the apex (Shirman and Abi-Ezzi 1993).
 void fit_cone(const MeshData& mesh, PlacedPatch& patch) {
     fvec3 sum(0);
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) sum += across(mesh, i);
@@ -40,7 +40,7 @@ void fit_cone(const MeshData& mesh, PlacedPatch& patch) {
         const float area = glm::length(n);
         if (area <= 0) continue;
         const float along = glm::dot(axis, n) / area;
-        // Such a wide cone is of no use: there is hardly a place from which all triangles face away.
+        // A cone this wide is of no use: there is hardly a place from which all triangles face away.
         if (along < 0.2F) return;
         widest = std::min(widest, along);
         const fvec3 corner = mesh.vertices[mesh.indices[i]].position;
@@ -79,7 +79,8 @@ IndexRange append_chosen(const PatchTable& table, const Sight& sight, const Patc
     for (const auto& [farthest, i] : order.near_first) {
         const auto& patch = table.patches[i];
         if (patch.sunless != sunless) continue;
-        // A patch behind other patches becomes visible where the farthest of the others may be drawn plain.
+        // A patch behind other patches becomes visible where the farthest patch in front of it may be drawn
+        // plain.
         const float across = 2 * patch.bounds.radius;
         const float distance = farthest - (is_behind(patch) ? across / 2 : across);
         const bool fine = distance * sight.pixel_angle > patch.detail && distance > gone;
@@ -94,7 +95,7 @@ IndexRange append_chosen(const PatchTable& table, const Sight& sight, const Patc
 
 Fading fading_of(float pixel_angle) {
     const float from = std::sqrt(line_width * eye_height / std::max(pixel_angle, 1e-5F));
-    // At this distance the line is a third of a pixel high and broken into dashes.
+    // At 1.8 times that distance a line is a third of a pixel high and broken into dashes.
     return {from, 1.8F * from};
 }
 

@@ -13,7 +13,7 @@ namespace thaum::render::detail {
 struct Sight {
     fmat4 to_clip{1};
     fvec3 eye{0};
-    float pixel_angle{};  ///< angle of one pixel in the middle of the view (rad), or of finest_px pixels
+    float pixel_angle{};  ///< angle of one pixel in the middle of the view, times finest_px (rad)
     std::span<const Hidden> hidden{};
 };
 
@@ -32,8 +32,8 @@ struct PlacedPatch {
     Bounds bounds;
     fvec3 half{0};  ///< half size of the box around the patch, centred like `bounds` (m)
     /// Cone that contains all normals. All triangles of the patch face away from a point p if the angle
-    /// between p - apex and
-    /// -axis has a cosine of at least `backs`. `backs` is > 1 if the triangles face in all directions.
+    /// between p - apex and -axis has a cosine of at least `backs`. `backs` is > 1 if the triangles face in
+    /// all directions.
     fvec3 apex{0}, axis{0};
     float backs = 2;
     float detail{};  ///< size of the detail that `plain` lacks (m)

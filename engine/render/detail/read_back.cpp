@@ -11,7 +11,7 @@
 namespace thaum::render::detail {
 namespace {
 
-// Number of rows that are read at once; packing then finds them in the cache.
+// Number of rows that are read at once. They are few, so that packing finds them in the cache.
 constexpr int rows_at_once = 32;
 
 /// Converts blue, green, red and an unused byte to red, green, blue. Converts four pixels at a time as long

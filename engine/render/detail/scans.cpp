@@ -249,7 +249,8 @@ void Scans::draw_look(Drawing& drawing, std::span<const SeenScan> seen, ScanLook
     if (std::none_of(seen.begin(), seen.end(), [&](const SeenScan& its) { return its.scan->look == look; }))
         return;
     auto& target = solid ? drawing.targets.solid : drawing.targets.light;
-    // Without the scene's depth, the scene could not be compared with the pixels of a quick picture either.
+    // Drawing scans needs the depth of the scene. So does showing a kept quick picture, which compares the
+    // depth at each pixel of the view with that at the larger pixels.
     if (!again || drawing.share > 1) copy_depth(drawing);
     if (!again) {
         clear(drawing, target, solid);
@@ -373,7 +374,8 @@ void Scans::set_scan(const MarchProgram& p, const Drawing& drawing, const SeenSc
     glUniform1f(p.level, scan.level);
     put(p.colour, scan.colour);
     glUniform1i(p.painted, all_[scan.id].painted ? 1 : 0);
-    // In a quick picture, the edge of an object in front of the surface would leave a seam of missing pixels.
+    // In a quick picture, rays go on behind objects. If they ended there, the edge of an object in front of
+    // the surface would leave a seam of missing pixels.
     glUniform1i(p.behind_things, drawing.share == 1 ? 1 : 0);
     glUniform1f(p.sun, scan.sun);
     glUniform1i(p.linear, drawing.view.quality == Quality::high ? 1 : 0);

@@ -23,11 +23,12 @@ struct SeenScan {
 /// Finds the scans that a view of this size (px) sees. Translucent ones are sorted from back to front.
 std::vector<SeenScan> seen_scans(std::span<const Scan> scans, const Sight& sight, int width, int height);
 
-/// Hashes of what is drawn besides the scans: objects that touch a scan, and all solid objects.
+/// Bounds and numbers of changes of all meshes, indexed by mesh.
 struct MeshStates {
     std::span<const Bounds> bounds;
     std::span<const std::uint64_t> revisions;  ///< number of changes of each mesh
 };
+/// Hashes of what a view draws besides its scans: objects that touch a scan, and all solid objects.
 struct SceneHashes {
     std::uint64_t near{}, all{};
 };

@@ -10,7 +10,7 @@ namespace {
 using Folder = std::filesystem::path;
 using Variant = std::vector<std::string_view>;
 
-constexpr std::size_t lights_at_low = 4;  // same value as in light.glsl
+constexpr std::size_t lights_at_low = 4;  // lights at Quality::low; same value as in light.glsl
 
 Variant variant_of(Quality quality) {
     switch (quality) {
@@ -148,7 +148,7 @@ Expected<Programs> load_programs(const Folder& shaders) {
         loading.take(load_mesh_program(shaders, quality, variant), out.mesh[q]);
         loading.take(load_mesh_program(shaders, quality, alone(variant)), out.alone[q]);
     }
-    // Like the variant for Quality::low, but with all lights.
+    // Like the program for Quality::low, which has no shadow map, but with all lights.
     loading.take(load_mesh_program(shaders, Quality::low, alone({})), out.sunless);
     loading.take(load_sky_program(shaders, {}), out.sky);
     loading.take(load_sky_program(shaders, {"LINEAR"}), out.sky_of_light);

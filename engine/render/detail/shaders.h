@@ -50,11 +50,12 @@ struct Programs {
     SkyProgram sky, sky_of_light;
     /// Programs for mists: tone mapped, and in linear light for the last pass.
     MistProgram mist, mist_of_light;
-    SmallProgram shadow, shade;  ///< programs with the parameter view_projection
-    /// Programs; `bright` has the parameter texel, `blur` the parameter way.
+    SmallProgram shadow, shade;  ///< depth of casters; shades on the ground (parameter: view_projection)
+    /// Bloom: `bright` extracts bright light (parameter: texel), `blur` blurs along one axis (parameter:
+    /// way).
     SmallProgram bright, blur;
-    SmallProgram compose;  ///< program with the parameter bloom_strength
-    /// Programs with the parameter pixel: `overlay` draws text, `shape` all other items.
+    SmallProgram compose;  ///< light to pixels, with bloom (parameter: bloom_strength)
+    /// Overlay: `overlay` draws text, `shape` all other items (parameter: pixel).
     SmallProgram overlay, shape;
 };
 
@@ -78,10 +79,11 @@ void use_mesh_program(const MeshProgram& program, const ViewScene& view, const S
                       const ShadowView& shadow);
 /// Sets the instance of one of Programs::alone, which must be in use.
 void set_instance(const MeshProgram& program, const GpuInstance& instance);
-/// `cleared_to_fog`: the framebuffer was cleared to the colour of the view's fog.
+/// Sets up the program of the sky. `cleared_to_fog`: the framebuffer was cleared to the colour of the view's
+/// fog.
 void use_sky_program(const SkyProgram& program, const ViewScene& view, float aspect, bool cleared_to_fog);
 
-/// Same formula as tone.glsl.
+/// Applies the tone curve of tone.glsl to linear light.
 fvec3 tone_mapped(fvec3 light);
 
 }  // namespace thaum::render::detail

@@ -78,7 +78,7 @@ void fill(const Pen& pen, std::span<const OverlayVertex> corners) {
     fill(pen, corners.subspan(middle));
 }
 
-/// Draws a convex polygon with a soft edge.
+/// Draws a convex polygon whose edge fades out over one pixel.
 void convex(const Pen& pen, std::span<const fvec2> corners, fvec4 colour) {
     const auto full = packed(colour), none = faded(full);
     const auto out = outward(corners);

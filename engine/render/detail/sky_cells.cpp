@@ -12,7 +12,7 @@ bool holds(const Block& block, vec3 p) {
     return glm::all(glm::lessThanEqual(block.low, p)) && glm::all(glm::lessThanEqual(p, block.high));
 }
 
-/// One bit for each block that the ray hits.
+/// One bit for each block that the ray from the eye hits. A block that contains the eye does not count.
 std::uint64_t hidden_by(std::span<const Block> blocks, vec3 eye, vec3 way) {
     std::uint64_t bits = 0;
     for (std::size_t i = 0; i < std::min(blocks.size(), max_blocks); ++i) {

@@ -1,6 +1,7 @@
-// Volumes in OpenGL. The part behind the skin is marched first, into a separate target with fewer pixels.
-// Fewer suffice, since its only edges are those of objects in the volume. The skin is drawn with the view and
-// shows the result.
+// Volumes in OpenGL (render/volume.h). The eye sees a volume through its upper surface, the skin. The part
+// behind the skin is computed first by ray marching, into a separate target with fewer pixels. Fewer suffice,
+// since its only edges are those of objects in the volume. The skin is drawn with the view and shows the
+// result.
 #pragma once
 #include <cstddef>
 
@@ -26,7 +27,7 @@ struct SeenVolume {
 bool drawable(const Volume& volume);
 /// Finds the part of the volume that the view sees. `view` has the meaning of SeenVolume::view.
 SeenVolume seen(const Volume& volume, const Camera& camera, const Sight& sight, const Rect& view);
-/// Appends the instances that may be partly inside the volume. Patches of a patchwork never are.
+/// Appends the instances that may be partly inside the volume. A patchwork never counts as inside.
 void add_dipped(const Volume& volume, std::span<const Instance> instances,
                 std::span<const Bounds> mesh_bounds, std::span<const PatchTable> patches,
                 std::vector<Instance>& out);
