@@ -58,8 +58,8 @@ bool has_mass(const FluidTouch& touch) {
     return touch.modes.inertia > 0 && mass > 0 && stiffness > 0 && damping >= 0;
 }
 
-/// Moves the ladle's mass on over the coming tick, tied to a tip that moves on at its velocity. So the force
-/// of the mass is not a tick late.
+/// Moves the ladle's own mass over the coming tick. The tip to which it is tied is taken to keep its
+/// velocity, so that the force of the mass is not a tick late.
 void feel_mass(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip, DampingBudget& damping,
                FluidForces& feel) {
     if (!has_mass(touch)) return;
@@ -133,7 +133,7 @@ void feel_surface(const FluidTouch& touch, FluidTouchState& state, double height
 
 // ---- flow -------------------------------------------------------------------------------------------------
 
-/// Drag coefficients of equations (1) to (3) (N s/m, bowl frame).
+/// Drag coefficients of the equations (1) to (3) in fluid_touch.h (N s/m, bowl frame).
 struct Drags {
     double viscosity{}, flow{}, resistance{};
 };
@@ -203,7 +203,7 @@ void feel_flow(const FluidTouch& touch, FluidTouchState& state, const FluidTip& 
     if (!is_finite(force) || !is_finite(step)) return;
     damping.take(forces.slope, damping.left);
     state.force = force;
-    // A larger step is a reading error.
+    // A flow this fast is taken for an error of reading, and its work does not count.
     if (glm::length(step) <= longest_step) state.flow_work = glm::dot(forces.resistance, step);
     feel.passive += forces.viscosity + forces.resistance;
     feel.active += forces.flow;
@@ -216,7 +216,7 @@ void feel_flow(const FluidTouch& touch, FluidTouchState& state, const FluidTip& 
 void feel_wall(const FluidTouch& touch, FluidTouchState& state, vec3 place, vec3 velocity,
                DampingBudget& damping, FluidForces& feel) {
     state.wall = {};
-    const vec3 off = state.place - place;  // inwards
+    const vec3 off = state.place - place;  // displacement from the true place into the bowl (m)
     const double depth = glm::length(off);
     if (!(touch.modes.wall > 0) || !(depth > 0) || !std::isfinite(depth)) return;
     const double scale = hand_scale(touch.frame).stiffness * touch.modes.wall;
@@ -317,7 +317,7 @@ vec3 full_drag(const FluidTouch& touch, vec3 place, vec3 velocity, double immers
 
 vec3 recoil_peak(const FluidTouch& touch, vec3 impulse, std::uint32_t length) {
     if (!(touch.modes.recoil > 0) || length == 0) return vec3(0);
-    // A half sine of that peak has the impulse 2 / pi peak length.
+    // The inverse of this: a half sine with a peak P and a duration T has the impulse 2 / pi P T.
     return touch.modes.recoil * force_to_hand(touch.frame, impulse) * (pi / 2 / (length * tick_seconds));
 }
 

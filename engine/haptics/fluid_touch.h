@@ -45,8 +45,8 @@
 // Energy (energy.h): the observer is told the power F u of (3) in the newest step's flow, so it sees the
 // energy that the delay creates. It is told F dh for (4). (2) is within the budget of active sources.
 //
-// A game does the following in each tick for a player who stirs. Otherwise the number is 0, at the cost of
-// one compare. If all strengths are 0, nothing is felt, but the ladle's place is still computed.
+// A game does the following in each tick for a player who stirs. For any other player FluidTouch::number is
+// 0, which costs one compare. If all strengths are 0, nothing is felt, but the ladle's place is computed.
 //
 //   1. At the end of a fluid step: add_fluid_step(touch, patch_of(source, middle)). `middle` is the tip's
 //      place in the bowl, moved on by its velocity for some 16 ms, because the patch is read for 32 ms. In
@@ -175,10 +175,10 @@ void add_fluid_step(FluidTouch& touch, const FlowPatch& newest);
 struct FluidTouchState {
     vec3 force{};  ///< (1) + (2) + (3) on the hand, before budget, cap and heat (N)
     vec3 place{};  ///< place of the probe, held inside by the wall, whether felt or not (m, bowl frame)
-    vec3 wall{};   ///< (5) (N)
+    vec3 wall{};   ///< force of the wall on the hand, (5) (N)
     vec3 mass_position{}, mass_velocity{};  ///< position and velocity of the ladle's own mass (m, m/s)
     double surface_force{};                 ///< upward force of (4) in the bowl (N)
-    double surface_height{};                ///< h as used (m)
+    double surface_height{};                ///< height h of the surface that was used (m)
     /// Energy that the flow gives by (3) in the coming tick, at the hand's scale (J).
     double flow_work{};
     double immersed{};       ///< immersed share of the ladle, 0 to 1

@@ -77,7 +77,7 @@ inline field::AnyField any_field(field::VectorField field) { return {.vector = f
 
 /// A kind of mode, as its .cpp registers it.
 struct Mode {
-    std::string_view name{};      ///< "follow"
+    std::string_view name{};      ///< name of the mode, such as "follow"
     std::string_view about{};     ///< what the hand feels, for a menu
     std::string_view property{};  ///< what the strength's transfer function maps: "length of the vector"
     FieldKind reads{};
@@ -163,7 +163,7 @@ vec3 held_back(const ModeInput& input, vec3 normal, double friction) noexcept;
 /// without strength, so that the number of primitives stays the same.
 void add_or_rest(PrimitiveSet& set, const Primitive& primitive) noexcept;
 
-/// Adds a directed force or a plane; a negative strength turns it round.
+/// Adds a directed force or a plane; a negative strength reverses its direction.
 void add_turned(PrimitiveSet& set, Primitive primitive) noexcept;
 
 }  // namespace thaum::haptics

@@ -5,9 +5,9 @@
 
 #include "core/maths.h"
 
-// Three methods (by_series, by_two_rates, by_equation), each used where it loses no digits. Times are in
-// units of t. With x = decay t and q = frequency2 t^2, the roots of the characteristic polynomial are -x +-
-// sqrt(z), where z = x^2 - q.
+// Three methods compute S and its integrals (oscillator.h): by_series, by_two_rates and by_equation, each
+// where it loses no digits. Times are in units of t. With x = decay t and q = frequency2 t^2, the roots of
+// the characteristic polynomial are -x +- sqrt(z), where z = x^2 - q.
 namespace thaum::haptics {
 namespace {
 
@@ -123,12 +123,13 @@ Waves waves(const Scaled& in) {
     const auto [x, q, z, x_rounded] = in;
     if (z > 16 || (z > 1 && x <= rounding_matters_from)) {
         const double root = std::sqrt(z);
-        const double rising = det::exp(-q / (x + root));  // x - root would cancel
+        const double rising = det::exp(-q / (x + root));  // exponent root - x, without the loss of digits of
+                                                          // that subtraction
         const double falling = det::exp(-root - x);
         return {(rising + falling) / 2, (rising - falling) / (2 * root)};
     }
     const double decayed = det::exp(-x) * (1 - x_rounded);
-    if (z > 1) {  // the method above would carry the rounding of a large exponent twice
+    if (z > 1) {  // both exponents above are large here, and the rounding of each would count
         const double root = std::sqrt(z), up = det::exp(root), down = det::exp(-root);
         return {decayed * (up + down) / 2, decayed * (up - down) / (2 * root)};
     }

@@ -35,8 +35,8 @@ vec3 play_pulses(ServoState& state) {
 
 }  // namespace
 
-/// (n/pi) (cos(pi k/n) - cos(pi (k+1)/n)) for tick k = `at` of n = `length`, written as a product so that no
-/// nearly equal numbers are subtracted.
+/// Mean over tick k = `at` of a half sine with a peak of 1 over n = `length` ticks: (n/pi) (cos(pi k/n) -
+/// cos(pi (k+1)/n)), written as a product so that no nearly equal numbers are subtracted.
 double half_sine(std::uint32_t at, std::uint32_t length) {
     if (at >= length) return 0;
     const double half_tick = pi / (2.0 * length);

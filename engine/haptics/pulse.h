@@ -1,4 +1,5 @@
-// haptics/pulse.h: forces that push the hand wherever its tip is: pulses and a steady force.
+// haptics/pulse.h: forces that push the hand wherever its tip is: pulses and a steady force. A switch is a
+// jump of a force, which the safety stage fades.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -11,8 +12,8 @@ namespace thaum::haptics {
 struct ServoState;
 
 /// A kick: half a sine wave over `length` ticks. An active source: it may push the hand. It starts and ends
-/// at zero, so the safety stage need not fade it as a switch. Its slew limit of 40 N/s would leave little of
-/// a kick: 1.2 N in 15 ms rises at 251 N/s.
+/// at zero, so it is no switch, and the safety stage passes it unchanged. The stage's slew limit of 40 N/s
+/// would leave little of a kick: 1.2 N in 15 ms rises at 251 N/s.
 struct Pulse {
     vec3 peak{};             ///< largest force (N, device frame)
     std::uint32_t length{};  ///< duration, > 0 (ticks)
@@ -26,7 +27,7 @@ struct SteadyForce {
     std::uint64_t number{};  ///< changes when the force jumps, which is a switch
 };
 
-/// Number of pulses that can play at once. One more replaces the oldest, which is a switch.
+/// Number of pulses that can play at once. A further pulse replaces the oldest one, which is a switch.
 inline constexpr std::size_t pulses_at_once = 4;
 
 /// A pulse that has begun.
@@ -47,7 +48,8 @@ struct PushForce {
     bool switched{};  ///< the steady force jumped
 };
 
-/// Starts the newest pulse if it is new. Plays all pulses for one tick, beside the steady force.
+/// Starts the newest pulse unless it has been started before. Plays all pulses for one tick, beside the
+/// steady force.
 PushForce feel_pushes(ServoState& state, const Pulse& newest, const SteadyForce& steady);
 
 }  // namespace thaum::haptics

@@ -9,9 +9,9 @@
 namespace thaum::haptics {
 namespace {
 
-/// Ticks after a resume in which the offset of the switch takes up every jump of the sources. Velocities are
-/// known again from the second sample on, and with them the damping of springs and fluids returns. So few
-/// ticks hardly weaken a kick that begins then.
+/// Ticks after a device is back (`resumed`) in which every jump of a force is faded. Velocities are known
+/// again from the second sample on, and with them the damping of springs and fluids returns. So few ticks
+/// hardly weaken a kick that begins then.
 constexpr std::uint32_t resume_ticks = 3;
 
 }  // namespace

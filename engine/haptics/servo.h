@@ -41,7 +41,8 @@ struct HapticModel {
     bool rearm{};   ///< the player asks for forces again after a panic or shut-off
     /// Largest force chosen by the player (% of the device's peak); 0: the one of Servo::limits.
     std::uint8_t force_percent{};
-    /// Changes when the primitives jump, which is a switch; not when they move smoothly.
+    /// Changes when the primitives jump, not when they move smoothly. A jump is a switch, which the safety
+    /// stage fades.
     std::uint32_t set_number{};
     PrimitiveSet primitives{};  ///< primitives (m, device frame); usually empty, at no cost
     /// Spring and damper from the tip to the proxy on which the primitives act.
@@ -96,7 +97,7 @@ SafetyLimits limits_of(const Servo& servo, std::uint32_t percent);
 
 /// Bodies of the patch of the last tick.
 struct SeenBodies {
-    std::array<double, surface_body_capacity> stiffness{};  ///< (N/m)
+    std::array<double, surface_body_capacity> stiffness{};  ///< contact stiffness of each body (N/m)
     std::array<std::uint32_t, surface_body_capacity> keys{};
     std::uint64_t count{};
 };

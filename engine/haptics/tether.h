@@ -1,4 +1,4 @@
-// haptics/tether.h: spring and damper from the tip to a point, with notches along a line.
+// haptics/tether.h: spring and damper from the tip to a point, with notches (detents) along a line.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -29,7 +29,7 @@ struct Tether {
     double stiffness{};      ///< stiffness (N/m); 0: no tether
     double damping{};        ///< damping (N s/m)
     Detents detents{};
-    std::uint64_t number{};  ///< changes when the tether appears, ends or jumps, which is a switch
+    std::uint64_t number{};  ///< changes when the tether appears, ends or jumps, which the safety stage fades
 };
 
 /// Force of the tether on the tip (N), given the tip's velocity (m/s).

@@ -15,7 +15,7 @@ struct Tip {
     vec3 position{};      ///< measured position (m)
     vec3 velocity{};      ///< velocity over the window (m/s)
     double path_speed{};  ///< speed along the path, see `path_speed` (m/s)
-    bool switched{};      ///< a source appeared, ended or jumped
+    bool switched{};      ///< a source of force appeared, ended or jumped
     bool stops{};         ///< the model is stale, or the player wants no forces
 };
 

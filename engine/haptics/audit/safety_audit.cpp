@@ -8,14 +8,16 @@ namespace {
 
 // The figures are written down here anew, not taken from the safety stage: the audit compares the stage with
 // them.
-constexpr std::uint64_t window_ticks = 10'000;  // time over which the thermal budget is averaged
-constexpr std::uint64_t memory_ticks = 11'000;  // longest time of which the bins of the stage hold outputs
+constexpr std::uint64_t window_ticks = 10'000;  // time over which the thermal budget is averaged (ticks)
+constexpr std::uint64_t memory_ticks = 11'000;  // longest time whose outputs the stage's sums may contain
+                                                // (ticks)
 constexpr double longest_hand_step = 0.05;      // longest plausible motion of the tip in a tick (m)
 // Share of the thermal budget below which the stage may not scale a force down.
 constexpr double surely_cool = 0.8 * (1 - 1e-9);
 constexpr std::uint64_t fresh_for = 20;      // largest age of a model whose force is played in full (ticks)
 constexpr double ramp_to_zero = 50;          // length of a ramp (ticks)
-constexpr double cap_falls_by = 0.4;         // fall of the output in a tick to a cap that was lowered (N)
+constexpr double cap_falls_by = 0.4;         // largest fall of the output in a tick to a cap that was lowered
+                                             // (N)
 constexpr double energy_of_a_switch = 0.01;  // largest work of the offsets of switches (J)
 constexpr std::uint64_t calm_after = 100;    // ticks at low speed that end a cut because of speed
 // Wanted forces that are far too large belong to one episode if at most `episodes_apart` ticks lie between
@@ -152,8 +154,8 @@ void SafetyAudit::follow_ramp(const SafetyInput& input) {
         ramp_start_ = last_output_;
 }
 
-/// Follows the cap; each change of the cap is a switch. After a lower cap, the limit falls tick by tick from
-/// the last output down to the cap.
+/// Follows the cap. Each change of the cap counts as a switch (a jump of the force, which the stage fades).
+/// After a lower cap, the limit falls tick by tick from the last output down to the cap.
 SafetyLimits SafetyAudit::follow_cap(SafetyLimits limits) {
     if (limits.cap != cap_) next_is_switch_ = true;
     const double falling = std::fmin(cap_, length_of_vector(last_output_)) - cap_falls_by;
@@ -175,8 +177,8 @@ bool SafetyAudit::is_on_ramp(vec3 output) const {
     return distance_from_line(output, ramp_start_ * left) <= rounding(ramp_start_);
 }
 
-/// Checks the output while a condition stops the force; the next force is then a switch. Returns false if
-/// nothing stops it.
+/// Checks the output while a condition stops the force. The next force then counts as a switch. Returns false
+/// if nothing stops the force.
 bool SafetyAudit::judge_stopped(const SafetyInput& input, vec3 output) {
     const bool stale = last_felt_ != now_;
     const bool felt = output != vec3(0);
@@ -222,7 +224,7 @@ void SafetyAudit::begin_fade(const SafetyLimits& limits, const SafetyInput& inpu
     const double moved =
         may_shrink ? distance_from_line(output, last_output_) : length_of_vector(output - last_output_);
     const double step = limits.slew * tick_seconds;
-    // An offset that was fading already also gives way to the hand. `fade_on` checks that.
+    // If an earlier offset was still fading, its work on the hand shortens it, too. `fade_on` checks that.
     if (!may_be_fading_)
         count(SafetyRule::slew, moved > fading_step(limits, input) * (1 + 1e-8) + rounding(last_output_));
 
@@ -240,8 +242,9 @@ void SafetyAudit::begin_fade(const SafetyLimits& limits, const SafetyInput& inpu
     may_be_fading_ = true;
 }
 
-/// Largest share of the offset, 0 to 1, whose distance from the remnant is at most the length of the goal. If
-/// no share is that near, the nearest one.
+/// Largest share of the offset, 0 to 1, that is no farther from the remnant (the output before the switch,
+/// shortened by time) than the length of the goal (the output without the offset). If no share is that near,
+/// the nearest one.
 double SafetyAudit::share_that_hides(vec3 goal) const {
     const double square = glm::dot(offset_, offset_);
     if (!(square > 0)) return 1;

@@ -34,11 +34,11 @@ enum class SafetyRule : std::uint32_t {
     /// Without a switch: wanted force and brake in full, or parts of both while the motors are warm.
     unasked,
     stale,       ///< with an old model, the output falls to zero within 50 ms, at least as fast as a line
-    waiting,     ///< zero before the first wanted force within the cap
-    over_speed,  ///< zero while the tip is too fast
-    off,         ///< once the player wants no forces, as for `stale`; zero if the tip is too fast
-    shut_off,    ///< zero after the third time that the wanted force was far too large
-    panic,       ///< zero after a panic
+    waiting,     ///< output zero before the first wanted force within the cap
+    over_speed,  ///< output zero while the tip is too fast
+    off,         ///< output falls as for `stale` once the player wants no forces; zero if the tip is too fast
+    shut_off,    ///< output zero after the third time that the wanted force was far too large
+    panic,       ///< output zero after a panic
 };
 inline constexpr std::size_t safety_rules = 11;
 

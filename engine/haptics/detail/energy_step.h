@@ -11,11 +11,11 @@ struct EnergyLimits {
     vec3 brake{};  ///< damping force that keeps passive sources passive (N)
     double reserve_force{
         HUGE_VAL};         ///< largest force of the springs by their reserve (N); infinite: no limit
-    double fade_energy{};  ///< work that the fading offset of a switch may do (J)
+    double fade_energy{};  ///< work that the fading offset after a jump of the force may do (J)
 };
 
-/// Updates the passivity observer. Limits active sources to their budget, and after a
-/// switch the springs to their reserve.
+/// Updates the passivity observer. Limits active sources to their budget. Limits the springs to their reserve
+/// after a switch, that is, after a source of force came, ended or jumped.
 EnergyLimits update_energy(const Servo& servo, ServoState& state, const HapticModel& model,
                            const Tether& tether, const Tip& tip, const SurfaceForces& surfaces,
                            const FluidForces& fluid, Sources& sources);

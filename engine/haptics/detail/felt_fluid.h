@@ -1,5 +1,5 @@
-// haptics/detail/felt_fluid.h: what the servo feels of the space around the tip:
-// its viscosity, and a stirred fluid.
+// haptics/detail/felt_fluid.h: forces on the hand by the space around the tip in one tick of the servo: by
+// its viscosity, and by a stirred fluid.
 #pragma once
 #include "haptics/detail/sources.h"
 #include "haptics/servo.h"

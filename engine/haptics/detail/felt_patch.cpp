@@ -29,7 +29,8 @@ bool has_lost_body(const SurfacePatch& patch, const SurfaceState& surface) {
     return false;
 }
 
-/// Returns true if the patch jumped.
+/// Returns true if the patch jumped, by its number in the model. The proxy then begins anew at the model's
+/// free place.
 bool detect_patch_jump(ServoState& state, const HapticModel& model) {
     const bool jumped = model.patch_number != state.patch_number;
     state.patch_number = model.patch_number;

@@ -1,4 +1,4 @@
-// haptics/detail/felt_primitives.h: what the servo feels of the model's primitives.
+// haptics/detail/felt_primitives.h: force of the model's primitives on the hand in one tick of the servo.
 #pragma once
 #include "haptics/detail/sources.h"
 #include "haptics/servo.h"

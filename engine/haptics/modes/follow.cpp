@@ -1,5 +1,5 @@
-// The hand slides along the vector and meets resistance across it: a line
-// through the proxy (paper 001, eq. 12).
+// Mode `follow`: the hand slides along the field's vector and meets resistance across it, by a line through
+// the proxy (paper 001, eq. 12).
 #include "haptics/modes.h"
 
 namespace thaum::haptics {

@@ -1,4 +1,5 @@
-// The hand is pushed towards larger values, or smaller ones if the strength is negative (paper 001, eq. 10).
+// Mode `gradient`: the hand is pushed towards larger values of the field, or smaller ones if the strength is
+// negative (paper 001, eq. 10).
 #include <cmath>
 
 #include "haptics/modes.h"

@@ -1,5 +1,5 @@
-// A wall on the surface where the field has one value: a bone in a scan, or an implicit
-// object (haptics/volume/implicit.h).
+// Mode `isosurface`: a wall on the surface where the field has one value, such as a bone in a scan or an
+// implicit object (haptics/volume/implicit.h).
 //
 // A plane holds the proxy at the surface (haptics/volume/level_contact.h); in a field of samples, at the
 // surface that the picture shows. The plane gives way to a force above its strength, and a proxy that was

@@ -1,5 +1,5 @@
-// The hand snaps to the core of a vortex: a line along the curl, at the nearest
-// place where nothing flows across it.
+// Mode `snap_core`: the hand snaps to the core of a vortex, by a line along the curl at the nearest place
+// where nothing flows across the line.
 //
 // The place is found by one Newton step in the plane across the curl, from the gradient at the proxy. In a
 // core that turns like a solid body the step is exact. Elsewhere it improves as the proxy comes nearer.

@@ -1,4 +1,5 @@
-// The space resists motion of the proxy: a point at the proxy's place of the last tick (paper 001, eq. 9).
+// Mode `viscosity`: the space resists motion of the proxy, by a point primitive at the proxy's place of the
+// last tick (paper 001, eq. 9).
 #include "haptics/modes.h"
 
 namespace thaum::haptics {

@@ -13,7 +13,7 @@
 
 namespace thaum::haptics {
 
-/// As wide as a double, so that a Primitive has no padding.
+/// Kind of a primitive (see Primitive). As wide as a double, so that a Primitive has no padding.
 enum class PrimitiveKind : std::uint64_t { directed, point, line, plane };
 
 /// One force on the proxy x (world frame).

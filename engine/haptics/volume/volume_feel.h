@@ -58,7 +58,7 @@ struct MaterialFeel {
     double stiffness{1};  ///< factor of S and of the strength of walls, >= 0
     double viscosity{1};  ///< factor of R, >= 0
 };
-/// What each material index feels like.
+/// Feel of each material, by its index.
 using MaterialTable = std::array<MaterialFeel, 256>;
 
 /// A plane that guides the hand, such as the plane of a cut.
@@ -101,7 +101,7 @@ struct DensityWall {
 inline constexpr std::size_t max_guides = 3;
 inline constexpr std::size_t max_walls_felt = 2;
 
-/// How a volume feels.
+/// Settings of the feel of a volume.
 struct VolumeFeel {
     field::ScalarField density{};
     MaterialField material{};                     ///< empty: index 0 everywhere

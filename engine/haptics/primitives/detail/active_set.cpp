@@ -28,7 +28,8 @@ void guess_active_set(Problem& problem, double square) {
 
 namespace {
 
-/// Moves x within the flat onto q.x = height, and fixes that direction. q is a unit vector.
+/// Moves x onto the plane q.x = height within the flat, the intersection of the kinks so far, and fixes that
+/// direction. q is a unit vector.
 void fix(Flat& flat, vec3& x, vec3 q, double height) {
     if (flat.count == 0) {
         x += q * (height - glm::dot(q, x));
@@ -41,7 +42,7 @@ void fix(Flat& flat, vec3& x, vec3 q, double height) {
     flat.normals[flat.count++] = normal;
 }
 
-/// Of the unit vectors normal to a kink, the one along which the flat leaves x most free.
+/// Unit vector normal to a kink along which x is most free to move within the flat.
 vec3 freest_normal(const Flat& flat, const Term& term) {
     if (term.identity == 0) return term.q;
     if (flat.count == 0) return normals_to(term.q)[0];

@@ -49,7 +49,7 @@ Term* first_hit(Problem& problem, vec3 x, vec3 step, double low, double& high) {
     for (Term& term : terms_of(problem)) {
         const vec3 moved = project(term, step);
         const double square = glm::dot(moved, moved);
-        // A kink at the start of the step has been released.
+        // A kink at the start of the step does not count: it has just been released.
         if (term.active || square == 0 || touches(term, rounding)) continue;
         const double t = -glm::dot(term.distance, moved) / square;
         if (!(t > low && t < high)) continue;

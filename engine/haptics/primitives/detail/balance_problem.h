@@ -34,7 +34,7 @@ struct Term {
     bool active;         ///< x is assumed to lie on its kink
 };
 
-/// Terms of a problem. They take 4 KB and are copied at each guess, so only those in use are copied or
+/// Terms of a problem. They take 3 KB and are copied at each guess, so only those in use are copied or
 /// cleared.
 struct Terms {
     std::array<Term, primitive_capacity> items;

@@ -112,7 +112,7 @@ double duality_bound(Problem& problem, vec3 x) {
 
 void improve_by_dual_ascent(Problem& problem, double accepted, Solution& best, int& steps) {
     constexpr int max_passes = 12;
-    // So many updates of single terms cost as much as a Newton step of a full set.
+    // Number of updates of single terms that cost as much as a Newton step of a full set.
     constexpr std::size_t updates_of_a_pass = 256;
     std::size_t i = 0;
     vec3 sum{};

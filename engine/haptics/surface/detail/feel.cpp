@@ -13,7 +13,7 @@ TexturedPush textured_push(const Scene& scene, const Wall& wall, vec3 x) {
     if (top == 0) return {wall.depth, wall.normal};
     const vec3 place = glm::conjugate(body.orientation) * (x - body.position);
     const Relief relief = relief_at(texture, scene.patch->bumps, place);
-    const double depth = wall.depth - top;  // beneath the surface
+    const double depth = wall.depth - top;  // depth of the tip beneath the surface (m)
     if (texture.kind == TextureKind::impact) return {depth >= 0 ? depth + relief.height : 0.0, wall.normal};
     const vec3 slope = body.orientation * relief.slope;
     const vec3 way = wall.normal - (slope - glm::dot(slope, wall.normal) * wall.normal);

@@ -55,7 +55,7 @@ Piece piece_at(const Scene& scene, const Wall& wall, vec3 x) {
     return {Piece::Kind::about_point, zone, s.a + zone * s.b.y * axis, {}, radius};
 }
 
-/// Displacement from the core to y (m).
+/// Displacement from the core (centre or axis of a round surface) to y (m).
 vec3 from_core(const Piece& piece, vec3 y) {
     const vec3 arm = y - piece.centre;
     return piece.kind == Piece::Kind::about_line ? arm - glm::dot(arm, piece.axis) * piece.axis : arm;
@@ -115,7 +115,7 @@ bool place_on(const Path& path, double s, vec3& y) {
         y = path.from + s * path.way;
         return onto_both(path.pieces, y);
     }
-    constexpr double negligible = 1e-12;  // m
+    constexpr double negligible = 1e-12;  // distance that counts as zero (m)
     const Piece& piece = path.pieces[0];
     const double left = 1 - s;
     const bool both = std::abs(path.axial) > negligible && path.half_tan * piece.radius > negligible;
@@ -263,7 +263,7 @@ Loads loads_at(const Track& track, double s) {
     return {least, length, length - reach_of_friction(track, walls, y)};
 }
 
-/// Value of a function at a place of the path.
+/// A place on the path, by its parameter, and the value of a function there.
 struct Sample {
     double s{}, value{};
 };
@@ -322,7 +322,7 @@ double hold_between(const Track& track, double from, const Loads& start, double 
 /// Whether a path turns by a large angle up to the place `end`. Walls or friction may then release the proxy
 /// and hold it again on the way.
 bool is_long(const Path& path, double end) {
-    constexpr double far = 0.1;  // rad
+    constexpr double far = 0.1;  // angle that counts as large (rad)
     if (path.count == 1) return path.half_tan > 1 && path.axial != 0;
     const double length2 = end * end * glm::dot(path.way, path.way);
     return std::any_of(path.pieces.begin(), path.pieces.end(), [&](const Piece& piece) {
@@ -365,7 +365,7 @@ bool on_its_pieces(const Track& track, double s) {
 /// arc as wide as the gap. A path that starts on this arc continues beyond it, along tangent planes that have
 /// the whole of each body behind them. Otherwise the proxy would hang on the edge.
 double end_of_pieces(const Track& track, double end) {
-    constexpr double over_an_edge = 5 * surface_gap;  // m
+    constexpr double over_an_edge = 5 * surface_gap;  // length by which the path continues (m)
     const double last = fails_at([&](double s) { return on_its_pieces(track, s); }, end);
     const vec3 start = track.at(0);
     if (glm::length(track.at(last) - start) > place_tolerance) return last;
@@ -435,7 +435,8 @@ bool alone(const Scene& scene, const Walls& walls) {
 /// so short that the surface counts as an obstacle. After each free part, the next one is twice as long. From
 /// the second part on, only surfaces that are near enough are swept. The move ends when no sweeps are left.
 Obstacle travel(const Track& track, double end, int& sweeps_left) {
-    constexpr double shortest = 1e-9;  // m; on a radius of 1 mm, the tangents then stay within 1e-15 m
+    constexpr double shortest = 1e-9;  // shortest part (m); on a radius of 1 mm, its tangents stay within
+                                       // 1e-15 m
     constexpr int max_parts = 200;
     constexpr int per_part = 2;  // sweeps that cost as much as the places of a part
     const Scene& scene = *track.scene;

@@ -29,8 +29,9 @@ vec3 held_back(const Scene& scene, const SlideState& slide, vec3 goal, bool slid
     return goal + away * (friction_reach(scene, slide.walls, slide.x, true) / distance);
 }
 
-/// First surface on the path, if the proxy already stands at it; for a proxy at the end of the patch's reach,
-/// which cannot move on. Without this check, the force would end where the patch ends.
+/// First surface on the path, if the proxy already stands at it. This is for a proxy at the end of the
+/// patch's reach, which cannot move on to meet the surface. Without it, the force would end where the patch
+/// ends.
 Hit hit_at_reach(const Scene& scene, const SlideState& slide, vec3 way) {
     const Sweep ahead(slide.x, way);
     Hit hit = first_hit(scene, ahead);

@@ -15,8 +15,9 @@ constexpr std::array<double, 2> first_looks{0.1, 0.5};
 constexpr double look_samples = 0.5;
 constexpr int max_looks = 16;
 /// Largest distance of the found surface from the start of a search at which the direction read at the start
-/// is used for the surface too (samples). `same_slope_apart` applies where drawn and smooth surface lie
-/// apart. At larger distances, the tangent would put the plane of a thin sheet at changing places.
+/// is used for the surface too (samples). At larger distances, the tangent would put the plane of a thin
+/// sheet at changing places. `same_slope_apart` applies where the drawn surface (of the samples in the
+/// picture) and the smooth surface (of the smoothed field) lie apart.
 constexpr double same_slope = 0.5, same_slope_apart = 0.02;
 /// Distance between drawn and smooth surface from which on they lie apart (samples).
 constexpr double apart = 0.25;
@@ -61,7 +62,7 @@ double look_at(int i) {
     return n < first_looks.size() ? first_looks[n] : look_samples * i;
 }
 
-/// 1 at and below 0, 0 from 1 on, with a continuous slope.
+/// A weight that falls from 1 at x <= 0 to 0 at x >= 1, with a continuous slope.
 double fading(double x) {
     const double t = std::clamp(x, 0.0, 1.0);
     return 1 - t * t * (3 - 2 * t);
@@ -177,8 +178,8 @@ std::optional<BodySearch::Slope> BodySearch::slope_of(const field::Scalar& here)
     return Slope{here.gradient, (surface_.solid_below ? -1 : 1) * (here.value - surface_.level) / length};
 }
 
-/// The slope of the field. Where the averages of blocks give nearly the same direction and have their surface
-/// near the place, the direction of their slope is used. The averages of a thin sheet may do neither.
+/// Gradient of the field at a place. If the averages of blocks of samples give nearly the same direction and
+/// have their surface near the place, their direction is used. For a thin sheet they may do neither.
 std::optional<BodySearch::Slope> BodySearch::slope_at(vec3 place) {
     constexpr double differs = 0.1, agrees = 0.4;  // cosines
     ++contact_.reads;
