@@ -11,12 +11,11 @@ constexpr std::size_t shapes_per_step = 4;
 constexpr std::size_t fewest_points = 4;  // fewest points that a window must have
 constexpr float not_compared = 1e9F;
 
-/// Moves to the eight neighbours of a window: the direction of the start and of the end.
+/// Directions in which the start and the end of a window move to its eight neighbours.
 constexpr std::array<std::pair<int, int>, lanes> neighbours{
     {{-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 1}, {1, -1}, {1, 0}, {1, 1}}};
 
-/// The first point at least `by` farther along than `from`; if `by` is negative, the first such point before
-/// it.
+/// The first point whose arc length is at least that of the point `from` plus `by`, which may be negative.
 std::size_t point_at(const ShapeSpace& points, std::size_t from, float by) {
     const auto begin = points.length.begin(), end = begin + static_cast<std::ptrdiff_t>(points.count);
     const auto found = std::lower_bound(begin, end, points.length[from] + by);

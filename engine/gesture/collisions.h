@@ -40,7 +40,7 @@ struct Pair {
     /// sorts pairs that are never mistaken, and does not make them collide.
     double separation{};
 
-    /// Whether one of them is mistaken too often.
+    /// Whether one of the two gestures is mistaken for the other too often.
     bool collides() const { return a_as_b.often() || b_as_a.often(); }
     /// The larger of the two shares `Mistaken::nearer`.
     double nearer() const { return std::max(a_as_b.nearer, b_as_a.nearer); }

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t compared_points = 48;
 // Size below which an unrecognised stroke counts as too small (m).
 constexpr double min_size = 0.03;
-// Deviation up to which a stroke has the shape of the gesture.
+// Deviation up to which a stroke has the shape of the gesture (share of the size).
 constexpr double same_shape = 0.08;
 // Largest gap between start and end of a closed gesture (share of the size).
 constexpr double widest_gap = 0.25;

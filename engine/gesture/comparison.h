@@ -1,9 +1,9 @@
 // gesture/comparison.h: how a drawn stroke differs from a gesture, in numbers and in words for the player.
 //
-// Both are resampled to points at equal distances along the way, in the plane of x and y, and moved and
-// scaled to the same middle and size. The stroke is then turned, and for closed gestures begun elsewhere, so
-// that the sum of the squared distances between the points is least. The root mean square of the remaining
-// distances is the deviation. Recognition does not use these numbers.
+// The stroke and the gesture are resampled to points at equal distances along the way, in the plane of x and
+// y, and moved and scaled to the same middle and size. The stroke is then turned, and for closed gestures
+// begun elsewhere, so that the sum of the squared distances between the points is least. The root mean square
+// of the remaining distances is the deviation. Recognition does not use these numbers.
 #pragma once
 #include <string>
 #include <vector>
@@ -31,8 +31,8 @@ struct Comparison {
 Comparison compare(Points stroke, const Gesture& gesture);
 
 /// Advice to the player, the most important first, at most three lines: "draw it larger", "end where you
-/// began". Empty if there is nothing. `force` is the mean force (N). `read`: true if the stroke was
-/// recognised as this gesture, so that it was large enough.
+/// began". Empty if there is nothing to improve. `force` is the mean force (N). `read`: true if the stroke
+/// was recognised as this gesture, so that it was large enough.
 std::vector<std::string> advice_on(const Comparison& comparison, const Gesture& gesture, double force,
                                    bool read);
 

@@ -7,7 +7,7 @@ namespace thaum::gesture {
 namespace {
 
 constexpr std::size_t strokes_of_each = 3;
-constexpr double tolerance = 15;  // degrees
+constexpr double tolerance = 15;  // largest rotation against the template (degrees)
 
 GestureOptions options_of(Figure figure) {
     GestureOptions o;

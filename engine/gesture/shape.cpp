@@ -33,7 +33,7 @@ using Bits4 = std::uint64_t __attribute__((vector_size(32)));
 
 Floats4 masked(Floats4 v, Ints4 mask) { return reinterpret_cast<Floats4>(reinterpret_cast<Ints4>(v) & mask); }
 
-/// Places of the shape: force, x, y, z in the lanes.
+/// Points of a shape, each with force, x, y and z in its four lanes.
 template <std::size_t points>
 struct Sampled {
     std::array<Floats4, points> at;
@@ -334,8 +334,9 @@ bool fill(Points stroke, Channels channels, Rests rests, ShapeSpace& space) {
     return std::isfinite(space.length[space.count - 1]);
 }
 
-/// The last point from `first` to before `last` whose place is below `wanted`; `first` if none is. The number
-/// of search steps depends only on the number of points, so the processor predicts the branches.
+/// The last point from `first` to before `last` whose place (parameter along the stroke) is below `wanted`;
+/// `first` if none is. The number of search steps depends only on the number of points, so the processor
+/// predicts the branches.
 template <class Place>
 std::size_t point_before(float wanted, std::size_t first, std::size_t last, Place place) {
     for (std::size_t count = last - first; count > 1;) {
@@ -494,7 +495,8 @@ Sampled<points> directions_of(const Sampled<points>& q) {
     return d;
 }
 
-/// How sharply the stroke turns: the product of the directions before and after, x, y, z in the lanes 1 to 3.
+/// How sharply the stroke turns: the cross product of the directions before and after, x, y, z in lanes 1 to
+/// 3.
 template <std::size_t points>
 Floats4 turn_at(const Sampled<points>& d, std::size_t i) {
     const Floats4 a = d.at[i > 0 ? i - 1 : 0], b = d.at[i + 1 < points ? i + 1 : points - 1];
@@ -503,7 +505,7 @@ Floats4 turn_at(const Sampled<points>& d, std::size_t i) {
     return yzx(a) * zxy(b) - zxy(a) * yzx(b);
 }
 
-/// The z component alone of how sharply the stroke turns, in lane 1.
+/// How sharply a planar stroke turns: the z component of the cross product in turn_at, in lane 1.
 template <std::size_t points>
 Floats4 flat_turn_at(const Sampled<points>& d, std::size_t i) {
     const Floats4 a = d.at[i > 0 ? i - 1 : 0], b = d.at[i + 1 < points ? i + 1 : points - 1];

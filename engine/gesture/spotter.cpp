@@ -20,8 +20,9 @@ constexpr float max_looked_at = 0.25F;  // largest score of a window that gets a
 constexpr std::uint32_t look_every = 4;
 
 // Constants of the factors that, besides the distance, separate gestures from other motion. On strokes of
-// other users, the logarithm of the distance counts about 15 times as much as that of the motion before and
-// after, and 10 times as much as the squared one of the duration.
+// other users, the logarithm of the distance counts about 15 times as much as the logarithm of the motion
+// before and after, and 10 times as much as the squared logarithm of the duration.
+//
 // Durations before and after a stroke in which motion counts (s).
 constexpr float time_before = 0.3F, time_after = 0.2F;
 constexpr double rest_power =
@@ -29,7 +30,8 @@ constexpr double rest_power =
 constexpr double duration_weight = 0.1;
 // limits of the shares of motion: for a hand at rest, and for a hand that moves fast
 constexpr float min_motion = 0.1F, max_motion = 3;
-constexpr float shortest_time = 0.05F;  // against division by zero (s)
+constexpr float shortest_time = 0.05F;  // shortest duration that a speed is divided by, against division by
+                                        // zero (s)
 
 /// Overlap of two spans of time, as a share of the shorter.
 double overlap(double start_a, double end_a, double start_b, double end_b) {
@@ -108,7 +110,7 @@ void Spotter::restart() {
     skipped_ = ends_ = 0;
 }
 
-/// Drops the older half of the points. Sums become relative to the first point that is kept.
+/// Drops the older half of the points. Arc lengths and times become relative to the first point that is kept.
 void Spotter::make_room() {
     const std::size_t first = points_.count - kept_points;
     const float length = points_.length[first], t = points_.t[first];
@@ -208,7 +210,8 @@ void Spotter::look_at_window(std::size_t first, bool depth) {
     window.first = first;
     window.start = origin_.t + static_cast<double>(points_.t[first]);
     window.end = origin_.t + static_cast<double>(points_.t[end_]);
-    // The mean of several strokes is smoother than any of them, and other motion is nearer to it.
+    // Templates that are means are left out: the mean of several strokes is smoother than any of them, and
+    // motion that is no gesture is nearer to it.
     const Recogniser::Limits limits{.length_range = static_cast<float>(settings_.length_range),
                                     .means = false};
     recogniser_.choose(window.shape, limits, 4, *space_);

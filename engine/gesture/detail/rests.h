@@ -98,7 +98,7 @@ public:
         while (rest.first < rest.last && square_from(rest.middle, rest.first) > near) ++rest.first;
         while (rest.first < rest.last && square_from(rest.middle, rest.last) > near) --rest.last;
         const auto trembles = [&](std::size_t i) { return square_from(rest.middle, i) <= near; };
-        // Of two consecutive points outside, one may be noise.
+        // A single point outside between points that tremble may be noise.
         const std::size_t end = stroke_.size();
         while (rest.first > begin &&
                (trembles(rest.first - 1) || (rest.first > begin + 1 && trembles(rest.first - 2))))
@@ -122,7 +122,7 @@ private:
                 if (count == points_of_middle) continue;
                 run.middle += (stroke_.place(next) - run.middle) / static_cast<Real>(++count);
             } else if (next + 1 == stroke_.size() || square_from(run.middle, next + 1) < square_) {
-                run.last = next;  // noise
+                run.last = next;  // a single point outside is noise
             } else {
                 break;
             }

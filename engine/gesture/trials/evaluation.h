@@ -7,12 +7,12 @@
 //     leave_user_out   from all users but one; all strokes of that one are tested
 //     random           from all users; all other strokes are tested
 //
-// Each is repeated with other random templates. In an open set, a random share of the gestures has no
-// templates: strokes of these are tested too, and the right answer is "nothing".
+// Each protocol is repeated with other random templates. In an open set, a random share of the gestures has
+// no templates: strokes of these are tested too, and the right answer is "nothing".
 //
-// Probabilities and thresholds for the strokes of one group are fitted to the strokes of the other
-// groups. A group is a user; where the data have one user, the strokes with odd numbers and those
-// with even numbers are two groups.
+// Probabilities and thresholds for the strokes of one group are fitted to the strokes of the other groups. A
+// group is a user; where the data have one user, the strokes with odd numbers and those with even numbers are
+// two groups.
 #pragma once
 #include <array>
 #include <functional>

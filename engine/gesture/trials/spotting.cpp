@@ -128,7 +128,7 @@ SpottingScore score_of(const Count& count, double hours) {
     s.recall = ratio(count.right, count.right + count.missed);
     s.f1 = count.f1();
     // The square root of a Poisson-distributed count, after adding 3/8, has a standard deviation of 1/2
-    // (Anscombe 1948).
+    // (Anscombe 1948). The 95 % interval is 1.96 times that, 0.98, to either side.
     const double n = static_cast<double>(count.wrong), root = std::sqrt(n + 0.375);
     s.false_per_hour = n / hours;
     s.low_per_hour = std::max(0.0, std::pow(std::max(0.0, root - 0.98), 2.0) - 0.375) / hours;
@@ -139,7 +139,7 @@ SpottingScore score_of(const Count& count, double hours) {
     return s;
 }
 
-/// Sum over the sessions, each at the threshold that is best on the other users' sessions.
+/// Score summed over the sessions, each at the threshold that is best on the other users' sessions.
 template <class Better>
 SpottingScore cross_validated(const Counts& counts, double hours, Better value) {
     Count sum;
