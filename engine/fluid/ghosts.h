@@ -1,4 +1,4 @@
-// fluid/ghosts.h: values of the three layers of ghosts beyond the sides of a lattice (lattice.h).
+// fluid/ghosts.h: values of the three layers of ghost cells beyond the sides of a lattice (lattice.h).
 #pragma once
 #include "fluid/rows.h"
 

@@ -17,7 +17,7 @@ namespace thaum::render {
 struct Font::State {
     FT_Library library = nullptr;
     FT_Face face = nullptr;
-    Bytes file;  // must outlive the face, since FreeType reads from it
+    Bytes file;  // font file; must outlive the face, since FreeType reads from it
     int size = 0;
     std::map<std::pair<char32_t, int>, Glyph> glyphs;
     std::map<int, Extent> extents;
@@ -39,7 +39,7 @@ struct Font::State {
 
 namespace {
 
-constexpr std::size_t max_font = 32U << 20U;  // bytes
+constexpr std::size_t max_font = 32U << 20U;  // largest font file (bytes)
 
 /// Rounds 26.6 fixed point to whole pixels.
 int pixels(FT_Pos fixed) { return static_cast<int>((fixed + 32) >> 6); }

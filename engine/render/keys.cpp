@@ -66,7 +66,7 @@ const std::vector<Key>& keys() {
     return all;
 }
 
-/// Signs of ASCII with the names that their keys have on a US keyboard.
+/// A sign of ASCII, with the name that its key has on a US keyboard.
 struct Sign {
     char32_t character;
     std::string_view name;
@@ -97,7 +97,7 @@ std::string label_of(std::string_view character) {
     if (code_points.size() != 1) return {};
     const char32_t c = code_points[0];
     if (c <= U' ' || c == U'\u00A0') return {};
-    // Punctuation of ASCII is easier to tell by its name: "Comma".
+    // Players recognise punctuation of ASCII more easily by its name, such as "Comma".
     const auto* const sign = std::ranges::find(signs, c, &Sign::character);
     if (sign != std::end(signs)) return std::string(sign->name);
     return encode_utf8(upper_case(c));

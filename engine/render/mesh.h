@@ -58,7 +58,7 @@ struct Bounds {
     fvec3 centre{0};
     float radius{};
 };
-/// Box and sphere that enclose a mesh.
+/// Sphere that encloses a mesh, about the middle of its bounding box.
 Bounds bounds(const MeshData& mesh);
 
 // Functions that combine meshes.

@@ -13,7 +13,7 @@ std::int64_t next_deadline(std::int64_t previous, std::int64_t now, std::int64_t
 /// Waits between pictures so that they come at an even rate.
 class Pacer {
 public:
-    /// A rate of 0 never waits.
+    /// At a rate of 0, wait() never sleeps.
     explicit Pacer(double frames_per_second);
     /// Sleeps until the next picture is due. Returns the time since the last call returned, 0 at first (s).
     double wait();

@@ -475,7 +475,7 @@ void Renderer::State::draw_batches(std::size_t first, std::size_t count) {
     statistics.draws += count;
 }
 
-/// Draws one range of each patchwork. The program must be in use.
+/// Draws the range that `which` selects of each patchwork. The program must be in use.
 void Renderer::State::draw_patchworks(const MeshProgram& program, const ViewBatches& its,
                                       IndexRange (*which)(const ChosenPatches&)) {
     const auto end = its.first + its.solid;
@@ -517,7 +517,7 @@ void Renderer::State::draw_view(const ViewScene& view, const ViewBatches& its, Q
     use_mesh_program(programs.mesh[static_cast<std::size_t>(quality)], view, its.sight, quality, shadow);
     draw_batches(its.first, its.solid - its.patchworks);
     if (its.patchworks > 0) draw_stone(view, its, quality, shadow);
-    // Drawn after all solid objects, so that only uncovered pixels are shaded.
+    // The sky is drawn after all solid objects, so that only uncovered pixels are shaded.
     glBindVertexArray(no_attributes.get());
     use_sky_program(quality == Quality::high ? programs.sky_of_light : programs.sky, view,
                     aspect_of(view.viewport), cleared_to_fog);

@@ -51,7 +51,7 @@ struct ScanEntry {
 /// Look of the voxels with one material index.
 struct ScanMaterial {
     fvec3 colour{1};    ///< factor of the colour
-    float opacity = 1;  ///< factor of the absorption; a surface below 0.5 is invisible
+    float opacity = 1;  ///< factor of the absorption; a surface with less than 0.5 is invisible
 };
 
 /// Entries at the densities 0, 1/255, ..., 1. Between them colour and absorption are linear.

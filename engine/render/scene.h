@@ -176,7 +176,7 @@ struct TextItem {
 /// One shape or text of the overlay.
 using OverlayItem = std::variant<RectItem, TriangleItem, ArcItem, LineItem, TextItem>;
 
-/// What is drawn over the views, in this order.
+/// Items that are drawn over the views, in this order.
 struct Overlay {
     std::vector<OverlayItem> items;
 };

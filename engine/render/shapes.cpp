@@ -155,7 +155,8 @@ std::vector<Band> bands(std::span<const fvec2> profile, float crease) {
     return out;
 }
 
-/// A point (radius, y) of the profile, turned by `step` of `segments`. `step` may be a half.
+/// A point (radius, y) of the profile, turned about the axis by `step` / `segments` of a full turn. `step`
+/// may be a half.
 fvec3 turned(fvec2 p, float step, int segments) {
     const float angle = turn * step / static_cast<float>(segments);
     return {p.x * std::cos(angle), p.y, -p.x * std::sin(angle)};

@@ -11,7 +11,8 @@ namespace {
 
 /// Rule for the values of a field in its ghost cells. This solver uses only the layer next to the box.
 struct Border {
-    std::array<float, 3> factor{1, 1, 1};  ///< multiple of the nearest inner cell, for walls across each axis
+    std::array<float, 3> factor{1, 1, 1};  ///< factor from the nearest inner cell to a ghost cell beyond a
+                                           ///< wall across each axis: 1 or -1
     float lid{};                           ///< added in the ghost cells above the top of y: twice the speed
                                            ///< of the lid (m/s)
 };
@@ -146,8 +147,8 @@ struct TracedPlace {
     std::array<float, 3> part;  ///< position between the lowest and the highest cell, 0 to 1
 };
 
-/// Where the fluid of a cell came from along one axis: the lower cell, and the position between it and the
-/// next, 0 to 1.
+/// Place from which the fluid of a cell came, along one axis: the lower cell, and the position between it and
+/// the next cell, 0 to 1.
 struct AxisPlace {
     std::ptrdiff_t cell;
     float part;
@@ -158,7 +159,7 @@ struct AxisPlace {
 AxisPlace along(float place, int n, bool periodic) {
     const auto cells = static_cast<float>(n);
     if (periodic) place -= cells * std::floor(place / cells);
-    // NaN becomes the lower bound.
+    // A place that is NaN becomes the lower bound.
     place = std::min(std::max(-0.5F, place), cells - (periodic ? 0.0F : 0.5F));
     const float low = std::min(std::floor(place), cells - 1);
     return {static_cast<std::ptrdiff_t>(low), place - low};
@@ -167,7 +168,7 @@ AxisPlace along(float place, int n, bool periodic) {
 struct Tracer {
     const Lattice& lattice;
     const std::array<Samples, 3>& velocity;
-    float cells_per_speed;  ///< dt / h
+    float cells_per_speed;  ///< dt / h: cells by which fluid with a speed of 1 m/s moves
     std::array<bool, 3> periodic;
 
     TracedPlace back(int i, int j, int k) const {
@@ -193,7 +194,7 @@ Tracer tracer_of(const Fluid& fluid, const std::array<Samples, 3>& velocity, dou
 
 float mix(float a, float b, float part) { return a + part * (b - a); }
 
-/// Linear interpolation along each axis.
+/// Value of a field at a traced place, by linear interpolation along each axis.
 float sample(const Lattice& lattice, const TracedPlace& place, const Samples& samples) {
     const auto [sx, sy, sz] = lattice.stride;
     const float* const c = samples.data() + place.corner;

@@ -27,10 +27,10 @@ struct ClassicScratch {
     Samples source{};  ///< right-hand side of a solve
 };
 
-/// Advances the fluid by dt (s), > 0, in one step. Uses only the layer of ghosts next to the box.
+/// Advances the fluid by dt (s), > 0, in one step. Of the ghost cells it uses only the layer next to the box.
 StepReport classic_step(Fluid& fluid, ClassicScratch& scratch, double dt);
 
-/// Writes the velocity's layer of ghosts next to the box.
+/// Writes the velocity in the layer of ghost cells next to the box.
 void classic_fill(Fluid& fluid);
 
 /// Advances only the substances by dt (s), carried by the current velocity.

@@ -24,9 +24,9 @@ void add_weight(const Rows& rows, int order, const std::array<Samples, 3>* open,
 void predict_weight(const Rows& rows, const std::array<Samples, 3>& velocity,
                     const std::array<Samples, 3>* open, double time, const Samples& weight, Samples& moved);
 
-/// Potential energy that diffusion with k = 1 m^2/s adds per second, summed over cells (1/s^2 for a
-/// weight without unit). Diffusion adds energy because it spreads a heavy substance upwards from below.
-/// The ghosts of `weight` must be filled; `open` is as above.
+/// Potential energy that diffusion with k = 1 m^2/s adds per second, summed over cells (1/s^2 for a weight
+/// without unit). Diffusion adds energy because it spreads a heavy substance upwards from below. The ghosts
+/// of `weight` must be filled. `open` holds the open shares of faces; null means all are open.
 double lifted_by_diffusion(const Rows& rows, const std::array<Samples, 3>* open, const vec3& gravity,
                            const Samples& weight);
 

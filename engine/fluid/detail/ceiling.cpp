@@ -44,7 +44,7 @@ DensityStencil densities_along(const float* density, const float* aperture, std:
 // A hill or slope counts as smooth if its bend or its rise from cell to cell is at most `max_change` of its
 // height. The smallest such change must be at least `evenness` of the largest.
 constexpr float max_change = 0.125F, evenness = 0.7F;
-/// largest slope, as a share of a hill's bend, with which the top of the hill lies in this cell
+/// largest slope at a cell, as a share of the bend there, with which the top of a hill lies in that cell
 constexpr float max_slope = 0.6F;
 
 /// Height that a smooth slope gains between the last cell before a wall and the wall; 0 if there is no wall

@@ -46,7 +46,8 @@ private:
     };
     /// Faces of one component of the velocity.
     struct Component {
-        /// Followed by an entry without sources, which marks the end of the last one.
+        /// The faces with continued velocities, then an entry without sources. It marks the end of the last
+        /// face's sources.
         std::vector<Target> targets;
         /// Sources of each target, padded to a multiple of four with weights of 0.
         std::vector<Source> sources;

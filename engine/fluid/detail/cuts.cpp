@@ -112,7 +112,8 @@ OpenPart open_part(const SolidShare& solid, vec3 low, std::size_t axis, double h
         }
     if (open == 0) return {0, low};
     if (open == 9) return {1, low + 0.5 * (first + second)};
-    // Lines that cross the wall more steeply have open lengths that vary more smoothly.
+    // Open lengths are measured along the edge that crosses the wall more steeply, as they vary more smoothly
+    // there.
     return std::abs(along_first) >= std::abs(along_second) ? measured_part(solid, {low, first, second})
                                                            : measured_part(solid, {low, second, first});
 }

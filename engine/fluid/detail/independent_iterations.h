@@ -2,8 +2,8 @@
 #pragma once
 
 /// Placed before a loop whose iterations are independent: none writes what another one reads or writes. The
-/// compiler then need not check whether the arrays overlap, and it may give up if there are many arrays. Such
-/// a loop must not add up numbers, because clang would then change the order of the sum.
+/// compiler then need not check whether the arrays overlap, a check that makes it give up if there are many
+/// arrays. Such a loop must not add up numbers, because clang would then change the order of the sum.
 #if defined(__clang__)
 #define THAUM_INDEPENDENT_ITERATIONS _Pragma("clang loop vectorize(assume_safety)")
 #else

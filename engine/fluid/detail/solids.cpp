@@ -14,8 +14,9 @@ namespace {
 // the sum of the open shares of the cell's faces. With these values the cauldron takes 4.2 iterations; with
 // h^2 / d it took 6.2.
 constexpr double own_part = 0.8, own_below = 5;
-// In float, conjugate gradients stop converging at a few thousandths of the initial residual. The residual is
-// then computed again from the corrected velocity. The next search direction stays conjugate to the last one,
+// Factor by which one round of conjugate gradients reduces the residual, and the largest number of rounds. In
+// float, the search stops converging at a few thousandths of the initial residual. The residual is then
+// computed again from the corrected velocity. The next search direction stays conjugate to the last one,
 // because restarting the search would cost a third of an iteration per step.
 constexpr double gain_of_round = 2e-3;
 constexpr int max_rounds = 4;

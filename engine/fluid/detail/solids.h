@@ -27,8 +27,8 @@ struct CutFace {
 /// was 8 to 10 % of the squared error of a flow in a bowl, and more on finer grids. Smaller openings do not
 /// add iterations to the pressure solve.
 inline constexpr double min_open = 0.02;
-/// Smallest open share of a face along which the fluid slips, where the flow beside the wall is as fast as
-/// elsewhere. What is lost through a small closed opening is pushed through others by the pressure. With
+/// Smallest open share of a face if the fluid slips along solids. The flow beside a wall is then as fast as
+/// elsewhere, and what is lost through a small closed opening is pushed through others by the pressure. With
 /// 0.02, a flow that turns as a rigid body had 1.7 times the error at 48 cells, and hardly less at 64.
 inline constexpr double open_least_where_slipping = 0.002;
 

@@ -41,9 +41,9 @@ constexpr double rigid = 1e5;
 /// Largest accepted divergence with solids, times h and divided by the largest velocity component.
 constexpr double max_divergence_with_solids = 9.5e-7;
 constexpr int max_iterations = 40;
-/// Largest accepted divergence without solids, in the same measure. A larger one is rounding error, from a
-/// velocity that viscosity almost removed or from the corners of a lid. The pressure is then solved again,
-/// `solves_more` times at most.
+/// Largest accepted divergence without solids, times h and divided by the largest velocity component. A
+/// larger one is rounding error, from a velocity that viscosity almost removed or from the corners of a lid.
+/// The pressure is then solved again, `solves_more` times at most.
 constexpr double max_divergence_without_solids = 1e-6;
 constexpr int solves_more = 2;
 /// Largest number of sub-steps of the substances after a semi-Lagrangian step. It is lower than usual to
@@ -103,7 +103,8 @@ void StaggeredSolver::fill_sides(const Settings& settings, Velocity& velocity, i
     for (std::size_t axis = 0; axis < 3; ++axis)
         fill_ghosts(rows_, ghost_rules_of_velocity(lattice_, axis), velocity[axis], depth);
     if (settings.lid == 0 || lattice_.edges[1] != Edge::no_slip) return;
-    // The velocity is odd relative to the speed of the wall.
+    // Beyond the lid the velocity is odd relative to the lid's, so twice the lid's speed is added in the
+    // ghosts.
     const auto twice = static_cast<float>(2 * settings.lid);
     for (int k = -ghosts; k < lattice_.cells[2] + ghosts; ++k) {
         for (int j = lattice_.cells[1]; j < lattice_.cells[1] + ghosts; ++j) {

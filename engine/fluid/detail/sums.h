@@ -8,7 +8,7 @@ namespace thaum::fluid {
 double total(const Lattice& lattice, const Samples& samples);
 double dot(const Lattice& lattice, const Samples& a, const Samples& b);
 double dot(const Rows& rows, const Samples& a, const Samples& b);
-/// Sum of the products of three samples of one place.
+/// Sum over all places of a times b times weight.
 double dot(const Rows& rows, const Samples& a, const Samples& b, const Samples& weight);
 /// Largest absolute value. If there is a NaN, the result is NaN.
 double largest(const Lattice& lattice, const Samples& samples);
@@ -16,7 +16,7 @@ double largest(const Rows& rows, const Samples& samples);
 /// Largest absolute value of all components.
 double largest(const Rows& rows, const std::array<Samples, 3>& velocity);
 
-/// Largest absolute value of the product of two samples of one place.
+/// Largest absolute value, over all places, of a times b.
 double max_product(const Rows& rows, const Samples& a, const Samples& b);
 
 /// Intensity of segregation of a density >= 0 over `cells` cells with fluid (Danckwerts 1952), 0 to 1: its

@@ -65,7 +65,7 @@ struct FaceRow {
 struct SubstepScale {
     float courant;    ///< factor on the Courant numbers of the whole time
     float diffusion;  ///< k dt / h^2
-    float sharpness;  ///< share of the flow that carries slopes back; see the top of this file
+    float sharpness;  ///< factor of the flux against the slope (see the top of this file)
 };
 
 enum class StageIndex { first, second, third };
@@ -224,7 +224,7 @@ inline float limited_difference(Floats difference, Floats part, Floats room, std
 
 /// Sums over the faces of one level in one sub-step.
 struct LevelCrossing {
-    double density{};  ///< density that crossed
+    double density{};  ///< density that crossed the level
     double flow{};     ///< net flow of fluid (cells)
     double either{};   ///< sum of the absolute flows of fluid (cells)
     double carried{};  ///< sum of absolute flow times mean density beside the face

@@ -41,8 +41,8 @@ namespace thaum::fluid {
 /// once.
 struct FaceApertures {
     std::array<Samples, 3> aperture{};
-    /// Factors of the flux: `third` is 5 where it may have order 3, `fifth` is 1 where it may have order 5,
-    /// else 0.
+    /// Weights of the flux's terms of higher order: `third` is 5 where the flux may have order 3, `fifth` is
+    /// 1 where it may have order 5, else 0.
     std::array<Samples, 3> third{}, fifth{};
     Rows rows{};  ///< cells with open faces
     int cells{};  ///< number of cells with open faces
@@ -59,7 +59,7 @@ struct FaceFlow {
     const FaceApertures* face_apertures{};  ///< tables of the faces; null: all faces are open
     Rows whole{};                           ///< rows of all cells; used if all faces are open
     double outflow{};  ///< largest part that leaves a cell; above 1 if its content is replaced more than once
-    double dt{};       ///< time (s)
+    double dt{};       ///< time over which the flow acts (s)
 
     const Rows& rows() const { return face_apertures != nullptr ? face_apertures->rows : whole; }
 };

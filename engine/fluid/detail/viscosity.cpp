@@ -71,7 +71,7 @@ inline Floats8 explicit_part(const Floats8& whole, const Floats8& a, const Float
     return explicit_part(whole, most);
 }
 
-/// Largest coefficient of a link.
+/// Largest coefficient dt nu / (passes h^2) of a link.
 float max_coefficient(const Lattice& lattice, const ViscousStep& step) {
     return static_cast<float>(step.thickest * step.dt / (step.passes * lattice.h * lattice.h));
 }
@@ -80,7 +80,8 @@ float max_coefficient(const Lattice& lattice, const ViscousStep& step) {
 /// arrays for each slab.
 Lines lines_along(const Lattice& lattice, const ViscousStep& step, std::size_t axis, std::size_t across) {
     const Slabs slabs = slabs_along(lattice, across);
-    const bool adjacent = lattice.stride[slabs.beside] == 1;  // if not, the slab is transposed first
+    const bool adjacent = lattice.stride[slabs.beside] == 1;  // false: the slab is transposed before it is
+                                                              // solved
     return {.value = nullptr,
             .coefficient = nullptr,
             .row = adjacent ? lattice.stride[across] : slabs.pitch,
@@ -99,7 +100,7 @@ Lines lines_along(const Lattice& lattice, const ViscousStep& step, std::size_t a
 /// Scratch rows with one value for each line.
 struct RowBuffers {
     float* closed;   ///< coefficients of closed places
-    float* zeros;    ///< zeros
+    float* zeros;    ///< a row of zeros
     float* link;     ///< coefficient of the link to the next place
     float* below;    ///< implicit part of the link from the previous place
     float* flux;     ///< explicit flux from the previous place
@@ -119,7 +120,7 @@ struct EliminationFactors {
 std::array<float, 2> links_to_walls(const Lines& lines) {
     const float wall = lines.edge == Edge::no_slip ? 2.0F : 0.0F;
     if (lines.edge == Edge::periodic) return {};
-    // The first place lies on the wall.
+    // The first place lies on the low wall itself, so it needs no link to that wall.
     if (lines.through) return {0, 1};
     return {wall, wall};
 }
@@ -265,7 +266,7 @@ void eliminate_place(const Lines& lines, const RowBuffers& buffers, const Elimin
                      std::ptrdiff_t r) {
     const auto w = lines.pitch;
     const PlaceRows place = place_at<last>(lines, buffers, r);
-    // No place precedes the first one.
+    // No place precedes the first one, so zeros stand for it.
     const float* before = r == 0 ? buffers.zeros : place.value - lines.row;
     const float* low_end = r == 0 ? buffers.to_wall : buffers.zeros;
     for (std::ptrdiff_t i = 0; i < w; i += 8) {

@@ -3,7 +3,7 @@
 namespace thaum::render::detail {
 namespace {
 
-// Attribute numbers of the shaders.
+// Numbers of the vertex attributes in the shaders.
 constexpr GLuint at_position = 0, at_normal = 1, at_colour = 2, at_model = 3, at_tint = 7;
 constexpr GLuint at_baked = 8, at_detail = 9, at_instance_sun = 10;
 

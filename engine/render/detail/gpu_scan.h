@@ -14,13 +14,13 @@ struct GpuScan {
     std::size_t bytes{};   ///< bytes for each density texel
     bool filled = false;   ///< true: the textures hold samples
     bool painted = false;  ///< true: there are colours or materials
-    bool shows = false;    ///< true: some brick shows something
+    bool shows = false;    ///< true: at least one brick has a visible density
     std::uint64_t version{};
-    std::uint64_t look{};     ///< hash of everything that decides which bricks show something
+    std::uint64_t look{};     ///< hash of everything that decides which bricks have a visible density
     std::uint64_t colours{};  ///< hash of the table's and the materials' contents
     std::vector<std::uint32_t> brick_versions;
     std::vector<DensityRange> ranges;  ///< range of densities of each brick
-    /// For each brick, whether it shows something, and the distance to the nearest one that does.
+    /// For each brick, whether it has a visible density, and the distance to the nearest brick that has one.
     std::vector<std::uint8_t> shown, distances;
 };
 

@@ -95,7 +95,8 @@ IndexRange append_chosen(const PatchTable& table, const Sight& sight, const Patc
 
 Fading fading_of(float pixel_angle) {
     const float from = std::sqrt(line_width * eye_height / std::max(pixel_angle, 1e-5F));
-    // At 1.8 times that distance a line is a third of a pixel high and broken into dashes.
+    // At 1.8 times the distance at which it starts to fade, a line is a third of a pixel high and broken into
+    // dashes.
     return {from, 1.8F * from};
 }
 
@@ -134,8 +135,9 @@ ChosenPatches choose_patches(const PatchTable& table, const Sight& sight, PatchO
         const auto& patch = table.patches[i];
         if (shows_backs(patch, sight.eye) || !within(planes, patch.bounds)) continue;
         if (is_hidden(sight.hidden, patch.bounds.centre, patch.half)) continue;
-        // The key is the farthest point, so a small block is drawn before a large sheet behind it. Patches
-        // behind others get twice the radius, since those in front extend beyond them.
+        // Patches are sorted by the distance of their farthest point, so a small block is drawn before a
+        // large sheet behind it. Patches behind others get twice the radius, since those in front extend
+        // beyond them.
         const float beyond = (is_behind(patch) ? 2 : 1) * patch.bounds.radius;
         near_first.emplace_back(glm::distance(patch.bounds.centre, sight.eye) + beyond, i);
     }

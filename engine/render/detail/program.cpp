@@ -8,7 +8,7 @@
 namespace thaum::render::detail {
 namespace {
 
-constexpr std::size_t max_shader = 1U << 20U;  // bytes
+constexpr std::size_t max_shader = 1U << 20U;  // largest shader file (bytes)
 
 std::string first_line(const std::string& log) {
     const auto from = log.find_first_not_of(" \n\r\t");
@@ -27,8 +27,8 @@ std::string log_of(GLuint name, Length length_of, Read read) {
     return first_line(log);
 }
 
-/// Inserts the definitions after the first line, which must be #version. Line numbers in error messages stay
-/// the same.
+/// Inserts a definition of each name of the variant after the first line, which must be #version. Line
+/// numbers in error messages stay the same.
 std::string with_variant(const std::string& source, const std::vector<std::string_view>& variant) {
     const auto first_end = std::min(source.find('\n'), source.size() - 1) + 1;
     std::string out = source.substr(0, first_end);

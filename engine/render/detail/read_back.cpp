@@ -39,8 +39,8 @@ Image read_back(int picture_width, int picture_height) {
     image.rgb.reserve(row * static_cast<std::size_t>(image.height));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    // Reads in the rasteriser's own format, which it only has to copy. Reading three bytes for each pixel
-    // took four times as long.
+    // Pixels are read in the rasteriser's own format, which it only has to copy. Reading three bytes for each
+    // pixel took four times as long.
     std::vector<std::uint32_t> band(width * rows_at_once);
     std::vector<std::uint8_t> packed(row);
     // OpenGL counts rows from the bottom.

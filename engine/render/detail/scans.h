@@ -54,7 +54,7 @@ class Scans {
 public:
     static Expected<Scans> load(const std::filesystem::path& shaders);
     ScanId make();
-    /// Sends what changed and draws the scans of one view.
+    /// Sends samples that changed, and draws the scans of one view.
     ScanCounts draw(const ScanView& view, std::span<const SeenScan> seen, const VertexArray& no_attributes);
 
 private:
@@ -74,7 +74,7 @@ private:
         int width{}, height{};
         GLint format{};
     };
-    /// Targets of one view, and what they show.
+    /// Targets of one view, and the hashes of the picture that they hold.
     struct ViewTargets {
         DrawnTarget solid, light;
         Texture opaque;
@@ -107,7 +107,8 @@ private:
     std::vector<GpuScan> all_;
     GLint max_samples_{};  // largest number of samples along an axis that the driver allows
     MarchProgram surface_;
-    std::array<std::array<MarchProgram, 2>, 2> light_;  // [glowing, lit][plain, painted]
+    std::array<std::array<MarchProgram, 2>, 2> light_;  // programs of translucent scans: [glowing,
+                                                        // lit][plain, painted]
     ShowProgram show_solid_, show_light_;
     std::vector<ViewTargets> targets_;
     std::vector<std::uint8_t> scratch_;

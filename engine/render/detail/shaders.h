@@ -50,11 +50,12 @@ struct Programs {
     SkyProgram sky, sky_of_light;
     /// Programs for mists: tone mapped, and in linear light for the last pass.
     MistProgram mist, mist_of_light;
-    SmallProgram shadow, shade;  ///< depth of casters; shades on the ground (parameter: view_projection)
+    SmallProgram shadow, shade;  ///< `shadow` draws the depth of casters, `shade` shades on the ground
+                                 ///< (parameter: view_projection)
     /// Bloom: `bright` extracts bright light (parameter: texel), `blur` blurs along one axis (parameter:
     /// way).
     SmallProgram bright, blur;
-    SmallProgram compose;  ///< light to pixels, with bloom (parameter: bloom_strength)
+    SmallProgram compose;  ///< converts light to pixels, with bloom (parameter: bloom_strength)
     /// Overlay: `overlay` draws text, `shape` all other items (parameter: pixel).
     SmallProgram overlay, shape;
 };
@@ -70,7 +71,7 @@ Expected<Programs> load_programs(const std::filesystem::path& shaders);
 
 /// How to read the sun's shadow map.
 struct ShadowView {
-    fmat4 to_map{1};  ///< maps the world to [0, 1]
+    fmat4 to_map{1};  ///< maps the world to the map's coordinates and depth, 0 to 1
     float lift{};     ///< offset along the normal, against self-shadowing (m)
     float texel{};    ///< size of a texel, as a share of the map's width
 };

@@ -89,7 +89,7 @@ std::size_t compose(const Target& light, const ViewPlace& view, Bloom* bloom, co
     set_part(programs.compose, light, view.drawn);
     glUniform1f(programs.compose.parameter, bloom != nullptr ? bloom_strength : 0);
     bind(picture_unit, light.colour);
-    // Without bloom this texture is multiplied by 0, but one must be bound.
+    // Without bloom the program multiplies this texture by 0, but some texture must be bound.
     bind(bloom_unit, bloom != nullptr ? bloom->bright.colour : light.colour);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     return bloom != nullptr ? 4 : 1;
