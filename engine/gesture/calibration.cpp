@@ -17,9 +17,9 @@ constexpr int newton_steps = 30;
 /// weights.
 constexpr double ridge = 0.05;
 
-// Constants of the probability on purpose. Of a grid of them, these have the least mean error on
-// letters of one writer, mouse gestures of ten users, and flat figures and spells of generated users,
-// without a loss beyond chance on any.
+// Constants of probability_on_purpose. Of a grid of values, these give the least mean error on letters of one
+// writer, mouse gestures of ten users, and flat figures and spells of generated users, without a loss beyond
+// chance on any.
 /// Weight in the log odds of the logarithm of the ratio of two gestures' distances.
 constexpr double margin_weight = 17;
 /// Distance by which two strokes of one figure may well differ. The ratio of distances below it tells little.
@@ -109,7 +109,7 @@ std::array<double, 4> fit_weights(std::span<const LabelledEvidence> samples) {
         auto step = step_of(samples, weights);
         double size = 0;
         for (const double s : step) size = std::max(size, std::abs(s));
-        const double by = size > 4 ? 4 / size : 1;  // reduces the first steps, which would overshoot
+        const double by = size > 4 ? 4 / size : 1;  // below 1 for the first steps, which would overshoot
         for (std::size_t k = 0; k < unknowns; ++k) weights[k] += by * step[k];
     }
     return weights;

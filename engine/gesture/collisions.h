@@ -34,7 +34,7 @@ struct Mistaken {
 
 /// Two gestures, and how often each is mistaken for the other.
 struct Pair {
-    std::uint32_t a{}, b{};   ///< a < b
+    std::uint32_t a{}, b{};   ///< numbers of the two gestures, a < b
     Mistaken a_as_b, b_as_a;  ///< strokes of a that are recognised as b, and of b as a
     /// Least distance of a template of one to the other gesture, in usual distances of the wider gesture. It
     /// sorts pairs that are never mistaken, and does not make them collide.

@@ -105,7 +105,7 @@ void disturb(Path& path, const UserStyle& style, Random& random) {
     }
 }
 
-/// Start and duration of each movement, in units that the pace scales.
+/// A movement along one leg. Its times are in units that the pace scales.
 struct Movement {
     double begin{}, seconds{};
     vec3 chord{};

@@ -23,7 +23,8 @@ constexpr float force_deviation = 0.5F;  // standard deviation of the force chan
 // `halt_share` of the longest halt is at most `halt_way` long, plus `tremor_step` for each step of tremor.
 // Lengths are shares of the extent.
 constexpr float halt_share = 0.75F, min_halt = 0.8F, halt_way = 0.04F, tremor_step = 0.01F;
-constexpr float surely_quick = 10;  // time from which on all points of a stroke are searched for rests (s)
+constexpr float surely_quick = 10;  // duration from which on all points of a stroke, not only the copied
+                                    // ones, are searched for rests (s)
 /// Number of points outside of rests that is enough for a shape. If there are fewer, all points of the stroke
 /// are read, so that others replace those of rests.
 constexpr std::size_t enough_points = 48;
@@ -372,7 +373,7 @@ std::array<std::uint32_t, points> points_before(const ShapeSpace& s, std::size_t
             static_cast<std::uint32_t>(static_cast<std::int32_t>(place * static_cast<float>(points - 1)));
         i = std::min(i, static_cast<std::uint32_t>(points - 1));
         i += wanted[i] <= place ? 1 : 0;
-        i += wanted[i] <= place ? 1 : 0;  // the product above may have been rounded down
+        i += wanted[i] <= place ? 1 : 0;  // once more, since the product above may have been rounded down
         before[i] = static_cast<std::uint32_t>(j);
     }
     std::array<std::uint32_t, points> result;

@@ -25,7 +25,8 @@ inline constexpr std::size_t shape_points = 24;
 /// Number of points of a stroke that are used. A longer stroke is thinned evenly, which hardly changes the 24
 /// points of the shape.
 inline constexpr std::size_t counted_points = 80;
-inline constexpr std::size_t max_points = 4096;  ///< capacity, for callers that fill the space themselves
+inline constexpr std::size_t max_points = 4096;  ///< largest number of points in a ShapeSpace, for callers
+                                                 ///< that fill it themselves
 /// Number of channels: x, y, direction x, y, turn z, force.
 inline constexpr std::size_t planar_channels = 6;
 /// Number of channels: x, y, z, direction x, y, z, turn x, y, z, force.
@@ -51,7 +52,7 @@ struct Shape {
 /// by half (each axis is divided by the square root of its size), because users differ in how wide and how
 /// high they draw.
 inline constexpr std::size_t fine_points = 32;
-using FineShape = std::array<float, fine_points * max_channels>;  ///< [point * channels + channel]
+using FineShape = std::array<float, fine_points * max_channels>;  ///< values: [point * channels + channel]
 
 /// Kind of a fine shape: its channels, and whether its axes are evened out.
 struct FineKind {

@@ -294,7 +294,7 @@ void Spotter::hold(const Candidate& c, std::size_t first, const RecogniserSpace:
     };
     if (!beats(seen_[c.gesture])) return;
     if (held.waiting && !beats(held.what)) return;
-    // The waiting window gets its close look first.
+    // A waiting window that is due, and not worse, gets its close look first.
     if (held.waiting && now_ >= held.due && c.score >= held.what.score) return;
     held = {true, c, dropped_ + first, dropped_ + end_, match, now_ + settings_.hold};
 }

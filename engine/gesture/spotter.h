@@ -89,7 +89,8 @@ public:
     /// Allocates nothing.
     std::optional<Spotted> feed(const StrokePoint& point);
 
-    /// Does what `feed` does, but only collects the candidates of ends that were finished in this tick.
+    /// Does what `feed` does, but only collects the candidates of those ends of windows that were finished in
+    /// this tick.
     std::span<const Candidate> scan(const StrokePoint& point);
 
     std::uint64_t ends() const { return ends_; }  ///< number of window ends so far, skipped ones included

@@ -40,7 +40,7 @@ struct Channels {
     bool operator==(const Channels&) const = default;
 };
 
-/// Whether all its numbers are finite.
+/// Whether all numbers of a point are finite.
 inline bool is_finite(const StrokePoint& p) {
     return std::isfinite(p.t) && thaum::is_finite(p.at) && std::isfinite(p.force);
 }

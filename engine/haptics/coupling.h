@@ -68,8 +68,9 @@ CouplingResult couple(const CouplingStep& step, const CouplingState& state);
 /// Transform between device frame and world frame, with a scale for lengths and one for forces (HAPTICS.md,
 /// "Units, frames and state").
 struct CouplingFrame {
-    mat3 player_to_world{1.0};    ///< rotation R_g
-    mat3 device_to_player{1.0};   ///< R_d, orthonormal; may exchange or mirror axes
+    mat3 player_to_world{1.0};    ///< R_g: rotation from the player's frame to the world
+    mat3 device_to_player{1.0};   ///< R_d: device frame to player's frame, orthonormal; may exchange or
+                                  ///< mirror axes
     double metres_per_metre = 1;  ///< s_x: world length per device length, > 0
     double newtons_per_newton{};  ///< s_f: device force per world force, >= 0
     vec3 player{};                ///< position P_player (m, world)

@@ -97,15 +97,15 @@ inline constexpr std::array<FluidMode, 7> fluid_modes{{{"viscosity", &FluidModes
 /// Transform from the device frame to the bowl frame.
 struct BowlFrame {
     vec3 origin{};                ///< origin of the device frame (m, bowl frame)
-    mat3 turn{1.0};               ///< R, orthonormal
+    mat3 turn{1.0};               ///< R: rotation from device frame to bowl frame, orthonormal
     double metres_per_metre{1};   ///< s_x: bowl length per device length, > 0
     double newtons_per_newton{};  ///< s_f: device force per world force, >= 0
 };
 
 /// Drag of a ladle.
 struct LadleDrag {
-    double viscous{};  ///< coefficient of (1) and (2), >= 0 (m)
-    double form{};     ///< coefficient of (3), >= 0 (m^3/s)
+    double viscous{};  ///< coefficient `viscous` in (1) and (2), >= 0 (m)
+    double form{};     ///< coefficient `form` in (3), >= 0 (m^3/s)
     /// Mass of fluid that a push of the ladle moves (kg): the fluid's density divided by the peak of the
     /// kernel (1/m^3) over which the push is spread. For fluid::push with a radius r it is 32 pi / 105 r^3
     /// times the density. 0: the flow does not react, and no loop limits the drag.
@@ -117,11 +117,11 @@ struct LadleDrag {
 
 /// Surface under the probe at the model's tick.
 struct BrewSurface {
-    double height{};          ///< h (m)
+    double height{};          ///< height h of the surface (m)
     double velocity{};        ///< upward velocity (m/s)
-    double stiffness{};       ///< k, >= 0 (N/m)
-    double pop_through{};     ///< largest force from outside, >= 0 (N)
-    double cling{};           ///< largest force from inside, >= 0 (N)
+    double stiffness{};       ///< stiffness k of the surface's spring, >= 0 (N/m)
+    double pop_through{};     ///< largest force on a probe that has not broken through, >= 0 (N)
+    double cling{};           ///< largest pull on a probe that has broken through, >= 0 (N)
     std::uint32_t inside{};   ///< 1: the probe has broken through
     std::uint32_t present{};  ///< 0: no surface; the ladle is fully immersed
 };
@@ -136,8 +136,9 @@ struct BowlWall {
     /// Distance from the axis, and height above the centre (m); the first `points` are in use.
     std::array<vec2, wall_points> profile{};
     std::uint64_t points{};  ///< number of profile points; below 2: no wall
-    double stiffness{};      ///< stiffness, >= 0 (N/m)
-    double damping{};        ///< damping, >= 0 (N s/m); felt as far as the device's damping limit allows
+    double stiffness{};      ///< stiffness of the wall, >= 0 (N/m)
+    double damping{};        ///< damping of the wall, >= 0 (N s/m); felt as far as the device's damping limit
+                             ///< allows
 };
 
 /// The ladle's own mass (6), which a spring ties to the hand.
@@ -154,7 +155,7 @@ inline constexpr double loop_gain = 0.4;
 
 /// Fluid part of the haptic model.
 struct FluidTouch {
-    /// 0: no fluid; changes when the fluid appears or jumps, which is a switch.
+    /// 0: no fluid. It changes when the fluid appears or jumps, so that the safety stage fades the force.
     std::uint64_t number{};
     FluidModes modes{};
     BowlFrame frame{};
@@ -173,7 +174,7 @@ void add_fluid_step(FluidTouch& touch, const FlowPatch& newest);
 
 /// State of the fluid forces; no padding. All zero without a fluid.
 struct FluidTouchState {
-    vec3 force{};  ///< (1) + (2) + (3) on the hand, before budget, cap and heat (N)
+    vec3 force{};  ///< sum of (1), (2) and (3) on the hand, before budget, cap and heat (N)
     vec3 place{};  ///< place of the probe, held inside by the wall, whether felt or not (m, bowl frame)
     vec3 wall{};   ///< force of the wall on the hand, (5) (N)
     vec3 mass_position{}, mass_velocity{};  ///< position and velocity of the ladle's own mass (m, m/s)

@@ -48,7 +48,7 @@ struct ModeInput {
     vec3 next_tip() const { return tip + step; }
 };
 
-/// Settings of a mode. A mode ignores those that it has no use for.
+/// Settings of a mode. A mode ignores the settings that it has no use for.
 struct ModeSettings {
     /// Strength of the primitives (N) as a function of the mode's property (Mode::property). A negative
     /// strength reverses a direction that the field gives, such as the side from which a surface is felt.
@@ -64,7 +64,7 @@ struct ModeSettings {
     /// Isosurface: depth at which the surface lets the proxy through, and largest distance at which a proxy
     /// finds it. Snap modes: distance within which they act (m).
     double reach{0.002};
-    double pitch{0.01};  ///< snap to grid: distance between its points (m)
+    double pitch{0.01};  ///< snap to grid: distance between the grid's points (m)
     bool operator==(const ModeSettings&) const = default;
 };
 
@@ -78,8 +78,9 @@ inline field::AnyField any_field(field::VectorField field) { return {.vector = f
 /// A kind of mode, as its .cpp registers it.
 struct Mode {
     std::string_view name{};      ///< name of the mode, such as "follow"
-    std::string_view about{};     ///< what the hand feels, for a menu
-    std::string_view property{};  ///< what the strength's transfer function maps: "length of the vector"
+    std::string_view about{};     ///< description for a menu of what the hand feels
+    std::string_view property{};  ///< quantity that the strength's transfer function maps, such as "length of
+                                  ///< the vector"
     FieldKind reads{};
     bool slope{};                ///< the property is the length of a gradient (per m)
     bool derivatives{};          ///< the mode reads derivatives of the field, not the value alone
@@ -109,7 +110,8 @@ std::vector<const Mode*> modes_for(FieldKind kind);
 /// A mode and the filter through which it reads a field.
 struct ModeOffer {
     const Mode* mode{};
-    std::optional<field::FilterKind> through{};  ///< std::nullopt: it reads the field itself
+    std::optional<field::FilterKind> through{};  ///< filter before the mode; std::nullopt: the mode reads the
+                                                 ///< field itself
 };
 
 /// All ways to feel a field of this kind: first the modes that read it, then those that read its gradient, or

@@ -14,7 +14,7 @@ namespace {
 // Largest x for the series. For a larger x and q <= 1, z is above 1 and `by_two_rates` serves.
 constexpr double max_x_of_series = 1.5;
 
-constexpr int max_terms = 40;  // enough for x = 1.5; most calls need 8
+constexpr int max_terms = 40;  // largest number of terms; enough for x = 1.5, most calls need 8
 
 /// Tables of 1 / ((n + 1) n), 1 / (n + 2) and 1 / ((n + 2) (n + 3)). A division would take as long as all
 /// else that a term of the series needs.
@@ -36,7 +36,7 @@ Response by_series(double x, double q) {
     Response r{.t = 1, .s = 1, .s1 = 0.5, .s2 = 1.0 / 6};
     double before = 0, term = 1, factor = 0;
     for (std::size_t n = 1; n <= max_terms; ++n) {
-        factor += 2 * x;  // 2 x n
+        factor += 2 * x;  // now 2 x n
         const double next = -(factor * term + q * before) * reciprocals.term[n];
         before = term;
         term = next;
@@ -97,14 +97,14 @@ Twofold product(double a, double b) {
     return {high, ((p.high * q.high - high) + p.high * q.low + p.low * q.high) + p.low * q.low};
 }
 
-/// The oscillator in units of t.
+/// The oscillator with times in units of t (see the top of this file).
 struct Scaled {
     double x{}, q{};
     double z{};          ///< x^2 - q
     double x_rounded{};  ///< rounding error of x: exact product minus x
 };
 
-// value of x; below it, the rounding of x^2 does not matter to z
+// value of x below which the rounding of x^2 does not matter to z
 constexpr double rounding_matters_from = 8;
 
 /// Computes x, q and z. Near critical damping with large x, z is a small difference of large numbers, so

@@ -6,13 +6,14 @@ namespace thaum::haptics {
 namespace {
 
 bool newer(std::uint32_t number, std::uint32_t than) {
-    const std::uint32_t ahead = number - than;  // right even after the numbers have wrapped round
+    const std::uint32_t ahead = number - than;  // the difference is right even after the numbers have wrapped
+                                                // round
     return ahead != 0 && ahead < 1U << 31U;
 }
 
 bool playing(const PlayingPulse& pulse) { return pulse.at < pulse.length; }
 
-/// Returns true if the new pulse ends one that is still playing.
+/// Starts a pulse that is newer than the last one. Returns true if it ends a pulse that is still playing.
 bool start_pulse(ServoState& state, const Pulse& pulse) {
     if (!newer(pulse.number, state.last_pulse)) return false;
     state.last_pulse = pulse.number;

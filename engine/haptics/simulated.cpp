@@ -17,7 +17,7 @@ constexpr int max_refinements = 60;
 struct Axis {
     double position, velocity;
     double target, target_velocity;
-    double force;  // constant within the tick (N)
+    double force;  // force on the tip, constant within the tick (N)
 };
 
 /// Force on the body without dry friction (N).
@@ -26,10 +26,10 @@ double load(const SimulatedDevice& d, const Axis& a) {
            d.hand_damping * (a.target_velocity - a.velocity) - d.damping * a.velocity;
 }
 
-/// Motion in one direction. Friction is constant there, so the equation of motion is linear.
+/// Motion of an axis in one direction. Friction is constant there, so the equation of motion is linear.
 struct SlidePhase {
     const SimulatedDevice& device;
-    double velocity, acceleration;  // at the start of the phase (m/s, m/s^2)
+    double velocity, acceleration;  // velocity and acceleration at the start of the phase (m/s, m/s^2)
     double target_velocity;
 
     double velocity_at(const Response& r) const {

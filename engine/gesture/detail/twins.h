@@ -31,7 +31,7 @@ inline bool differ_in_force(double distance, double force, double other, double 
 /// of the logarithms, in units of force_scatter.
 inline double force_oddness(double force, double usual) {
     constexpr double force_scatter = 0.25;
-    constexpr double min_force = 1e-3;  // share of the usual force
+    constexpr double min_force = 1e-3;  // smallest force that counts (share of the usual force)
     const double ratio = std::max(force / usual, min_force);
     const double off = det::log(ratio) / force_scatter;
     return off * off / 2;

@@ -19,8 +19,8 @@ double det_tanh(double x);
 /// Weights of a network with one hidden layer.
 struct Network {
     std::size_t inputs{}, hidden{}, outputs{};
-    std::vector<double> first;   ///< hidden rows of `inputs` weights and a bias
-    std::vector<double> second;  ///< output rows of `hidden` weights and a bias
+    std::vector<double> first;   ///< W1 and b1: `hidden` rows of `inputs` weights and a bias
+    std::vector<double> second;  ///< W2 and b2: `outputs` rows of `hidden` weights and a bias
 
     bool operator==(const Network&) const = default;
 };

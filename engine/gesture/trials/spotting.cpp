@@ -63,7 +63,7 @@ std::vector<Found> candidates_in(const Session& session, const Recogniser& recog
     return found;
 }
 
-/// The labels of a session.
+/// The labels of a session, and the strokes that may be reported but need not be.
 struct Truth {
     std::vector<Label> labels, ignored;
 };

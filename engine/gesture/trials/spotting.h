@@ -41,9 +41,9 @@ struct SpottingScore {
 
 /// How well gestures are found in sessions.
 struct Spotting {
-    SpottingScore best;    ///< thresholds with the best F1 on other users
-    SpottingScore at_six;  ///< thresholds with at most 6 false reports an hour on other users
-    SpottingScore at_two;  ///< thresholds with at most 2 false reports an hour on other users
+    SpottingScore best;    ///< score at the thresholds with the best F1 on other users
+    SpottingScore at_six;  ///< score at thresholds with at most 6 false reports an hour on other users
+    SpottingScore at_two;  ///< score at thresholds with at most 2 false reports an hour on other users
     double hours{};        ///< total length of all sessions, each counted once (h)
     std::size_t sessions{}, labels{};
     double skipped{};  ///< share of the ends of windows that were skipped to limit the work of a tick

@@ -6,8 +6,8 @@
 namespace thaum::haptics {
 namespace {
 
-// The figures are written down here anew, not taken from the safety stage: the audit compares the stage with
-// them.
+// The limits below are written here again, not taken from the safety stage, because the audit compares the
+// stage with them.
 constexpr std::uint64_t window_ticks = 10'000;  // time over which the thermal budget is averaged (ticks)
 constexpr std::uint64_t memory_ticks = 11'000;  // longest time whose outputs the stage's sums may contain
                                                 // (ticks)
@@ -15,11 +15,13 @@ constexpr double longest_hand_step = 0.05;      // longest plausible motion of t
 // Share of the thermal budget below which the stage may not scale a force down.
 constexpr double surely_cool = 0.8 * (1 - 1e-9);
 constexpr std::uint64_t fresh_for = 20;      // largest age of a model whose force is played in full (ticks)
-constexpr double ramp_to_zero = 50;          // length of a ramp (ticks)
+constexpr double ramp_to_zero = 50;          // time in which a force is ramped to zero (ticks)
 constexpr double cap_falls_by = 0.4;         // largest fall of the output in a tick to a cap that was lowered
                                              // (N)
-constexpr double energy_of_a_switch = 0.01;  // largest work of the offsets of switches (J)
-constexpr std::uint64_t calm_after = 100;    // ticks at low speed that end a cut because of speed
+constexpr double energy_of_a_switch = 0.01;  // largest work on the hand by the offsets that fade after
+                                             // switches (J)
+constexpr std::uint64_t calm_after = 100;    // time at low speed after which a force that was cut because of
+                                             // speed returns (ticks)
 // Wanted forces that are far too large belong to one episode if at most `episodes_apart` ticks lie between
 // them. Three episodes that start within `episodes_within` ticks shut the device off.
 constexpr std::uint64_t episodes_apart = 20;
@@ -38,7 +40,8 @@ double distance_from_line(vec3 point, vec3 end) {
 
 /// Distance of a point from the parallelogram of all a * u + b * v, with a and b from 0 to 1.
 double distance_from_parts(vec3 point, vec3 u, vec3 v) {
-    // Part of v at right angles to u. Taken twice, since one subtraction leaves rounding along u.
+    // Part of v at right angles to u. It is computed in two passes, since one subtraction leaves rounding
+    // along u.
     vec3 across = v;
     for (int pass = 0; pass < 2 && u != vec3(0); ++pass) across -= u * (glm::dot(across, u) / glm::dot(u, u));
     const double height = glm::dot(v, across);

@@ -26,19 +26,24 @@ namespace thaum::haptics {
 /// Rules that every commanded force must obey.
 enum class SafetyRule : std::uint32_t {
     finite,
-    cap,     ///< length of the output at most the cap, to the bit; a lowered cap is reached over some ticks
-    budget,  ///< mean square of the output over exactly the last 10 s at most the continuous force squared
-    /// No jump at a switch (a source of force came, ended or jumped); then the wanted force plus an offset
-    /// that fades by time, by its own work and by the cap.
+    cap,     ///< the output is at most as long as the cap, to the bit; it reaches a lowered cap over some
+             ///< ticks
+    budget,  ///< the mean square of the output over exactly the last 10 s is at most the continuous force
+             ///< squared
+    /// The output does not jump at a switch (a source of force came, ended or jumped). After it, the output
+    /// is the wanted force plus an offset that fades by time, by its own work and by the cap.
     slew,
-    /// Without a switch: wanted force and brake in full, or parts of both while the motors are warm.
+    /// Without a switch, the output is wanted force and brake in full, or parts of both while the motors are
+    /// warm.
     unasked,
-    stale,       ///< with an old model, the output falls to zero within 50 ms, at least as fast as a line
-    waiting,     ///< output zero before the first wanted force within the cap
-    over_speed,  ///< output zero while the tip is too fast
-    off,         ///< output falls as for `stale` once the player wants no forces; zero if the tip is too fast
-    shut_off,    ///< output zero after the third time that the wanted force was far too large
-    panic,       ///< output zero after a panic
+    stale,       ///< with an old model, the output falls to zero within 50 ms, at least as fast as a straight
+                 ///< line
+    waiting,     ///< the output is zero before the first wanted force within the cap
+    over_speed,  ///< the output is zero while the tip is too fast
+    off,         ///< once the player wants no forces, the output falls as for `stale`; it is zero if the tip
+                 ///< is too fast
+    shut_off,    ///< the output is zero after the third time that the wanted force was far too large
+    panic,       ///< the output is zero after a panic
 };
 inline constexpr std::size_t safety_rules = 11;
 
@@ -58,7 +63,8 @@ public:
     std::uint64_t violations(SafetyRule rule) const { return counts_[static_cast<std::size_t>(rule)]; }
     /// Number of ticks that were checked.
     std::uint64_t ticks() const { return now_; }
-    /// Root of the mean square over the last 10 s (N); time before the start counts as zero.
+    /// Root of the mean square of the output over the last 10 s (N). Time before the start counts as zero
+    /// output.
     double warmth() const;
 
 private:
@@ -93,7 +99,7 @@ private:
     Moment last_too_fast_{};  // last tick in which the tip was too fast; 0: the force is not cut
     Moment last_felt_{};      // last tick with a fresh model and a player who wants forces
     vec3 ramp_start_{};       // output from which a ramp to zero starts (N)
-    double cap_{};            // cap; after it was lowered, a value that falls to it (N)
+    double cap_{};            // largest output: the cap, or a value that falls to a lowered cap (N)
 
     bool next_is_switch_ = true;  // the next force let through counts as a switch, as the first one does
     bool may_be_fading_ = false;  // the stage may still be fading an offset
@@ -108,7 +114,7 @@ private:
     double fade_budget_{};     // largest work that the offset may do (J)
     Moment last_fading_{};     // last tick in which there may be an offset
 
-    std::vector<double> squared_outputs_;  // squares of the output, a ring (N^2)
+    std::vector<double> squared_outputs_;  // squares of the output, a ring buffer (N^2)
     double window_sum_{};                  // sum of the squared outputs of the last 10 s (N^2)
     // Sum of the squared outputs of the last 11 s, the longest time that the stage's bins may hold (N^2).
     double memory_sum_{};

@@ -126,7 +126,8 @@ void follow_path(Problem problem, vec3 x, const Pace& pace, double accepted, Sol
             keep_if_better(best, problem, x, bound);
         }
         if (round >= 3) {
-            const bool small = round >= hard_rounds && round % 2 == 1;  // for kinks that nearly meet
+            const bool small = round >= hard_rounds && round % 2 == 1;  // a smaller guess, for kinks that
+                                                                        // nearly meet
             const double square = smoothing * std::max(small ? 0 : length, 9 * smoothing);
             Problem guess = problem;
             const double spread = try_active_sets(guess, x, square, accepted, best, steps);

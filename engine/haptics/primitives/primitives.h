@@ -27,10 +27,10 @@ enum class PrimitiveKind : std::uint64_t { directed, point, line, plane };
 /// balances the others, up to s.
 struct Primitive {
     PrimitiveKind kind{};
-    vec3 position{};   ///< p (m); not used by directed
-    vec3 direction{};  ///< q (unit); not used by point
-    /// s (N), >= 0 because a repelling force is not minus the gradient of a convex function. Below 1e-300 it
-    /// counts as 0.
+    vec3 position{};   ///< position p (m); not used by directed
+    vec3 direction{};  ///< direction q (unit); not used by point
+    /// Strength s (N), >= 0 because a repelling force is not minus the gradient of a convex function. Below
+    /// 1e-300 it counts as 0.
     double strength{};
 };
 static_assert(sizeof(Primitive) == sizeof(PrimitiveKind) + 2 * sizeof(vec3) + sizeof(double), "no padding");

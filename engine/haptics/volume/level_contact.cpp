@@ -10,8 +10,7 @@
 namespace thaum::haptics {
 namespace {
 
-/// Largest length of a Newton step, as a share of the reach, after which the search ends without another
-/// read.
+/// A search ends after a Newton step of at most this share of the reach, without another read of the field.
 constexpr double short_step = 0.05;
 
 /// Side, direction and distance of the surface from a place, by the field's value and gradient there.
@@ -170,7 +169,7 @@ vec3 landing_of(const LevelContact& contact, vec3 target) noexcept {
         for (std::size_t j = i + 1; j < planes.size(); ++j) offer(onto_both(planes[i], planes[j], target));
     }
     if (planes.size() == 3) offer(onto_three(planes, target));
-    if (nearest == HUGE_VAL) offer(planes[0].place);  // behind no plane (in_front)
+    if (nearest == HUGE_VAL) offer(planes[0].place);  // this place is behind no plane (in_front)
     return best;
 }
 

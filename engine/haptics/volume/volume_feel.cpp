@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t primitives_of_guide = 2;
 constexpr std::size_t primitives_of_wall = 2;
-constexpr std::size_t primitives_of_feel = 2;  // gravity and S
+constexpr std::size_t primitives_of_feel = 2;  // gravity, and the force S
 
 double finite_or_zero(double x) { return std::isfinite(x) ? x : 0; }
 
@@ -69,7 +69,7 @@ bool add_wall(const VolumeFeel& feel, const DensityWall& wall, const ModeInput& 
     const auto strength_of = [&](const LevelContact& found) {
         std::uint32_t index = 0;
         const ContactPlane& first = found.planes[0];
-        // The material of the solid just behind the surface.
+        // The strength depends on the material of the solid just behind the surface.
         const double factor =
             material_at(feel, first.place - 0.5 * wall.reach * first.normal, index).stiffness;
         return std::clamp(finite_or_zero(wall.strength * factor), 0.0,

@@ -72,8 +72,9 @@ struct GuidePlane {
 struct OpacityFeel {
     field::TransferFunction density{};   ///< share of the opacity by the density, 0 to 1
     field::TransferFunction gradient{};  ///< share of the opacity by the gradient's length (per m), 0 to 1
-    double stiffness{};                  ///< S = stiffness a (N)
-    double retarding{};                  ///< R = (retarding a + retarding_always) v (N s/m)
+    double stiffness{};                  ///< force S where the opacity a is 1: S = stiffness a (N)
+    double retarding{};                  ///< drag R / v where a is 1, without the next field: R = (retarding
+                                         ///< a + retarding_always) v (N s/m)
     double retarding_always{};           ///< drag that does not depend on the opacity (N s/m)
     /// Inverted mapping: S pulls towards larger densities and is stiffness (1 - a), so that the tip follows a
     /// thin structure instead of slipping off.
@@ -104,12 +105,12 @@ inline constexpr std::size_t max_walls_felt = 2;
 /// Settings of the feel of a volume.
 struct VolumeFeel {
     field::ScalarField density{};
-    MaterialField material{};                     ///< empty: index 0 everywhere
-    const MaterialTable* materials{};             ///< null: all factors are 1
+    MaterialField material{};                     ///< material index at a place; empty: index 0 everywhere
+    const MaterialTable* materials{};             ///< feel of the materials; null: all factors are 1
     vec3 gravity{};                               ///< ambient force on the hand (N)
-    std::array<GuidePlane, max_guides> guides{};  ///< the first `guide_count`
+    std::array<GuidePlane, max_guides> guides{};  ///< guide planes; the first `guide_count` are in use
     std::uint32_t guide_count{};
-    std::array<DensityWall, max_walls_felt> walls{};  ///< the first `wall_count`
+    std::array<DensityWall, max_walls_felt> walls{};  ///< walls; the first `wall_count` are in use
     std::uint32_t wall_count{};
     OpacityFeel opacity{};
     DensityShell shell{};

@@ -24,7 +24,7 @@ struct Term {
     vec3 q;
     double identity, dyad;
     double strength;
-    vec3 position, direction;  ///< in the world frame
+    vec3 position, direction;  ///< position p and direction q of the primitive (world frame)
     vec3 offset;
     vec3 dual;      ///< y: the term's force is -y; |y| <= strength
     vec3 distance;  ///< m = P x - offset at the x measured last
@@ -54,7 +54,7 @@ struct Terms {
 struct Problem {
     Terms terms;
     double stiffness{};
-    vec3 centre{};      ///< world frame
+    vec3 centre{};      ///< centre of the spring (world frame)
     vec3 load{};        ///< sum of the constant forces (N)
     vec3 origin{};      ///< origin of x (world frame)
     mat3 axes{1};       ///< axes of the problem's frame (columns, world frame)

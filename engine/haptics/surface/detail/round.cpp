@@ -81,10 +81,10 @@ double bend_along(const Piece& piece, vec3 y, vec3 tangent) {
 struct Path {
     std::array<Piece, 2> pieces{};
     std::size_t count{};
-    vec3 from{}, way{};  ///< two pieces: straight line; its places are moved onto both pieces
-    bool has_end{};      ///< two pieces: the last place is known
-    vec3 end{};          ///< last place (m)
-    vec3 core{};         ///< one piece, here and below: point of the core nearest to the tip (m)
+    vec3 from{}, way{};  ///< for two pieces: a straight line whose places are moved onto both pieces (m)
+    bool has_end{};      ///< for two pieces: true if the last place is known
+    vec3 end{};          ///< for two pieces: last place (m)
+    vec3 core{};         ///< for one piece, as the fields below: point of the core nearest to the tip (m)
     vec3 out{};          ///< direction from `core` to the tip (unit)
     vec3 side{};         ///< direction at right angles to `out`, on the proxy's side (unit)
     double half_tan{};   ///< tangent of half the angle from `out` to the proxy
@@ -192,7 +192,7 @@ struct Track {
     SurfaceSet own{};  ///< surfaces on which the path lies
     Path path{};
     vec3 tip{};
-    std::array<double, 2> friction{};  ///< friction of each wall while the proxy slides
+    std::array<double, 2> friction{};  ///< coefficient of friction of each wall while the proxy slides
     bool textured{};                   ///< a wall has a texture, which changes the depth that is felt
 
     mutable double known_s{-1};  ///< parameter of the last place computed

@@ -33,7 +33,8 @@ struct Facet {
     vec3 normal;
     /// Distance of the true surface's plane from the origin along the normal (m).
     double offset;
-    double gap;  ///< distance of the proxy in front of the true surface, with the texture's top (m)
+    double gap;  ///< distance of the proxy in front of the true surface: surface_gap and the texture's height
+                 ///< (m)
     std::uint32_t surface;
     SurfaceKind kind;
 };

@@ -181,7 +181,8 @@ std::optional<BodySearch::Slope> BodySearch::slope_of(const field::Scalar& here)
 /// Gradient of the field at a place. If the averages of blocks of samples give nearly the same direction and
 /// have their surface near the place, their direction is used. For a thin sheet they may do neither.
 std::optional<BodySearch::Slope> BodySearch::slope_at(vec3 place) {
-    constexpr double differs = 0.1, agrees = 0.4;  // cosines
+    constexpr double differs = 0.1, agrees = 0.4;  // cosines up to which the averages do not count, and from
+                                                   // which on they count fully
     ++contact_.reads;
     field::Scalar here = surface_.field(to_reader(place));
     here.gradient = here.gradient * box_.placement.turn;
