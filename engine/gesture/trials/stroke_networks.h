@@ -6,7 +6,7 @@
 // hidden nodes; one output for each gesture (the paper has 4: circles both ways and diagonal strokes). The
 // paper does not say how a transition is encoded. With 8 transitions in 16 nodes there are two numbers for
 // each: the steps in x and y. The grid here is the square around the stroke, because strokes of data sets
-// come without a workspace. The answer to a whole stroke is the sum of the outputs over its windows.
+// come without a workspace. The answer to a whole stroke is the mean of the outputs over its windows.
 //
 // Directional vectors (paper 000, section 8). "Haptic proxy positions were converted to directional
 // vectors (e.g. Right: 1,0,0; 1,0,0; ...)." The paper gives no size: here 16 unit vectors at equal
