@@ -57,8 +57,8 @@ inline double max_of(const Magnitudes8& sizes) {
     return static_cast<double>(std::bit_cast<float>(most));
 }
 
-/// The least multiple of eight that is >= n. Rows of a lattice may be written up to this length,
-/// because ghosts follow them.
+/// The least multiple of eight that is >= n. Rows of a lattice may be written up to this length, because
+/// ghost cells follow them.
 inline std::ptrdiff_t round_up_to_8(std::ptrdiff_t n) { return (n + 7) / 8 * 8; }
 
 }  // namespace thaum::fluid

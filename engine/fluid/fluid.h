@@ -168,8 +168,8 @@ void refresh_after_edit(Fluid& fluid);
 
 /// Total momentum per unit of density (m^4/s), summed in double in a fixed order.
 vec3 momentum(const Fluid& fluid);
-/// Total kinetic energy per unit of density (m^5/s^2), summed in double in a fixed order. A face at a solid
-/// along which the fluid slips is weighted by its open share.
+/// Total kinetic energy per unit of density (m^5/s^2), summed in double in a fixed order. If the fluid slips
+/// along solids, a face is weighted by the part of it that no solid covers.
 double energy(const Fluid& fluid);
 /// Total amount of a substance (m^3).
 double amount(const Fluid& fluid, std::size_t substance);

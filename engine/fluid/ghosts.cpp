@@ -24,7 +24,7 @@ struct Mirrors {
 Mirrors periodic_mirrors(int n, int depth) {
     Mirrors result;
     for (int layer = 1; layer <= depth; ++layer) {
-        // If the lattice is thinner than its ghosts, one cell fills several layers.
+        // If the lattice is thinner than its layers of ghost cells, one cell fills several layers.
         result.add({-layer, (n - layer % n) % n, 1});
         result.add({n - 1 + layer, (layer - 1) % n, 1});
     }

@@ -18,11 +18,11 @@ struct Row {
 struct Rows {
     Lattice lattice{};
     std::vector<Row> rows{};  ///< row j of layer k has the index k * lattice.cells[1] + j
-    /// Starts of the lattice rows that have fluid close enough to an end for ghosts to mirror it.
+    /// Starts of the lattice rows that have fluid close enough to an end for ghost cells to mirror it.
     std::vector<std::ptrdiff_t> rows_near_sides{};
     bool complete{};  ///< true: every row contains all cells of its lattice row
 
-    /// The part of a row along x that is used.
+    /// The part of row j of layer k that may hold fluid.
     Row at(int j, int k) const {
         const auto across = static_cast<std::size_t>(lattice.cells[1]);
         return rows[static_cast<std::size_t>(k) * across + static_cast<std::size_t>(j)];
@@ -31,8 +31,8 @@ struct Rows {
 
 /// Rows that contain all cells.
 Rows whole_rows(const Lattice& lattice);
-/// Sum of the open shares of the six faces of each cell. `open` has one array for each component,
-/// including ghosts.
+/// Sum of the open shares (parts that no solid covers) of the six faces of each cell. `open` has one array
+/// for each component, including ghost cells.
 Samples openness(const Lattice& lattice, const std::array<Samples, 3>& open);
 /// Rows that contain the cells with a value above 0.
 Rows rows_above_zero(const Lattice& lattice, const Samples& values);

@@ -16,8 +16,8 @@ inline vec3 face_place(std::size_t axis) {
 /// Moves a place (cells) into the box: wrapped across periodic edges, clamped at walls.
 vec3 into_box(const Lattice& lattice, vec3 place);
 
-/// Computes one component of a staggered velocity after semi-Lagrangian advection by dt (s), to first
-/// order. The ghosts of `velocity` must be filled; the ghosts of `out` are not written.
+/// Computes one component of a staggered velocity after semi-Lagrangian advection by dt (s), to first order.
+/// The ghost cells of `velocity` must be filled; those of `out` are not written.
 void carry_back(const Lattice& lattice, const std::array<Samples, 3>& velocity, std::size_t axis, double dt,
                 Samples& out);
 

@@ -1,11 +1,11 @@
-// fluid/saved.h: saves a fluid and its spring surface as bytes, and restores them. A restored fluid
-// continues with the same bits as if it had never been interrupted.
+// fluid/saved.h: saves a fluid and its spring surface as bytes, and restores them. A restored fluid continues
+// with the same bits as if it had never been interrupted.
 //
 //     magic, version, length of the body | body | XXH3 hash of everything before
 //     body: shape of the solids, data of the caller, fluid (settings, flags, samples),
 //           spring surface (settings, flags, nodes)
 //
-// All numbers are little-endian. Only samples in the box and nodes of the surface are saved; ghosts and
+// All numbers are little-endian. Only samples in the box and nodes of the surface are saved; ghost cells and
 // mirror images are computed from them.
 #pragma once
 #include <functional>

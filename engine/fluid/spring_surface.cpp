@@ -23,7 +23,8 @@ constexpr double max_phase = 1;
 
 /// Stiffnesses of the springs and of the level, divided by the mass of a node (1/s^2), and the drag (1/s).
 struct SpringNetwork {
-    std::size_t stride{}, first{}, end{};  ///< nodes that move, in x and in z: [first, end)
+    std::size_t stride{}, first{}, end{};  ///< index distance between rows; nodes from `first` to
+                                           ///< before `end`, in x and in z, move
     double structural{}, shear{}, level{}, drag{};
     double mass{};  ///< mass of a node (kg)
     bool mirrored{};

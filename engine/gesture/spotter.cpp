@@ -6,16 +6,18 @@
 namespace thaum::gesture {
 namespace {
 
-constexpr double points_of_shortest = 40;  // number of points of the shortest window
+constexpr double points_of_shortest = 40;  // number of points of the shortest window (a part of the motion
+                                           // that is compared with templates)
 // Number of window ends within the arc length of the shortest window.
 constexpr double ends_of_shortest = 14;
 /// Largest overlap of two reported gestures, as a share of the shorter one.
 constexpr double max_overlap = 0.15;
-constexpr double plain_usual = 0.06;  // usual distance at which the factor for a gesture is 1
+constexpr double plain_usual = 0.06;  // usual distance of a gesture whose scores are neither raised nor
+                                      // lowered by it
 // Least dot product of a window and a template, as a share of the template's with itself.
 constexpr float min_match = 0.5F;
 constexpr std::size_t kept_points = max_points / 2;
-constexpr float max_looked_at = 0.25F;  // largest score of a window that gets a close look
+constexpr float max_looked_at = 0.25F;  // largest score of a window that gets a close look (close_look.h)
 // Interval of the ticks that are used for close looks, if some are due (ticks).
 constexpr std::uint32_t look_every = 4;
 

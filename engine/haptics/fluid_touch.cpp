@@ -103,7 +103,7 @@ SurfacePull pull_of(const BrewSurface& surface, double gap) {
     return {surface.inside != 0 ? -force : force, stored};
 }
 
-/// Present height of a moving surface (m, bowl frame), extrapolated while the model is fresh.
+/// Present height of a moving surface (m, bowl frame), extrapolated while the haptic model is fresh.
 double height_now(const BrewSurface& surface, std::uint32_t age) {
     return surface.height + surface.velocity * (std::min(age, freshest_ticks) * tick_seconds);
 }
@@ -158,7 +158,7 @@ Drags drags_of(const FluidModes& modes, const LadleDrag& drag, const FlowSample&
 /// Forces of the flow on the hand (N).
 struct FlowForces {
     vec3 viscosity{}, flow{}, resistance{};
-    double slope{};  ///< damping that the hand feels by them (N s/m)
+    double slope{};  ///< damping that the hand feels by these forces (N s/m)
 };
 
 FlowForces forces_of(const FluidTouch& touch, const FlowSample& sample, vec3 velocity, double immersed,

@@ -45,7 +45,7 @@ struct TetherForce {
     bool switched{};  ///< the tether appeared, ended or jumped
 };
 
-/// Evaluates a tether of a model that is `age` ticks old.
+/// Computes the force of a tether in a haptic model that is `age` ticks old.
 TetherForce feel_tether(ServoState& state, const Tether& tether, std::uint32_t age, const Tip& tip);
 
 }  // namespace thaum::haptics

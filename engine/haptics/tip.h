@@ -16,7 +16,7 @@ struct Tip {
     vec3 velocity{};      ///< velocity over the window (m/s)
     double path_speed{};  ///< speed along the path, see `path_speed` (m/s)
     bool switched{};      ///< a source of force appeared, ended or jumped
-    bool stops{};         ///< the model is stale, or the player wants no forces
+    bool stops{};         ///< the haptic model is stale, or the player wants no forces
 };
 
 /// Stores the position that a device with this quantum (m) has measured. Returns it with its motion.

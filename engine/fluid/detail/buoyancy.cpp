@@ -9,7 +9,7 @@ namespace {
 /// Advection of one row of values along one axis. The rate of change is multiplied by -2 h (m/s).
 struct AxisAdvection {
     const float* velocity;
-    const float* open;  ///< open shares of the faces; null: all faces are open
+    const float* open;  ///< shares of the faces that no solid covers; null: all faces are open
     std::ptrdiff_t step;
 
     Floats8 flow(std::ptrdiff_t i) const {
@@ -21,8 +21,8 @@ struct AxisAdvection {
     }
 };
 
-/// The open faces across one axis in a range of cells: the cells of one level, or of all levels if the axis
-/// is x.
+/// The open faces across one axis in a range of cells: those of one level (cells at one height), or of all
+/// levels if the axis is x.
 struct LevelFaces {
     const Rows& rows;
     std::size_t axis;

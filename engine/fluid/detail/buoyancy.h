@@ -12,9 +12,9 @@
 
 namespace thaum::fluid {
 
-/// Adds gravity on `weight`, whose ghosts must be filled, to the forces on the open faces. Along the
-/// vertical, the mean of every level is left out, because pressure balances it. `open` holds the open shares
-/// of faces; null means all are open.
+/// Adds gravity on `weight`, whose ghost cells must be filled, to the forces on the open faces. Along the
+/// vertical, the mean of every level (cells at one height) is left out, because pressure balances it. `open`
+/// holds the shares of the faces that no solid covers; null means all are open.
 void add_weight(const Rows& rows, int order, const std::array<Samples, 3>* open, const vec3& gravity,
                 const Samples& weight, std::array<Samples, 3>& force);
 

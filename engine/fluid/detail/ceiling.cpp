@@ -22,8 +22,8 @@ struct DensityStencil {
     bool narrow{};  ///< true: both sides of the cell have a wall or solid within three cells
 };
 
-/// Reads the densities around a cell. `aperture` points to the open share of the face below the cell;
-/// null means all faces are open.
+/// Reads the densities around a cell. `aperture` points to the share of the face below the cell that no solid
+/// covers; null means all faces are open.
 DensityStencil densities_along(const float* density, const float* aperture, std::ptrdiff_t s) {
     DensityStencil result;
     auto& v = result.value;

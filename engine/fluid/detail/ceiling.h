@@ -11,8 +11,9 @@
 
 namespace thaum::fluid {
 
-/// Highest value that any cell may reach while `density` is transported. Densities must be finite and
-/// >= 0, with filled ghosts. `aperture` holds the open shares of faces; null means all are open.
+/// Highest value that any cell may reach while `density` is transported. Densities must be finite and >= 0,
+/// with filled ghost cells. `aperture` holds the shares of the faces that no solid covers; null means all are
+/// open.
 float density_ceiling(const Rows& rows, const std::array<Samples, 3>* aperture, const Samples& density);
 
 }  // namespace thaum::fluid

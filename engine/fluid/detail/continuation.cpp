@@ -56,7 +56,7 @@ Faces faces_across(const Lattice& lattice, const Solids& solids, std::size_t axi
 bool is_read(const Faces& faces, const Cells& cell) {
     const std::size_t at = faces.at(cell);
     const auto step = [&](std::size_t axis) { return static_cast<std::size_t>(faces.lattice.stride[axis]); };
-    // Faces on the walls of the box are filled together with the ghosts.
+    // Faces on the walls of the box are filled together with the ghost cells.
     const bool on_wall = cell[faces.axis] == 0 && faces.lattice.edges[faces.axis] != Edge::periodic;
     if (faces.open(at) >= 1 || on_wall) return false;
     bool result = faces.solids.holds_fluid(at) || faces.solids.holds_fluid(at - step(faces.axis));

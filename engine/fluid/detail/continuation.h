@@ -25,8 +25,8 @@ class Continuation {
 public:
     Continuation(const Lattice& lattice, const Solids& solids);
 
-    /// Replaces the velocities on cut faces, and on closed faces beside fluid, by continued ones.
-    /// Neither reads nor writes ghosts.
+    /// Replaces the velocities on cut faces, and on closed faces beside fluid, by continued ones. Neither
+    /// reads nor writes ghost cells.
     void apply(std::array<Samples, 3>& velocity);
     /// Adds the terms of divergence and upwind differences (see the top of this file) to a stage that
     /// Momentum has computed from a continued velocity.

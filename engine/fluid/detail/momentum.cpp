@@ -87,7 +87,7 @@ struct RowTargets {
     const float* start;
     const float* before;  ///< result of the earlier stages; the start in the first stage
     const float* force;   ///< acceleration by forces; null: no force
-    const float* open;    ///< open shares of faces; null: all are open
+    const float* open;    ///< shares of the faces that no solid covers; null: all are open
     float* sum;
     float* next;  ///< velocity for the next stage; null in the last stage
 };

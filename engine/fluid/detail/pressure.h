@@ -11,8 +11,8 @@
 
 namespace thaum::fluid {
 
-/// Divergence (1/s) of a velocity with filled ghosts. `out` has one value for each cell, x contiguous,
-/// without ghosts.
+/// Divergence (1/s) of a velocity with filled ghost cells. `out` has one value for each cell, x contiguous,
+/// without ghost cells.
 void divergence(const Lattice& lattice, int order, const std::array<Samples, 3>& velocity,
                 std::span<float> out);
 

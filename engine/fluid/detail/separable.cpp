@@ -18,8 +18,8 @@ struct Wave {
     bool cosine;
 };
 
-/// All waves along an axis of n cells. Place i (from 0) lies at i + 1/2 (cell centres) or at i + 1 (faces
-/// between walls).
+/// All waves (eigenvectors of the second difference, separable.h) along an axis of n cells. Place i (from 0)
+/// lies at i + 1/2 (cell centres) or at i + 1 (faces between walls).
 std::vector<Wave> waves_of(int n, Edge edge, GhostRule rule) {
     std::vector<Wave> result;
     if (edge == Edge::periodic) {

@@ -50,8 +50,8 @@ double pressure_symbol(double angle, int order);
 /// Symbol of the second difference used for viscosity.
 double laplace_symbol(double angle, int order);
 
-/// Solves the Poisson equation of pressure: replaces a field by the one whose Laplacian it is. The
-/// field has no ghosts, x contiguous. The mean is set to zero.
+/// Solves the Poisson equation of pressure: replaces a field by the one whose Laplacian it is. The field has
+/// no ghost cells, x contiguous. The mean is set to zero.
 class PressureSolver {
 public:
     PressureSolver(const Lattice& lattice, int order);

@@ -38,7 +38,7 @@ void add(const Rows& rows, Samples& to, double part, const Samples& from) {
     });
 }
 
-/// Fills the ghosts at periodic sides only. Walls are closed faces, beyond which values have no effect.
+/// Fills the ghost cells at periodic sides only. Walls are closed faces, beyond which values have no effect.
 void fill_round(const Rows& rows, Samples& potential) {
     for (std::size_t axis = 0; axis < 3; ++axis)
         if (rows.lattice.edges[axis] == Edge::periodic)

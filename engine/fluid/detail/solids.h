@@ -1,13 +1,13 @@
 // fluid/detail/solids.h: walls of any shape on the staggered grid.
 //
-// Each face has an open share of its area; a cell with an open face holds fluid. The pressure must
-// cancel the net flow through the open parts of each cell's faces (Batty, Bertails and Bridson 2007).
-// Conjugate gradients solve for it. The preconditioner is the direct solve of the whole box without
-// solids, plus a term for cells that are mostly closed.
+// Each face has an open share: the part of its area that no solid covers. A cell with an open face holds
+// fluid. The pressure must cancel the net flow through the open parts of each cell's faces (Batty, Bertails
+// and Bridson 2007). Conjugate gradients solve for it. The preconditioner is the direct solve of the whole
+// box without solids, plus a term for cells that are mostly closed.
 //
-// The box solve measures the energy of the smoothest continuation into the solid. This is at most a
-// small multiple of the energy in the fluid, however fine the grid is. The number of iterations
-// therefore does not grow with the grid.
+// The box solve measures the energy of the smoothest continuation into the solid. This is at most a small
+// multiple of the energy in the fluid, however fine the grid is. The number of iterations therefore does not
+// grow with the grid.
 #pragma once
 #include <optional>
 
@@ -37,7 +37,7 @@ class Solids {
 public:
     Solids(const Lattice& lattice, const SolidShare& solid, double min_share = min_open);
 
-    /// Open shares of the faces of each component, 0 to 1, including ghosts; 0 on walls.
+    /// Open shares of the faces of each component, 0 to 1, including ghost cells; 0 on walls.
     const std::array<Samples, 3>& open() const { return open_; }
     /// Faces of a component that are partly open, sorted by index.
     const std::vector<CutFace>& cut_faces(std::size_t axis) const { return cut_faces_[axis]; }

@@ -104,7 +104,7 @@ void StaggeredSolver::fill_sides(const Settings& settings, Velocity& velocity, i
         fill_ghosts(rows_, ghost_rules_of_velocity(lattice_, axis), velocity[axis], depth);
     if (settings.lid == 0 || lattice_.edges[1] != Edge::no_slip) return;
     // Beyond the lid the velocity is odd relative to the lid's, so twice the lid's speed is added in the
-    // ghosts.
+    // ghost cells.
     const auto twice = static_cast<float>(2 * settings.lid);
     for (int k = -ghosts; k < lattice_.cells[2] + ghosts; ++k) {
         for (int j = lattice_.cells[1]; j < lattice_.cells[1] + ghosts; ++j) {
@@ -306,8 +306,8 @@ void StaggeredSolver::limit_energy(const Settings& settings, State& now, double 
         current_norms_ = found;
         return;
     }
-    // If the flow is slowed by a factor f, its energy is f^2 times `is` and the pushes do f times the work:
-    // f^2 is = most + f by_pushes.
+    // If the flow is slowed by a factor f, its energy becomes f^2 times the present energy `is`, and the
+    // pushes do f times the work. The equation for f is f^2 is = most + f by_pushes.
     const double root = std::sqrt(std::max(0.0, by_pushes * by_pushes + 4 * is * most));
     const double factor = std::clamp((by_pushes + root) / (2 * is), 0.0, 1.0);
     for (Samples& u : now.velocity)

@@ -32,10 +32,10 @@ public:
     void carry_substances(const Settings& settings, State& now, double dt);
     /// Null if there are no solids inside the box.
     const Solids* solids() const { return solids_.get(); }
-    /// Weights of the faces in the energy: their open shares where the fluid slips along solids. Null: all
-    /// faces have the same weight.
+    /// Weights of the faces in the energy: their open shares (parts that no solid covers) if the fluid slips
+    /// along solids. Null: all faces have the same weight.
     const std::array<Samples, 3>* energy_shares() const { return continuation_ ? &solids_->open() : nullptr; }
-    /// Writes the ghosts, and zeros on walls and in solids.
+    /// Writes the ghost cells, and zeros on walls and in solids.
     void fill(const Settings& settings, std::array<Samples, 3>& velocity) const;
 
 private:
@@ -79,7 +79,7 @@ private:
     Momentum momentum_;
     Viscosity viscosity_;
     Diffusion diffusion_;
-    FaceApertures face_apertures_;  ///< open shares at the solids
+    FaceApertures face_apertures_;  ///< shares of the faces that no solid covers
     FaceFlow face_flow_;
     TransportScratch transport_;
     std::array<Rows, 3> pushed_rows_;             ///< rows in which this step's pushes are not 0

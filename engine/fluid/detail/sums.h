@@ -32,8 +32,8 @@ struct VelocityNorms {
 };
 
 /// Norms of a velocity. In the sum, each face is weighted by its share (null: all have weight 1). With the
-/// open shares at solids as weights, the sum is the energy that a projection lowers. Small openings then
-/// contribute little, however fast the flow in them is.
+/// open shares at solids (parts of faces that no solid covers) as weights, the sum is the energy that a
+/// projection lowers. Small openings then contribute little, however fast the flow in them is.
 VelocityNorms velocity_norms(const Rows& rows, const std::array<Samples, 3>& velocity,
                              const std::array<Samples, 3>* shares);
 

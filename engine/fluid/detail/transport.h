@@ -48,7 +48,7 @@ struct FaceApertures {
     int cells{};  ///< number of cells with open faces
 };
 
-/// Makes the tables from apertures between 0 and 1, whose ghosts are not read. Faces on the lattice's
+/// Makes the tables from apertures between 0 and 1, whose ghost cells are not read. Faces on the lattice's
 /// own walls do not lower the order of a flux, because cells beyond them are mirrored.
 FaceApertures make_face_apertures(const Lattice& lattice, const std::array<Samples, 3>& aperture);
 

@@ -10,9 +10,9 @@
 namespace thaum::fluid {
 namespace {
 
-/// Smallest distance to a wall that is used (cells). A place with walls along three axes loses its velocity
-/// by the product of three factors. If that product were thousands, the pressure would take minutes to
-/// settle.
+/// Smallest distance to a wall that is used (cells). A place (a sample of the velocity) with walls along
+/// three axes loses its velocity by the product of three factors. If that product were thousands, the
+/// pressure would take minutes to settle.
 constexpr double min_way = 0.2;
 /// Smallest ratio of the velocity at the centre of a face to that at the centre of its open part. Faces with
 /// a smaller ratio are dragged (DraggedFace).
@@ -20,9 +20,9 @@ constexpr double min_factor = 0.25;
 /// Strength of the drag on a dragged face: a multiple of nu dt / h^2, divided by the distance from the centre
 /// of the open part to the wall (cells).
 constexpr float drag_factor = 8;
-/// Limits of the explicit half for a link between open places and for a link to a wall. Even if both links of
-/// a place are at their limit, no wave grows in the explicit half, so energy only falls. Between open places
-/// all values stay within their previous range.
+/// Limits of the explicit half for a link (coupling of two neighbouring places by viscosity) between open
+/// places, and for a link to a wall. Even if both links of a place are at their limit, no wave grows in the
+/// explicit half, so energy only falls. Between open places all values stay within their previous range.
 constexpr float max_explicit_link = 0.25F;
 constexpr float max_explicit_wall_link = 0.5F;
 
@@ -56,15 +56,15 @@ struct Lines {
     std::ptrdiff_t skipped;  ///< closed places left out before the first place
 };
 
-/// Part of a link that uses the velocity before the step: half of it, for second order in time, up to a
-/// limit.
+/// Part of a link's coefficient that uses the velocity before the step: half of it, for second order in time,
+/// but at most `most`.
 inline Floats8 explicit_part(const Floats8& whole, const Floats8& most) {
     const Floats8 half = 0.5F * whole;
     return half < most ? half : most;
 }
 
-/// Part of the link between two places that uses the velocity before the step. Its limit depends on whether
-/// one of the places is closed.
+/// Part of the coefficient of the link between two places that uses the velocity before the step. Its limit
+/// depends on whether one of the places is closed.
 inline Floats8 explicit_part(const Floats8& whole, const Floats8& a, const Floats8& b) {
     const Floats8 most =
         ((a < zero8) | (b < zero8)) ? zero8 + max_explicit_wall_link : zero8 + max_explicit_link;
@@ -108,10 +108,10 @@ struct RowBuffers {
     float* ring;     ///< explicit flux through the link between the ends of periodic lines
 };
 
-/// Results of the elimination: the factor of each place's next neighbour, and the second solution for
-/// periodic lines.
+/// Results of the elimination of the tridiagonal systems: for each place the factor of the next place's
+/// value, and the second solution for periodic lines.
 struct EliminationFactors {
-    float* upper;   ///< factor of each place's next neighbour, preceded by a row of zeros
+    float* upper;   ///< factor of the next place's value for each place, preceded by a row of zeros
     float* corner;  ///< second solution for periodic lines, preceded by a row of zeros
 };
 
@@ -389,7 +389,7 @@ vec3 Viscosity::position_of(std::size_t axis, std::size_t at) const {
 void Viscosity::find_faces(const SolidShare& solid, std::size_t axis) {
     const double h = lattice_.h;
     Samples& on_line = on_lines_[axis];
-    // The ghosts are set to 0, so that no step can depend on them.
+    // The ghost cells are set to 0, so that no step can depend on them.
     on_line = make_samples(lattice_);
     each_cell(lattice_, [&](int, int, int, std::size_t at) { on_line[at] = solids_->open()[axis][at]; });
     for (const CutFace& face : solids_->cut_faces(axis)) {

@@ -33,7 +33,7 @@ namespace thaum::fluid {
 
 /// Arguments of one implicit viscous step.
 struct ViscousStep {
-    const Samples* viscosity{};  ///< kinematic viscosity at cell centres, with filled ghosts (m^2/s)
+    const Samples* viscosity{};  ///< kinematic viscosity at cell centres, with filled ghost cells (m^2/s)
     /// Largest viscosity of a link between two places (m^2/s). Single places may have a larger one, so that a
     /// cell that is thick in part differs from one that is thick throughout.
     double thickest = std::numeric_limits<double>::infinity();

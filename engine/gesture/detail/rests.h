@@ -24,7 +24,7 @@ inline constexpr double rest_reach = 0.02;
 /// Points of a stroke between two rests.
 struct MovingPart {
     std::size_t first{}, last{};  ///< indices of the part's first and last point
-    double earlier{};             ///< duration of the rests before it that was removed (s)
+    double earlier{};             ///< removed duration of the rests before the part (s)
 };
 
 /// The parts of a stroke between its rests. If there are more rests than room, the remaining ones stay in the

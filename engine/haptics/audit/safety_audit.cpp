@@ -14,12 +14,13 @@ constexpr std::uint64_t memory_ticks = 11'000;  // longest time whose outputs th
 constexpr double longest_hand_step = 0.05;      // longest plausible motion of the tip in a tick (m)
 // Share of the thermal budget below which the stage may not scale a force down.
 constexpr double surely_cool = 0.8 * (1 - 1e-9);
-constexpr std::uint64_t fresh_for = 20;      // largest age of a model whose force is played in full (ticks)
+constexpr std::uint64_t fresh_for = 20;      // largest age of a haptic model whose force is played in full
+                                             // (ticks)
 constexpr double ramp_to_zero = 50;          // time in which a force is ramped to zero (ticks)
 constexpr double cap_falls_by = 0.4;         // largest fall of the output in a tick to a cap that was lowered
                                              // (N)
-constexpr double energy_of_a_switch = 0.01;  // largest work on the hand by the offsets that fade after
-                                             // switches (J)
+constexpr double energy_of_a_switch = 0.01;  // largest work on the hand by the fading offsets that hide jumps
+                                             // of the force (J)
 constexpr std::uint64_t calm_after = 100;    // time at low speed after which a force that was cut because of
                                              // speed returns (ticks)
 // Wanted forces that are far too large belong to one episode if at most `episodes_apart` ticks lie between
@@ -56,7 +57,7 @@ double distance_from_parts(vec3 point, vec3 u, vec3 v) {
 }
 
 /// Finds by bisection the largest share of `change`, 0 to 1, that leads from `force` to a point within the
-/// cap; 0 if none does.
+/// cap (largest allowed force); 0 if none does.
 double share_within(double cap, vec3 force, vec3 change) {
     const auto within = [&](double share) {
         return length_of_vector(force + share * change) <= cap * (1 + 1e-15);

@@ -97,7 +97,7 @@ private:
     // Starts of the last three episodes of far too large wanted forces, the newest last.
     std::array<Moment, 3> episodes_{};
     Moment last_too_fast_{};  // last tick in which the tip was too fast; 0: the force is not cut
-    Moment last_felt_{};      // last tick with a fresh model and a player who wants forces
+    Moment last_felt_{};      // last tick with a fresh haptic model and a player who wants forces
     vec3 ramp_start_{};       // output from which a ramp to zero starts (N)
     double cap_{};            // largest output: the cap, or a value that falls to a lowered cap (N)
 

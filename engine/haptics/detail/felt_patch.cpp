@@ -118,8 +118,8 @@ SurfaceForces feel_patch(ServoState& state, const SurfacePatch& patch, const Fra
             .active = has_active_texture(patch)};
 }
 
-/// Evaluates the patch. Bodies stand still if the model is too old. The safety stage then ends the force
-/// soon.
+/// Computes the contact with the model's patch. Its bodies stand still if the model is too old. The safety
+/// stage then ends the force soon.
 SurfaceForces feel_bodies(ServoState& state, const HapticModel& model, std::uint32_t age,
                           const TouchingTip& probe) {
     if (model.patch.count == 0) {

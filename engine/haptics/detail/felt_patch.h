@@ -15,7 +15,7 @@ struct SurfaceForces {
     bool switched{};
 };
 
-/// Evaluates the model's patch, `age` ticks after it was made.
+/// Computes the contact with the haptic model's patch, `age` ticks after the model was made.
 SurfaceForces feel_surfaces(ServoState& state, const HapticModel& model, std::uint32_t age, const Tip& tip);
 
 }  // namespace thaum::haptics

@@ -16,10 +16,10 @@ constexpr double freeing = 5 * (1 - calming);
 /// counts as going straight on, not as turning. `straight_astray` applies if the balance is astray
 /// (is_astray).
 constexpr double straight_on = 0.5, straight_astray = 0.97;
-/// Factors of the pace in a tick. `at_turn` shrinks the pace when the proxy turns. `after_turn` lets it grow
-/// in the first `few` ticks that go straight on. It is so small that a proxy that crosses a ridge every
-/// second or third tick still comes to rest. After more straight ticks no ridge is crossed, so `later` may be
-/// large.
+/// Factors in a tick of the pace, the largest change of the force. `at_turn` shrinks the pace when the proxy
+/// turns. `after_turn` lets it grow in the first `few` ticks that go straight on. It is so small that a proxy
+/// that crosses a ridge every second or third tick still comes to rest. After more straight ticks no ridge is
+/// crossed, so `later` may be large.
 constexpr double at_turn = 0.5, after_turn = 1.2, later = 2;
 constexpr std::uint64_t few = 2;
 
@@ -47,7 +47,7 @@ void adapt_pace(Settling& state, const ProxyWay& way, double moved) {
     state.pace = std::clamp(state.pace, min_pace, state.bound);
 }
 
-/// Lets the bound fall by the factor of a tick, and rise with the motion of tip and fields.
+/// Lets the bound of the pace fall by the factor of a tick, and rise with the motion of tip and fields.
 void adapt_bound(Settling& state, const ProxyWay& way, double field_motion) {
     const double away = glm::distance(way.tip, state.rest);
     const double motion = std::max(0.0, away - still_range) + field_motion;

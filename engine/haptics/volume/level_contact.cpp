@@ -20,7 +20,7 @@ struct Reading {
     double gradient{};  ///< length of the gradient (1/m); 0: no direction
 
     bool solid() const { return inside > 0; }
-    double depth() const { return inside / gradient; }  ///< depth by the tangent (m)
+    double depth() const { return inside / gradient; }  ///< depth, estimated by value and slope (m)
 };
 
 /// Search for planes in a field that is no box of samples. Its gradient must be exactly that of its value.

@@ -139,7 +139,7 @@ vec3 newton_step(const Symmetric& m, const Flat& flat, vec3 slope, double stiffn
 
 namespace {
 
-/// Sum of the strengths of the active terms (N), those on whose kink x is assumed to lie.
+/// Sum of the strengths of the active terms (those on whose kink x is assumed to lie) (N).
 double strength_of_active(const Problem& problem) {
     double result = 0;
     for (const Term& term : terms_of(problem)) result += term.active ? term.strength : 0;

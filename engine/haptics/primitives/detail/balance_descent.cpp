@@ -5,8 +5,9 @@
 namespace thaum::haptics::balancing {
 namespace {
 
-/// Minimises the length of the missing force, the sum of all forces at x, and returns that sum (N). Each
-/// active force in turn takes its best value while the others keep theirs, which converges.
+/// Minimises the length of the missing force, the sum of all forces at x, and returns that sum (N). The force
+/// of each active term (on whose kink x is assumed to lie) in turn takes its best value while the others keep
+/// theirs. This converges.
 vec3 least_missing(Problem& problem, vec3 x, int& steps) {
     const vec3 gradient = problem.stiffness * x - problem.target;
     vec3 missing = gradient;

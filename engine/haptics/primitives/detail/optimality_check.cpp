@@ -8,7 +8,7 @@ namespace {
 /// Residual up to which a set counts as solved (N).
 constexpr double solved = 1e-9;
 
-/// Computes the distances at x and limits the forces to the strengths.
+/// Computes the distances of all terms (balance_problem.h) at x, and limits their forces to their strengths.
 void refresh_terms(Problem& problem, vec3 x) {
     for (Term& term : terms_of(problem)) {
         term.distance = project(term, project(term, x) - term.offset);
@@ -29,7 +29,8 @@ double worst_misfit(const Problem& problem, vec3 x) {
     return worst;
 }
 
-/// Force by which an active term can still grow (N); 1 % more than exact, so that it never is zero.
+/// Force by which an active term (on whose kink x is assumed to lie) can still grow (N); 1 % more than exact,
+/// so that it never is zero.
 double remaining_strength(const Term& term) { return 1.01 * term.strength - glm::length(term.dual); }
 
 /// Sum of all forces at x, which must vanish, and the strength that the active terms have left to cancel it.

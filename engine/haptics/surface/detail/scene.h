@@ -1,4 +1,5 @@
-// haptics/surface/detail/scene.h: a patch prepared for one tick, and distances to its surfaces.
+// haptics/surface/detail/scene.h: a patch (the surfaces near the tip) prepared for one tick, and distances to
+// its surfaces.
 //
 // The proxy stays `surface_gap` outside of the true surfaces. Rounding (1e-16 of a coordinate) then never
 // decides on which side of a surface the proxy is. A triangle is hit if the path crosses the triangle itself,

@@ -7,7 +7,8 @@
 namespace thaum::haptics {
 namespace {
 
-/// Fraction of a straight path from x that stays within the patch's reach.
+/// Fraction of a straight path from x that stays within the patch's reach, the sphere of which the patch
+/// knows all surfaces.
 double allowed(const SurfacePatch& patch, vec3 x, vec3 way) {
     if (!(patch.reach < HUGE_VAL)) return 1;
     const vec3 arm = x - patch.centre;

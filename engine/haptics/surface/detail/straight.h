@@ -1,4 +1,5 @@
-// haptics/surface/detail/straight.h: one straight move of the proxy, where no wall is round.
+// haptics/surface/detail/straight.h: one straight move of the proxy, where no wall (plane at a surface) is
+// round.
 #pragma once
 #include "haptics/surface/detail/walls.h"
 

@@ -27,8 +27,9 @@ constexpr double max_search_step = 0.5;
 /// Largest distance from the drawn surface at which its plane is put: as a share of the tip's depth, and in
 /// samples. Both limits apply.
 constexpr double depth_share = 0.3, max_eased = 0.5;
-/// Largest distance from the drawn surface of a plane that the slew (LevelSurface::slew) makes late: as
-/// shares of the tip's depth, for a plane that rises and for one that sinks, and in samples along the normal.
+/// How far from the drawn surface a plane may be that lags behind because of the slew (LevelSurface::slew):
+/// as shares of the tip's depth, for a plane that rises and for one that sinks, and in samples along the
+/// normal.
 constexpr double rising_share = 0.88, sinking_share = 8, max_late = 1;
 /// Smallest share of the slew by which a plane may always move. The tip's motion against the plane, which
 /// changes the force too, takes the rest of the slew.

@@ -44,7 +44,8 @@ private:
     struct Way {
         vec3 out{};
         double gradient{};  ///< length of the field's gradient (1/m)
-        double smooth{};    ///< distance along `out` to the surface of the smooth field, by the tangent (m)
+        double smooth{};    ///< distance along `out` to the surface of the smooth field, estimated by value
+                            ///< and slope (m)
     };
     /// A place on the surface, and the way out there.
     struct Found {
@@ -54,7 +55,7 @@ private:
     /// The smooth field at a place, along the axes of the box.
     struct Slope {
         vec3 up{};
-        double depth{};  ///< depth of the place behind the surface, by the tangent (m)
+        double depth{};  ///< depth of the place behind the surface, estimated by value and slope (m)
     };
     /// A part of a straight line that begins free and ends in the body, or the reverse.
     struct Bracket {
