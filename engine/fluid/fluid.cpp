@@ -100,7 +100,7 @@ std::array<int, 2> kernel_range(const Fluid& fluid, std::size_t axis, vec3 place
     const double wide = radius / fluid.lattice.h + 1;
     if (fluid.lattice.edges[axis] == Edge::periodic) {
         const double at = into_box(fluid.lattice, place / fluid.lattice.h)[static_cast<int>(axis)];
-        // Covers all cells if the place is too large to be wrapped, or the kernel is as wide as the
+        // The range has all cells if the place is too large to be wrapped, or the kernel is as wide as the
         // box.
         if (!(at >= 0 && at < n) || 2 * wide + 2 >= n) return {0, n};
         return {static_cast<int>(n + at - wide), static_cast<int>(n + at + wide + 1)};

@@ -44,8 +44,8 @@ private:
     const Recogniser& recogniser_;
     FineKind kind_{};
     bool active_ = false;
-    /// made_: neighbours of the current round that have a shape. round_ is 0 while the window itself is
-    /// compared.
+    /// round_: number of the round; 0 while the window itself is compared. made_: number of neighbours in
+    /// this round that have a shape.
     std::size_t round_ = 0, made_ = 0;
     std::size_t first_{}, last_{};
     float distance_{};

@@ -240,7 +240,7 @@ vec2 held_in_profile(const BowlWall& wall, vec2 place) {
         const bool outside = -way.y * off.x + way.x * off.y > 0;
         if (!outside || !(length2 > 0)) continue;
         const double along = glm::dot(off, way) / length2;
-        // The first piece continues upwards, at most to the axis.
+        // The first piece of the profile continues upwards, at most to the axis.
         const double first = i != 0 ? 0 : way.x > 0 ? -from.x / way.x : -HUGE_VAL;
         const vec2 foot = from + std::min(std::max(along, first), 1.0) * way;
         const double distance2 = glm::dot(place - foot, place - foot);

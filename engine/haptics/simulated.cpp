@@ -66,7 +66,8 @@ double root(Of of, double low, double high, bool positive_at_low, double guess) 
         ((f.value > 0) == positive_at_low ? low : high) = at;
         const double next = at - f.value / f.slope;
         if (std::abs(next - at) <= small) return std::clamp(next, low, high);
-        at = next >= low && next <= high ? next : (low + high) / 2;  // bisects for NaN too
+        at = next >= low && next <= high ? next : (low + high) / 2;  // NaN fails both comparisons, so it
+                                                                     // bisects
     }
     return at;
 }

@@ -337,7 +337,7 @@ std::vector<ViewBatches> Renderer::State::collect_views(const Frame& frame, floa
     for (std::size_t i = 0; i < frame.views.size(); ++i)
         collect_volume(frame.views[i], height, frame.quality, out[i]);
     fill_buffer(GL_ARRAY_BUFFER, instance_buffer, batches.instances, GL_STREAM_DRAW);
-    // Bound as GL_ARRAY_BUFFER, since an index buffer would become part of a mesh's vertex array.
+    // The patches use GL_ARRAY_BUFFER, since an index buffer would be part of a mesh's vertex array.
     fill_buffer(GL_ARRAY_BUFFER, patch_buffer, batches.patch_indices, GL_STREAM_DRAW);
     return out;
 }

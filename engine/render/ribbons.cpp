@@ -9,7 +9,7 @@ namespace {
 fvec3 colour_of(double speed, const RibbonLook& look) {
     if (look.colours == nullptr) return fvec3(1);
     const double share = (speed - look.slowest) / (look.fastest - look.slowest);
-    // With this form of the test NaN gives the first colour.
+    // A NaN fails this form of the test and gives the first colour.
     const double index = share > 0 ? std::min(255 * share, 255.0) : 0.0;
     return look.colours->at(static_cast<std::size_t>(std::lround(index)));
 }

@@ -127,7 +127,7 @@ void on_focus(GLFWwindow* w, int focused) {
 void on_close(GLFWwindow* w) { state_of(w).closing = true; }
 
 void on_key(GLFWwindow* w, int key, int scancode, int action, int) {
-    // Keys may switch the keyboard layout, too.
+    // A key may also switch the keyboard layout, so the labels are read again.
     if (action == GLFW_PRESS) read_key_labels();
     if (action != GLFW_REPEAT) tell(events_of(w).key, key, scancode, action == GLFW_PRESS);
 }

@@ -51,7 +51,7 @@ Solids::Solids(const Lattice& lattice, const SolidShare& solid, double min_share
     : lattice_(lattice), box_(lattice, 2) {
     for (auto* samples : {&residual_, &smoothed_, &direction_, &image_, &correction_})
         *samples = make_samples(lattice);
-    // Eight more values, so that the last row may be read past its end.
+    // The array has eight more values, so that vectors of the last row may be read past its end.
     packed_.resize(static_cast<std::size_t>(lattice.cells[0]) * static_cast<std::size_t>(lattice.cells[1]) *
                        static_cast<std::size_t>(lattice.cells[2]) +
                    8);
@@ -196,7 +196,7 @@ std::optional<double> Solids::step_along_direction(double slope) {
             const Floats8 left = load(residual_.data() + i) - step * load(image_.data() + i);
             store(residual_.data() + i, left);
             const Floats8 size = left < zero8 ? -left : left;
-            // A comparison with NaN is false, so the result stays NaN.
+            // A NaN fails the comparison and replaces `most`; the next value of its lane replaces the NaN.
             most = size <= most ? most : size;
         }
     });

@@ -208,7 +208,7 @@ void StaggeredSolver::add_gravity(const Settings& settings) {
                force_);
 }
 
-/// Removes the divergence if there are no solids, and fills the ghosts.
+/// Removes the divergence if there are no solids, and fills the ghost cells.
 void StaggeredSolver::end_stage(const Settings& settings, Velocity& velocity) {
     if (!solids_) {
         for (std::size_t axis = 0; axis < 3; ++axis)

@@ -43,8 +43,9 @@ constexpr float bias = 0.1F;
 /// of 0.31. A sharpness of 0.15 gives 0.35, and a sharpness of 0 gives 0.60. A larger one deforms slots and
 /// corners that are a few cells wide.
 constexpr double max_sharpness = 0.25;
-/// Intensities of segregation from which on edges are kept sharp in part, and fully. A Gaussian has at most
-/// 0.41 in a flow that stretches it. At 0.5 and above, more of a body lies in its inside than on its edge.
+/// Intensities of segregation (sums.h) from which on edges are kept sharp in part, and fully. A Gaussian has
+/// at most 0.41 in a flow that stretches it. At 0.5 and above, more of a body lies in its inside than on its
+/// edge.
 constexpr double segregation_of_blurred = 0.5, segregation_of_sharp = 0.6;
 // Densities below this become 0. Smaller ones would soon be subnormal floats (below 1e-38), which are slow.
 constexpr float min_density = 1e-20F;
@@ -381,7 +382,7 @@ vec3 substep(const Lattice& lattice, const FaceFlow& face_flow, SubstepScale sca
     Samples& second = scratch.second;
     take_stage<StageIndex::first, terms>(c, density, 1, first);
     take_stage<StageIndex::second, terms>(c, first, 0.25F, second);
-    Samples& left = first;  // the fields of the stages are no longer needed
+    Samples& left = first;  // uses the memory of the first stage, which is no longer needed
     Samples& part = scratch.part;
     Samples& room = scratch.room;
     const float ceiling = density_ceiling(

@@ -509,8 +509,8 @@ void Viscosity::component(const ViscousStep& step, std::size_t axis, Samples& u)
     });
 }
 
-/// Adds what a force contributes to eight places with the given coefficients, times `sign`: the part of its
-/// velocity that the explicit half would have used if the force had acted before the step.
+/// Adds the explicit part of a constant force to eight places with the given coefficients, times `sign`. It
+/// is the part of their velocity on which the explicit half would act if the force had acted before the step.
 void Viscosity::add_force(const ViscousStep& step, std::size_t axis, float sign, const Floats8& coefficients,
                           std::ptrdiff_t at, Samples& u) {
     const auto half = 0.5F * sign * static_cast<float>(step.dt);

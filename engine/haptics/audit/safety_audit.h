@@ -101,7 +101,8 @@ private:
     vec3 ramp_start_{};       // output from which a ramp to zero starts (N)
     double cap_{};            // largest output: the cap, or a value that falls to a lowered cap (N)
 
-    bool next_is_switch_ = true;  // the next force let through counts as a switch, as the first one does
+    bool next_is_switch_ = true;  // true: the next force that is let through counts as a switch, as the first
+                                  // one does
     bool may_be_fading_ = false;  // the stage may still be fading an offset
     bool offset_known_ = true;    // `offset_` is the stage's offset; unknown after it scaled the force down
     // The stage neither scales the force down to keep the motors cool, nor is it on the way back from that.

@@ -1,5 +1,5 @@
-// haptics/detail/energy_step.h: the servo's account of energy in one tick:
-// before the safety stage, and after it.
+// haptics/detail/energy_step.h: updates of the servo's account of energy in one tick, before the safety stage
+// and after it.
 #pragma once
 #include "haptics/detail/felt_patch.h"
 #include "haptics/detail/sources.h"

@@ -100,7 +100,8 @@ vec3 settle(Settling& state, const ProxyWay& way) noexcept {
         state.rest = way.tip;
         state.force = force_at(way, way.from);
     } else {
-        const double field_motion = std::max(0.0, way.field_motion);  // 0 if it is not a number
+        const double field_motion = std::max(0.0, way.field_motion);  // a motion that is not a number counts
+                                                                      // as 0
         adapt_bound(state, way, field_motion);
         adapt_pace(state, way, glm::distance(way.tip, state.tip) + field_motion);
         explained = glm::distance(pull, state.pull) + way.stiffness * field_motion;

@@ -43,7 +43,7 @@ inline constexpr std::uint32_t first_ticks = 14;
 /// Range within which a moving tip counts as at rest (m): the flicker of the coarsest encoder.
 inline constexpr double still_range = 1e-4;
 
-/// State of a proxy that settles. All zero is a proxy that begins. No padding.
+/// State of a proxy that settles. All zero means that the proxy is new. No padding.
 struct Settling {
     vec3 tip{};                ///< place of the tip in the last tick (m)
     vec3 rest{};               ///< place that follows the tip at a distance of at most `still_range` (m)

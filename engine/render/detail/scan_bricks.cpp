@@ -32,7 +32,7 @@ struct ToDensity {
     std::uint16_t operator()(std::uint16_t sample) const { return sample; }
     std::uint16_t operator()(float sample) const {
         const float at = (sample - low) * factor + 0.5F;
-        // With this form of the test NaN gives 0.
+        // A NaN fails this form of the test and gives 0.
         return at > 0 ? static_cast<std::uint16_t>(std::min(at, full)) : std::uint16_t{0};
     }
 };
@@ -193,8 +193,8 @@ void find_distances(const std::vector<std::uint8_t>& shown, const std::array<int
                     std::vector<std::uint8_t>& distance) {
     distance.resize(shown.size());
     for (std::size_t i = 0; i < shown.size(); ++i) distance[i] = shown[i] != 0 ? 0 : 255;
-    // One axis after the other: along a line, the distance of a brick is the least, over all bricks of the
-    // line, of the larger of two values: the distance along the line and the distance found there before.
+    // The axes are treated one after another. Along a line, a brick gets the minimum, over all bricks of the
+    // line, of max(distance along the line, distance that the other brick has so far).
     std::vector<std::uint8_t> line;
     std::size_t stride = 1;
     for (const int length : count) {

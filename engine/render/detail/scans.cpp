@@ -249,8 +249,8 @@ void Scans::draw_look(Drawing& drawing, std::span<const SeenScan> seen, ScanLook
     if (std::none_of(seen.begin(), seen.end(), [&](const SeenScan& its) { return its.scan->look == look; }))
         return;
     auto& target = solid ? drawing.targets.solid : drawing.targets.light;
-    // Drawing scans needs the depth of the scene. So does showing a kept quick picture, which compares the
-    // depth at each pixel of the view with that at the larger pixels.
+    // Drawing scans needs the depth of the scene. So does showing a kept quick picture (one with fewer rays
+    // than pixels), which compares the depth at each pixel of the view with that at the larger pixels.
     if (!again || drawing.share > 1) copy_depth(drawing);
     if (!again) {
         clear(drawing, target, solid);
@@ -298,7 +298,7 @@ void Scans::clear(const Drawing& drawing, DrawnTarget& target, bool with_depth) 
     }
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.get());
     glViewport(0, 0, width, height);
-    // Two additional pixels, since the view interpolates between the pixels of the target.
+    // Two pixels more on each side, since the view interpolates between the pixels of the target.
     const auto part = shared(drawing.part, drawing.share, 2, width, height);
     glEnable(GL_SCISSOR_TEST);
     glScissor(part.x, part.y, part.width, part.height);

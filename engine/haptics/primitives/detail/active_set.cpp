@@ -93,7 +93,8 @@ vec3 smooth_gradient(Problem& problem, vec3 x, Symmetric& matrix) {
     vec3 gradient = problem.stiffness * x - problem.target;
     for (Term& term : terms_of(problem)) {
         if (term.active) continue;
-        // Projected twice: after the first time, rounding is a large part of a small distance.
+        // The vector is projected twice, since rounding is a large part of a small distance after the first
+        // time.
         const vec3 distance = project(term, project(term, x) - term.offset);
         const double square = glm::dot(distance, distance);
         if (square == 0) return vec3(std::numeric_limits<double>::infinity());

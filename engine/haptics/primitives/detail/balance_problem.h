@@ -59,7 +59,7 @@ struct Problem {
     vec3 origin{};      ///< origin of x (world frame)
     mat3 axes{1};       ///< axes of the problem's frame (columns, world frame)
     bool turned{};      ///< the axes differ from the world's
-    vec3 target{};      ///< stiffness * (centre - origin) + load, in this frame (N)
+    vec3 target{};      ///< stiffness * (centre - origin) + load, in the problem's frame (N)
     double strength{};  ///< sum of the strengths of all terms (N)
 };
 

@@ -5,8 +5,8 @@
 namespace thaum::haptics {
 namespace {
 
-constexpr int max_advances = 60;  // limit of advances; on a path that grazes a round side, each one halves
-                                  // the distance
+constexpr int max_advances = 60;  // largest number of advances; on a path that grazes a round side, each one
+                                  // halves the distance
 
 /// Whether a hit comes before another one. Of two simultaneous hits, the one at the steeper angle comes
 /// first.
