@@ -60,7 +60,7 @@ struct SpringSurfaceSettings {
     double cling{40};         ///< pull that tears the surface off a leaving probe, >= 0 (N)
     /// Depth over which a push decays by a factor of e in the base fluid, see transmitted(), > 0 (m).
     double reach{0.3};
-    /// The surface falls asleep below an energy of tension times the square of this, >= 0 (m).
+    /// A length, >= 0 (m). The surface falls asleep if its energy is below tension times still^2.
     double still{1e-5};
     std::uint32_t max_steps{32};  ///< largest number of sub-steps of a call, 1 to 1000
 };

@@ -287,7 +287,7 @@ void Spotter::collect() {
     }
 }
 
-/// Keeps the best of those windows of a gesture that overlap.
+/// Keeps a window of a gesture for a close look, if it is the best of those that overlap.
 void Spotter::hold(const Candidate& c, std::size_t first, const RecogniserSpace::Survivor& match) {
     if (!(c.score <= max_looked_at)) return;
     auto& held = held_[c.gesture];

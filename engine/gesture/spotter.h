@@ -164,7 +164,7 @@ private:
     std::array<Best, max_gestures> best_{};
     std::vector<Held> held_;  ///< the best window of each gesture that waits for a close look
     std::vector<Candidate>
-        seen_;  ///< for each gesture, the window that last had a close look, as it was before
+        seen_;  ///< for each gesture, the window that last had a close look, as it was before that look
     CloseLook look_;
     Held looked_at_{};
     std::uint64_t dropped_ = 0;  ///< number of points that were dropped

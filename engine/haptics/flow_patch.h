@@ -58,7 +58,7 @@ struct FlowSubstance {
 /// Source of a patch. The mixture is weighted by amounts (Mora and Lee 2008, 4.1): viscosity and density at a
 /// place grow by the sum of amount times value over the substances. They are never below 0.
 struct FlowSource {
-    field::StaggeredGrid velocity{};  ///< velocity (m/s), always read linearly, whatever its kernels
+    field::StaggeredGrid velocity{};  ///< velocity (m/s); read linearly, whatever the kernels of its grids
     double viscosity{};               ///< viscosity of the base fluid (Pa s)
     double density{};                 ///< density of the base fluid (kg/m^3)
     std::array<FlowSubstance, flow_substances> substances{};

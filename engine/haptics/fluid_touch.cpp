@@ -317,7 +317,7 @@ vec3 full_drag(const FluidTouch& touch, vec3 place, vec3 velocity, double immers
 
 vec3 recoil_peak(const FluidTouch& touch, vec3 impulse, std::uint32_t length) {
     if (!(touch.modes.recoil > 0) || length == 0) return vec3(0);
-    // The inverse of this: a half sine with a peak P and a duration T has the impulse 2 / pi P T.
+    // A half sine with a peak P and a duration T has the impulse 2 / pi P T. This is solved for P.
     return touch.modes.recoil * force_to_hand(touch.frame, impulse) * (pi / 2 / (length * tick_seconds));
 }
 

@@ -27,8 +27,8 @@ AutoQuality decided(const AutoQuality& state) {
 }  // namespace
 
 float internal_scale_of(Quality quality, int height) {
-    // Height of a picture up to which a software rasteriser draws it as fast as a quarter of its pixels with
-    // the enlargement that those would need (px).
+    // Greatest height of a picture (px) that a software rasteriser draws in full as fast as it would draw a
+    // quarter of the pixels and enlarge the result.
     constexpr float lines = 720;
     if (quality == Quality::high || height <= 0) return 1;
     return std::clamp(lines / static_cast<float>(height), 0.25F, 1.0F);

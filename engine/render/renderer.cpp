@@ -291,8 +291,8 @@ void Renderer::State::draw_views(const Frame& frame) {
 
     for (std::size_t i = 0; i < frame.views.size(); ++i) {
         draw_view(frame.views[i], of_views[i], frame.quality, shadow, height);
-        // A software rasteriser fills this view on its threads while this thread processes the vertices of
-        // the next one.
+        // After a flush, a software rasteriser fills this view on its threads while this thread processes the
+        // vertices of the next one.
         glFlush();
     }
     show_volumes(of_views, height);

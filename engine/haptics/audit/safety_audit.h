@@ -105,7 +105,7 @@ private:
                                   // one does
     bool may_be_fading_ = false;  // the stage may still be fading an offset
     bool offset_known_ = true;    // `offset_` is the stage's offset; unknown after it scaled the force down
-    // The stage neither scales the force down to keep the motors cool, nor is it on the way back from that.
+    // The stage neither scales the force down to keep the motors cool, nor is it returning from that.
     bool unscaled_ = true;
     vec3 offset_{};   // offset from the wanted force that fades after a switch (N)
     vec3 remnant_{};  // output before the switch, shortened by as much as time shortens the offset (N)

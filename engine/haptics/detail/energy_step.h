@@ -6,7 +6,7 @@
 
 namespace thaum::haptics {
 
-/// What the energy account allows in this tick.
+/// Limits that the energy account sets for this tick.
 struct EnergyLimits {
     vec3 brake{};  ///< damping force that keeps passive sources passive (N)
     double reserve_force{

@@ -10,11 +10,11 @@ namespace {
 /// be wrong. The hand then feels the spring's force instead, which is right for the found proxy.
 constexpr double solved_residual = 1e-9;
 
-/// Ticks after a jump of the set until the proxy has found its place. It takes some ticks because modes read
-/// their fields where the proxy was in the last tick.
+/// Ticks after a jump of the set of primitives until the proxy has found its place. It takes some ticks
+/// because modes read their fields where the proxy was in the last tick.
 constexpr std::uint32_t unsettled_ticks = first_ticks;
 
-/// Returns true if the set appeared, ended or jumped.
+/// Returns true if the set of primitives appeared, ended or jumped.
 bool detect_set_switch(ServoState& state, const HapticModel& model) {
     const auto count = static_cast<std::uint32_t>(model.primitives.items().size());
     const bool jumped = count != state.primitives || (count != 0 && model.set_number != state.set_number);

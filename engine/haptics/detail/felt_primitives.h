@@ -6,7 +6,7 @@
 namespace thaum::haptics {
 
 /// Adds the force of the primitives to the sources. Without primitives, the proxy follows the tip. Returns
-/// true if the set appeared, ended or jumped.
+/// true if the set of primitives appeared, ended or jumped.
 bool feel_primitives(ServoState& state, const HapticModel& model, const Tip& tip, Sources& sources);
 
 }  // namespace thaum::haptics

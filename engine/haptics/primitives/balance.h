@@ -51,7 +51,7 @@ struct Balance {
     /// amount. Of sets with lines that differ from parallel by 1e-8 to 1e-14, up to one in ten is unsolved.
     /// In 280,000 such sets the error is at most 0.3 mN.
     double residual{};
-    int steps{};  ///< number of Newton steps, and of other work of the same cost
+    int steps{};  ///< number of Newton steps; other work counts as steps of the same cost
 };
 
 /// Largest number of steps in one call, because a servo's tick must end: 0.2 ms at 16 primitives. Beyond it,

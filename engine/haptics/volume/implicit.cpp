@@ -15,7 +15,7 @@ Scalar round_about(vec3 off, double radius) {
     return {length - radius, length > 0 ? off / length : vec3(0, 1, 0)};
 }
 
-/// Largest component of a vector, and its axis.
+/// Axis of the largest component of a vector.
 int largest_axis(vec3 v) { return v.x >= v.y && v.x >= v.z ? 0 : v.y >= v.z ? 1 : 2; }
 
 }  // namespace

@@ -51,7 +51,7 @@ struct LevelContact {
     std::uint32_t count{};
     /// The proxy lies behind the surface, so the first plane has to move the proxy and not only to hold it.
     bool behind{};
-    bool late{};            ///< LevelSurface::slew keeps a plane from where it should be
+    bool late{};            ///< true: a plane lags behind because of LevelSurface::slew
     double depth{};         ///< depth of the place that the proxy heads for, in a body of samples (m)
     std::uint32_t reads{};  ///< number of times that the field was read
 };

@@ -30,7 +30,8 @@ namespace thaum::haptics {
 /// Near a sample that is not finite, all samples count as a picture shows them.
 struct SmoothGrid {
     field::Grid grid{};
-    field::Grid averages{};     ///< averages of blocks of its samples (field/block_averages.h); may have none
+    field::Grid averages{};     ///< averages of blocks of the grid's samples (field/block_averages.h); may be
+                                ///< empty
     field::ShownRange shown{};  ///< range of the finite samples
 
     field::Scalar operator()(vec3 place) const;

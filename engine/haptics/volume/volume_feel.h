@@ -94,7 +94,7 @@ struct DensityShell {
 /// stronger push pokes through. Larger densities are solid.
 struct DensityWall {
     double density{};
-    double strength{};  ///< push at which it lets the hand through (N)
+    double strength{};  ///< push at which the wall lets the hand through (N)
     double friction{};  ///< coefficient of friction, >= 0
     double reach{};     ///< depth at which the proxy has got through the wall, about the size of a voxel (m)
 };

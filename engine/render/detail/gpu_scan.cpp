@@ -123,7 +123,7 @@ void send_colours(const Scan& scan, GpuScan& gpu) {
     send_table(gpu.materials, values);
 }
 
-/// Recomputes which bricks show something, and sends the result if it has changed.
+/// Recomputes which bricks have a visible density, and sends the result if it has changed.
 void send_bricks(const Scan& scan, GpuScan& gpu) {
     std::vector<std::uint8_t> before;
     before.swap(gpu.shown);

@@ -17,7 +17,7 @@ struct Target {
 /// Recreates the target if its size differs. `format` is GL_RGBA8 or GL_RGBA16F.
 void resize(Target& target, GLint format, bool with_depth, int width, int height);
 
-/// Bright light that spreads beyond its edges: a quarter of one view's size, blurred.
+/// Targets for bloom (bright light that spreads beyond its edges): a quarter of one view's width and height.
 struct Bloom {
     Target bright, blurred;
 };

@@ -76,8 +76,8 @@ Hit first_hit(const Scene& scene, const Sweep& path, SurfaceSet passed_over) {
 }
 
 SurfaceSet Clearances::beyond(const Scene& scene, vec3 from, double distance) {
-    constexpr double stale = 4;  // a measurement is too coarse if it was made farther away than this times
-                                 // `distance`
+    constexpr double stale = 4;  // farthest place, as a multiple of `distance`, whose measurements are still
+                                 // used
     double off = glm::length(from - place_);
     if (!(off <= stale * distance)) {
         measure(scene, from);

@@ -24,8 +24,8 @@ constexpr double apart = 0.25;
 /// Largest distance between drawn and smooth surface that a step of samples can explain (samples). A larger
 /// one belongs to a thin sheet or a cut face.
 constexpr double max_search_step = 0.5;
-/// Largest distance from the drawn surface at which its plane is put: as a share of the tip's depth, and in
-/// samples. Both limits apply.
+/// Largest distance between the drawn surface and the plane that stands for it: as a share of the tip's
+/// depth, and in samples. Both limits apply.
 constexpr double depth_share = 0.3, max_eased = 0.5;
 /// How far from the drawn surface a plane may be that lags behind because of the slew (LevelSurface::slew):
 /// as shares of the tip's depth, for a plane that rises and for one that sinks, and in samples along the
@@ -53,7 +53,8 @@ constexpr double ground_below = 0.5;
 /// smallest that serves first; and the share of the tip's depth that the hand still feels then.
 constexpr std::array<double, 3> early{0, 1, 1.5};
 constexpr double still_felt = 0.01;
-/// Distance from the place of the first plane up to which a landing place counts as beside it (samples).
+/// Distance from the place of the first plane up to which the proxy's landing place counts as beside it
+/// (samples).
 constexpr double beside_samples = 0.25;
 /// Depth from which on a landing place counts as inside the body, and accuracy of a found place (m).
 constexpr double min_depth = 1e-7, accurate = 1e-10;
