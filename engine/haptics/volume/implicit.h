@@ -80,8 +80,8 @@ struct Thickened {
     field::Scalar operator()(vec3 place) const;
 };
 
-/// An object with a texture on its potential: f minus the height at the place. Its
-/// axes are fixed in the field's frame.
+/// An object with a texture on its potential: f minus the height at the place. The texture's axes are fixed
+/// in the field's frame.
 struct Decorated {
     field::ScalarField object{};
     Texture texture{};
