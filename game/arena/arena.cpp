@@ -44,8 +44,8 @@ void read_bowl(const ConfigTable& table, Arena& arena, Body& body) {
     const BowlSize size{.radius = table.number("radius", extent),
                         .height = table.number("height", extent),
                         .thickness = table.number("thickness", {0.01, 1})};
-    // The solid bottom lies within the lowest fifth of the height, so the bowl is hollow at every allowed
-    // filling.
+    // The bowl's solid bottom is within the lowest fifth of its height, so the bowl is hollow wherever the
+    // data file may put the surface of the brew.
     if (size.thickness > 0.2 * size.height || size.thickness > 0.4 * size.radius)
         table.report("thickness",
                      text("'thickness' is ", size.thickness,
@@ -67,7 +67,8 @@ Rise twin_rise(Symmetry symmetry, Rise rise) {
     return reversed ? opposite(rise) : rise;
 }
 
-/// Adds the mesh of a ramp, and that of its twin if it differs. Returns the index of the twin's mesh.
+/// Adds the mesh of a ramp, and the mesh of the ramp's mirrored or turned copy if that differs. Returns the
+/// index of the copy's mesh.
 std::uint32_t read_ramp(const ConfigTable& table, Symmetry symmetry, Arena& arena, Body& body) {
     const auto size = table.vector("size", extent);
     const auto rise = static_cast<Rise>(table.choice("rises", rises));
@@ -81,8 +82,8 @@ std::uint32_t read_ramp(const ConfigTable& table, Symmetry symmetry, Arena& aren
     return body.mesh + 1;
 }
 
-/// Adds a thing and its twin. Only a ramp needs another mesh for its twin: all other shapes look the same
-/// mirrored or turned.
+/// Adds a thing and its mirrored or turned copy. Only a ramp needs another mesh for its copy: all other
+/// shapes look the same mirrored or turned.
 void add_thing(Symmetry symmetry, Arena& arena, const Thing& thing) {
     arena.things.push_back(thing);
     if (symmetry == Symmetry::none) return;
@@ -143,8 +144,8 @@ void refuse_outside(const ConfigTable& table, const GroundBounds& ground, vec3 a
                            ground.high.x, ", z from ", ground.low.z, " to ", ground.high.z));
 }
 
-/// Calls add(place) for the entry's position and for that of its twin. A position outside of the ground is an
-/// error.
+/// Calls add(place) for the entry's position and for that of its mirrored or turned copy. A position outside
+/// of the ground is an error.
 template <class Add>
 void read_places(const ConfigTable& table, const GroundBounds& ground, Add&& add) {
     const auto at = table.vector("position", place);

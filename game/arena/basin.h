@@ -1,4 +1,4 @@
-// game/arena/basin.h: the inside of a bowl below the surface of its contents.
+// game/arena/basin.h: the space inside a bowl below the surface of its contents.
 #pragma once
 #include <cmath>
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace thaum::game::inline arena {
 
-/// The inside of a bowl below the surface of its contents.
+/// The space inside a bowl below the surface of its contents.
 struct Basin {
     double radius{};  ///< greatest radius (m)
     double depth{};   ///< greatest depth (m)

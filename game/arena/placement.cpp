@@ -14,8 +14,8 @@ constexpr double slack = 0.03;
 constexpr double deepest_drop = 0.5;  ///< largest tolerated fall of a wizard who appears (m)
 /// Largest tolerated height of ground above the feet of a wizard who appears (m)
 constexpr double step_up = 0.1;
-// Radius of a standing wizard, and the heights above the feet between which a wizard must be clear of solids
-// (m).
+// Radius of a standing wizard, and the heights above the feet between which no part of the wizard may be
+// inside of a solid (m).
 constexpr double standing_radius = 0.25, lowest_probe = 0.2, highest_probe = 1.5;
 
 /// Number of a table's line in its file, as text: "12".
@@ -24,7 +24,8 @@ std::string line_of(const ConfigTable& table, std::string_view key) {
     return place.substr(place.rfind(':') + 1);
 }
 
-/// Half the size of a ramp's mesh, and the horizontal vector along which the ramp rises from -1 to 1.
+/// Half the size of a ramp's mesh, and the horizontal vector `up` along which the ramp rises; the dot product
+/// of `up` and an offset from the mesh's middle is -1 at the low edge and 1 at the high edge.
 struct Slope {
     vec3 half{0}, up{0};
 };

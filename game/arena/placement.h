@@ -1,12 +1,12 @@
-// game/arena/placement.h: checks that the positions in an arena's file are free: those of props, and those
-// where wizards appear.
+// game/arena/placement.h: checks that nothing in an arena's file is placed inside of a solid: neither props
+// nor the places where wizards appear.
 #pragma once
 #include "game/arena/arena.h"
 
 namespace thaum::game::inline arena {
 
-/// Reports every prop, pad and practice place that lies inside of a solid, and every place of a wizard
-/// without ground below. `root`: the root table of the arena's file.
+/// Reports every prop, pad and practice place that lies inside of a solid, and every place where a wizard
+/// appears without ground below. `root`: the root table of the arena's file.
 void check_placement(const ConfigTable& root, const Arena& arena);
 
 }  // namespace thaum::game::inline arena

@@ -5,14 +5,14 @@
 
 namespace thaum::game::inline arena {
 
-/// Relation of an entry to its twin: none, its mirror image at -z (`mirror`), or turned by 180 degrees about
-/// the vertical axis through the origin (`turned`).
+/// How an entry is placed a second time: not at all, as its mirror image at -z (`mirror`), or turned by 180
+/// degrees about the vertical axis through the origin (`turned`).
 enum class Symmetry : std::uint8_t { none, mirror, turned };
 
 /// Reads the keys `mirror` and `turned` of an entry. Both true is an error.
 Symmetry read_symmetry(const ConfigTable& table);
 
-/// Position of the twin of a thing at `place` (m, world).
+/// Position of the second copy of a thing at `place` (m, world).
 vec3 twin_place(Symmetry symmetry, vec3 place);
 
 }  // namespace thaum::game::inline arena

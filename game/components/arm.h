@@ -1,5 +1,5 @@
 // game/components/arm.h: state of a real force feedback arm in a match, and past haptic models that the arm's
-// thread may still be using. Both components live on entities of their own. A match without a real arm has
+// thread may still be using. Each component stands on an entity of its own. A match without a real arm has
 // none of them.
 #pragma once
 #include "ecs/component.h"
@@ -17,17 +17,20 @@ namespace thaum::game::inline components {
 
 /// A real arm held by one player.
 struct Arm {
-    /// State of the arm as its servo steps it, the same as on the arm's own thread.
+    /// Servo state of the arm. The arm's own thread holds the same state, because both repeat the same steps.
     input::ArmState state{};
-    /// Ring buffer of past models: model n is at index n modulo the size.
+    /// Entities of the past haptic models, as a ring buffer: model n is at index n modulo the size.
     std::array<ecs::Entity, input::remembered_models> models{};
     std::uint32_t player{};
     std::uint32_t device{};  ///< index of the arm among the match's devices
-    /// Ticks left in which published models carry the panic press, repeated because the arm may skip a model.
+    /// Ticks for which further haptic models still carry the press of the panic button. The press is repeated
+    /// because the arm's thread may skip a model.
     std::uint32_t panic_left{};
-    std::uint32_t rearm_left{};  ///< ticks left in which published models carry the rearm press
-    std::uint32_t away{};   ///< 1 from losing the arm until it is connected again and has been held still
-    std::uint32_t still{};  ///< ticks for which the arm has been held still
+    std::uint32_t rearm_left{};  ///< ticks for which further haptic models still carry the press that
+                                 ///< switches forces on again
+    std::uint32_t away{};        ///< 1 from the loss of the arm until it is connected again and has been held
+                                 ///< still; otherwise 0
+    std::uint32_t still{};       ///< ticks for which the arm has been held still
     /// Position about which the arm is held still (um, device frame).
     std::array<std::int32_t, 3> still_um{};
     std::uint32_t spare{};

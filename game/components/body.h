@@ -55,8 +55,8 @@ struct Look {
     THAUM_COMPONENT(Look, surface);
 };
 
-/// A loose thing: it can be pushed, and it hurts a wizard whom it hits. For a while its hits count for the
-/// player who moved it.
+/// A loose thing: it can be pushed, and it hurts a wizard whom it hits. For a while after a player has moved
+/// it, its hits are credited to that player.
 struct Prop {
     Tick moved_at{};                    ///< when a player last moved the thing (ticks of play)
     std::uint32_t moved_by{no_player};  ///< player who last shot, threw or pushed the thing

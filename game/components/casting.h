@@ -1,4 +1,4 @@
-// game/components/casting.h: the stroke that a wizard draws, and the focus that spells cost.
+// game/components/casting.h: the stroke that a wizard draws to cast a spell, and the focus that spells cost.
 #pragma once
 #include <array>
 
@@ -14,36 +14,39 @@ struct Focus {
     THAUM_COMPONENT(Focus, points);
 };
 
-/// One point of a stroke (m): x to the right, y up on the page, z towards the wizard. A ladle draws on the
-/// brew: there y is away from the wizard and z is up.
+/// One point of a stroke: x to the right, y up, z towards the wizard (m). If a ladle draws on the brew, y
+/// points away from the wizard and z up.
 struct DrawnPoint {
     float x{}, y{}, z{};
     float force{};  ///< force of the stroke at this point, before caps and faders (N)
     THAUM_FIELDS(DrawnPoint, x, y, z, force);
 };
 
-/// Capacity of a stroke: 4 s. When it is full, every second point is dropped and later points are half as
-/// dense, repeatedly.
+/// Capacity of a stroke in points, at first enough for 4 s. When it is full, every second point is dropped
+/// and later points are taken half as often; this may happen repeatedly.
 inline constexpr std::size_t max_drawn_points = 512;
 
-/// Value of DrawnStroke::over: a key chord has taken the stroke's place.
+/// Value of DrawnStroke::over: the wizard pressed a key chord (a wand's key while Trace is held), which casts
+/// a spell instead of the stroke.
 inline constexpr std::uint32_t by_chord = 2;
 
-/// The stroke of a wizard who holds Trace.
+/// The stroke of a wizard who holds the Trace button.
 struct DrawnStroke {
     std::array<DrawnPoint, max_drawn_points> points{};
     std::uint32_t count{};
     std::uint32_t every{1};  ///< gameplay ticks between two points
     std::uint32_t waits{};   ///< gameplay ticks until the next point
-    /// 0: read when the stroke ends; 1: not read, because the ladle or the probe came or went; or by_chord
+    /// 0: the stroke is read when it ends; 1: it is not read, because the ladle or the orb's probe came or
+    /// went while it was drawn; or by_chord.
     std::uint32_t over{};
     std::uint32_t on_brew{};  ///< 1: the ladle draws on the brew
     std::uint32_t on_orb{};   ///< 1: drawn by a wizard who scries, so the stroke casts no spell
-    vec3 home{};              ///< hand position chosen by the player before the stroke (m, device frame)
-    /// Displacement of the stroke beyond the device's workspace (m, device frame). The hand of a mouse is
-    /// stopped at the workspace's edge, but the stroke goes on.
+    vec3 home{};  ///< hand position that the player's input asked for before the stroke (m, device frame)
+    /// Displacement of the stroke beyond the device's workspace (m, device frame). The simulated hand of a
+    /// mouse player stops at the workspace's edge, but the stroke goes on.
     vec3 beyond{};
-    double reached{};  ///< Cauldron::reached when the ladle began to draw
+    double reached{};  ///< share of the brew that the newest ingredient had reached when the ladle began to
+                       ///< draw, 0 to 1
     THAUM_COMPONENT(DrawnStroke, points, count, every, waits, over, on_brew, on_orb, home, beyond, reached);
 };
 

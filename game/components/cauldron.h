@@ -19,8 +19,8 @@ struct Stroke {
     double radius{};
     double amount{};                          ///< amount of the ingredient (m^3)
     std::uint32_t ingredient{no_ingredient};  ///< number of the ingredient; no_ingredient: momentum only
-    /// Source whose strokes are merged within a step: the entity index of a thing + 1, or a number from
-    /// 0xFFFF'0000 on for the pushes of a potion; 0: never merged.
+    /// Source of the stroke. Strokes of one source are merged within a fluid step. It is the entity index of
+    /// a thing + 1, or a number from 0xFFFF'0000 on for the pushes of a potion; 0: never merged.
     std::uint32_t by{};
     THAUM_FIELDS(Stroke, place, impulse, radius, amount, ingredient, by);
 };
@@ -36,12 +36,12 @@ struct Strokes {
     THAUM_FIELDS(Strokes, list, count, spare);
 };
 
-/// Bursts at the brew that are queued for the next step of the surface.
+/// Missile bursts at the brew that are queued for the next step of the surface.
 struct BrewBursts {
     static constexpr std::size_t most = 8;
 
     std::array<vec3, most> place{};    ///< position (m, brew frame)
-    std::array<double, most> times{};  ///< number of bursts at each position
+    std::array<double, most> times{};  ///< number of missiles that burst at each position
     std::uint32_t count{};
     std::uint32_t spare{};
     THAUM_FIELDS(BrewBursts, place, times, count, spare);
@@ -97,13 +97,13 @@ struct Cauldron {
     double speed{};       ///< mean speed of the flow in the brew (m/s)
     /// When the brew became well mixed under its present owner (ticks of play); 0: it is not.
     Tick mixed_since{};
-    Tick boon_until{};                  ///< end of the healing boon (ticks of play)
-    std::uint32_t boon_for{no_player};  ///< player whom the healing boon serves
-    std::uint32_t boon_given{};         ///< 1: the present brew has already given its boon (healing)
-    Tick more_time{};              ///< time by which right ingredients have delayed the spoiling of the brew
-    std::uint32_t strokes_done{};  ///< number of right strokes so far
-    BrewFault fault{};             ///< fault that has spoilt the recipe; none: a potion is still possible
-    std::uint32_t potion{no_potion};        ///< potion that has changed the brew; no_potion: unchanged
+    Tick boon_until{};  ///< tick of play at which the healing by a well-mixed brew (the boon) ends
+    std::uint32_t boon_for{no_player};  ///< player whom the boon heals
+    std::uint32_t boon_given{};         ///< 1: the present brew has already given its boon
+    Tick more_time{};  ///< time by which right ingredients have delayed the spoiling of the brew (ticks)
+    std::uint32_t strokes_done{};     ///< number of right strokes so far
+    BrewFault fault{};                ///< fault that has spoilt the recipe; none: a potion is still possible
+    std::uint32_t potion{no_potion};  ///< potion that has changed the brew; no_potion: unchanged
     std::uint32_t fluid_potion{no_potion};  ///< value of `potion` that the current fluid step uses
     Tick potion_until{};                    ///< tick of play at which the change of the brew ends
     THAUM_COMPONENT(Cauldron, middle, current, next, contents, inside, height, surface_speed, surface_asleep,
@@ -135,9 +135,10 @@ struct Ladle {
     vec3 force{};     ///< force on the brew (N, world)
     /// Work done on the brew, one sum for each of the last `spans` intervals of 1/8 s (J).
     std::array<double, spans> work{};
-    vec3 patch{};    ///< point around which the haptic model's flow patch was sampled (m, brew frame)
-    Tick patched{};  ///< Cauldron::stepped of the fluid state from which the ladle's flow patch was sampled
-    std::uint32_t span{};  ///< index in `work` of the interval in which the tick is
+    vec3 patch{};    ///< point around which the flow near the ladle was last sampled for the haptic model (m,
+                     ///< brew frame)
+    Tick patched{};  ///< value of Cauldron::stepped for the fluid state from which that flow was sampled
+    std::uint32_t span{};  ///< index in `work` of the interval that contains the present tick
     std::uint32_t spare{};
     THAUM_COMPONENT(Ladle, place, velocity, force, work, patch, patched, span, spare);
 };

@@ -14,7 +14,7 @@ namespace thaum::game::inline components {
 /// axis by `yaw`, which its carvers change.
 struct Crystal {
     vec3 middle{};         ///< middle of the crystal (m, world)
-    double yaw{};          ///< (rad)
+    double yaw{};          ///< angle about the vertical axis (rad)
     double turned{};       ///< angle by which carvers have turned the crystal in this tick (rad)
     double size{};         ///< edge length (m)
     std::uint64_t seed{};  ///< seed of the initial rough body and of the ghost key to be carved
@@ -47,7 +47,8 @@ struct CrystalColour {
     static constexpr std::string_view name = "CrystalColour";
 };
 
-/// A wizard who carves: one who holds Stir at a crystal. AtStation::number is the crystal's number.
+/// State of a wizard who carves by holding the Stir button at a crystal. AtStation::number is the crystal's
+/// number.
 struct Chisel {
     vec3 place{};             ///< position of the tool (m, world)
     vec3 force{};             ///< force of the crystal on the hand (N, device frame turned to the world)
@@ -74,8 +75,8 @@ struct Lens {
     THAUM_COMPONENT(Lens, held, tool);
 };
 
-/// The Great Work: for each player, the time since when both halves of it are held (ticks of play); 0: not
-/// both.
+/// The Great Work, which wins a round: to hold both its halves, the potion Azoth and the Lens, for some time.
+/// `since` is, for each player, when that player began to hold both (ticks of play); 0: does not hold both.
 struct GreatWork {
     std::array<Tick, players> since{};
     THAUM_COMPONENT(GreatWork, since);

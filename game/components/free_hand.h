@@ -1,5 +1,5 @@
-// game/components/free_hand.h: the last seconds of motion of a hand that may cast without a button, and
-// gestures that were almost cast.
+// game/components/free_hand.h: the last seconds of motion of a hand whose player may cast spells without a
+// button, and gestures that were almost cast.
 #pragma once
 #include <array>
 
@@ -21,11 +21,12 @@ enum class Miss : std::uint32_t {
     too_soon,   ///< a spell was cast just before
 };
 
-/// A part of the motion that ends where the hand came to rest, with its reading.
+/// A part of the hand's motion that ends where the hand came to rest, with the gesture read from it.
 struct FreeWindow {
     double score{};        ///< distance from the recorded strokes plus further penalties; smaller is better
-    double probability{};  ///< probability of the reading, as for a stroke with Trace held
-    double needed{};       ///< probability that is needed to cast
+    double probability{};  ///< probability that the gesture was meant, 0 to 1, computed as for a stroke with
+                           ///< Trace held
+    double needed{};       ///< probability that the gesture needs in order to cast its spell, 0 to 1
     double force{};        ///< mean force of the motion (N)
     std::uint32_t gesture{};  ///< number of the gesture; no_gesture: nothing was read
     Miss miss{};              ///< why this window cannot cast
@@ -43,7 +44,7 @@ struct FreeHand {
     vec3 path{};             ///< position of a mouse player's hand, the sum of its motion (m)
     vec3 rest_place{};       ///< position near which the hand has rested (m)
     std::uint32_t rested{};  ///< number of points for which the hand has rested there
-    /// Number of points since the last long rest, among which a gesture is looked for.
+    /// Number of points since the last long rest. A gesture is looked for among these points.
     std::uint32_t moving{};
     std::uint32_t windows{};  ///< number of windows read since the hand came to rest
     std::uint32_t spare{};

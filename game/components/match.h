@@ -40,9 +40,9 @@ struct Dice {
     THAUM_COMPONENT(Dice, spread);
 };
 
-/// Kinds of event whose numbers recorded matches have. The hits of wands have the numbers that are missing
-/// here. New kinds are not listed here: the source that records one registers it, and it has a number above
-/// the last (game/data/event_kinds.h, which also names all kinds).
+/// Kinds of event with fixed numbers, because recorded matches contain these numbers. The numbers missing
+/// here belong to the hits of wands. New kinds are not listed here: the source that records one registers it
+/// (game/data/event_kinds.h, which names all kinds), and it gets a number above the last one here.
 enum class EventKind : std::uint32_t {
     none = 0,
     shot = 1,        ///< a shot was fired; detail: EventKind of its hits
@@ -77,10 +77,11 @@ enum class EventKind : std::uint32_t {
     brew_step = 34,    ///< a step of a recipe was right; detail: number of right strokes, 0: an ingredient
     brew_fault = 35,   ///< a step of a recipe was wrong; detail: BrewFault
     poison = 36,       ///< poison hurts a wizard
-    /// A player learns a recipe with a drawn order; detail: potion, then its ingredients, 8 bits each.
+    /// A player learns the order of a recipe that is drawn at random; detail: potion, then its ingredients, 8
+    /// bits each.
     recipe_told = 37,
     work_half = 38,  ///< a wizard holds half of the Great Work
-    work_lost = 39,  ///< a wizard has lost that half by dying
+    work_lost = 39,  ///< a wizard has lost a half of the Great Work by dying
     put_away = 40,   ///< a wizard has put a carried ingredient away; detail: its number
     /// A wizard who already carries an ingredient stands at another niche; detail: the niche's ingredient.
     hands_full = 41,
@@ -99,13 +100,13 @@ enum class EventKind : std::uint32_t {
     lens_lost = 58,  ///< a wizard has lost the Lens by dying
     work_begun =
         59,  ///< a wizard holds both halves of the Great Work; amount: time that they must be held (s)
-    work_broken = 60,  ///< a wizard has lost one of the two halves again
+    work_broken = 60,  ///< a wizard no longer holds both halves of the Great Work
     work_done = 61,    ///< a wizard has completed the Great Work
     blunt = 62,        ///< a wizard has no focus left for carving
     tool_taken = 63    ///< a wizard carves with another tool; detail: its number
 };
 
-/// Largest number of causes of harm, those of the rules and of all wands together.
+/// Largest number of causes of harm: those of the rules and those of all wands together.
 inline constexpr std::size_t max_causes = 16;
 
 struct Event {

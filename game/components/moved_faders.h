@@ -13,11 +13,11 @@ struct MovedFaders {
     /// Value for a fader that has not been moved.
     static constexpr std::uint8_t at_rest = 255;
 
-    /// Values of all faders of the first player, then of the second (%). input::HandFader `n` is at index n -
-    /// 1.
+    /// Values of all faders of the first player, then of the second (%). Fader `n` (input::HandFader) is at
+    /// index n - 1 of its player's part.
     std::array<std::uint8_t, players * input::hand_faders> percent{};
-    /// Ticks left, for each player, until every system has set its forces by the last move of a fader. In
-    /// these ticks the servo fades to each new force.
+    /// For each player, ticks left until every system has computed its forces with the fader's newest value.
+    /// Until then the servo fades to each new force.
     std::array<std::uint8_t, players> settling{};
 
     THAUM_COMPONENT(MovedFaders, percent, settling);

@@ -20,7 +20,7 @@ namespace thaum::game::inline components {
 /// The hidden core is the axis of the flow's first vortex.
 struct Orb {
     vec3 middle{};    ///< middle of the orb (m, world)
-    double radius{};  ///< (m)
+    double radius{};  ///< radius of the orb (m)
     std::uint64_t seed{};
     THAUM_COMPONENT(Orb, middle, radius, seed);
 };
@@ -36,7 +36,7 @@ struct WornModes {
                                                    no_mode};  ///< numbers of the modes, the oldest first
     /// For each mode, strength as a function of its property, as the rules give it or as the wizard drew it.
     std::array<field::TransferFunction, max_orb_modes> strength{};
-    std::uint32_t told{};  ///< 1: the orb has already rewarded this wizard in this life
+    std::uint32_t told{};  ///< 1: the orb has already rewarded this wizard since the wizard's last death
     /// 1: the orb has already shown this player the orders of recipes in this match.
     std::uint32_t order_told{};
     std::uint32_t spent{};    ///< 1: focus ran out while scrying; the wizard must release Stir to scry again
@@ -44,7 +44,7 @@ struct WornModes {
     THAUM_COMPONENT(WornModes, worn, strength, told, order_told, spent, version);
 };
 
-/// A wizard who scries: one who holds Stir at the orb and moves a probe in its flow.
+/// State of a wizard who scries: holds the Stir button at the orb and moves a probe in its flow.
 struct Scrying {
     vec3 place{};       ///< position of the probe (m, world)
     vec3 force{};       ///< force of the haptic modes on the probe (N, device frame rotated to world axes)

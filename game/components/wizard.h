@@ -26,7 +26,8 @@ struct Controls {
     std::int32_t forward{};        ///< forward motion, -127 to 127; negative: backward
     std::int32_t trigger{};        ///< 0 to 255
     std::int32_t wheel{};          ///< wheel steps since the last gameplay tick
-    /// Displacement of the hand in this tick while clutch, ladle or Trace is in use (um, device frame).
+    /// Displacement of the hand in this tick while the player holds clutch or Trace or works at a station
+    /// (um, device frame).
     std::int32_t hand_right{}, hand_up{}, hand_back{};
     /// Displacement of the hand from its home by a stick, while Trace is held (um, device frame).
     std::int32_t stick_right{}, stick_up{};
@@ -44,7 +45,7 @@ struct Gaze {
     THAUM_COMPONENT(Gaze, yaw, pitch);
 };
 
-/// How the wizard stands: state that physics::Mover keeps between steps.
+/// How the wizard stands: state that physics::Mover, which moves the wizard's body, keeps between steps.
 struct Stance : physics::MoverState {
     double rope_lift{};  ///< upward part of the rope's force (N)
     Tick loose_until{};  ///< tick before which the feet slip on the ground after a push
@@ -60,7 +61,8 @@ struct Health {
     Tick foe_did_at{};         ///< tick at which the foe last hurt or pushed the wizard; 0: never
     double ward{};             ///< harm that the wizard's shield can still absorb (HP)
     Tick ward_until{};         ///< tick at which that shield ends
-    double harm_share{1};      ///< share of each harm that remains after a potion, until `hardened_until`
+    double harm_share{1};      ///< share of each harm that the wizard takes after a hardening potion, until
+                               ///< `hardened_until`
     Tick hardened_until{};
     double poison{};  ///< harm rate of a poison, until `poisoned_until` (HP/s)
     Tick poisoned_until{};
@@ -97,7 +99,7 @@ struct WandBelt {
     std::uint32_t fired{};                    ///< number of shots so far, over all wands
     std::array<double, wand_slots> energy{};  ///< energy of each slot, indexed by WandStats::energy_slot
     double venom{};      ///< harm rate that the next lob adds for those whom it hits (HP/s); 0: none
-    Tick venom_until{};  ///< tick by which that lob must be thrown
+    Tick venom_until{};  ///< tick of play by which that lob must be thrown
     Tick venom_lasts{};  ///< duration of the harm that the next lob adds (ticks)
     THAUM_COMPONENT(WandBelt, selected, fired, energy, venom, venom_until, venom_lasts);
 };
