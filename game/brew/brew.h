@@ -17,7 +17,7 @@
 
 namespace thaum::game::inline brew {
 
-/// Number of the ingredient in each substance of the fluid.
+/// Number of the ingredient that each substance of the fluid holds.
 using Contents = std::array<std::uint32_t, fluid::max_substances>;
 
 struct Brew {
@@ -32,8 +32,8 @@ struct Brew {
 /// Makes a brew at rest without ingredients. The error is that of check_brew (data/cauldron_rules.h).
 Expected<Brew> make_brew(const CauldronRules& rules, const Basin& basin);
 
-/// Returns the substance that holds the ingredient, or else the first free one; std::nullopt if all are in
-/// use.
+/// Returns the substance that holds the ingredient, or else the first substance without one; std::nullopt if
+/// all hold others.
 std::optional<std::size_t> substance_for(const Contents& contents, std::uint32_t ingredient);
 
 /// Makes a substance hold this ingredient from now on.

@@ -8,7 +8,7 @@
 namespace thaum::game::inline brew {
 namespace {
 
-/// Calls `visit` with every array of a state, in one fixed order.
+/// Calls `visit` with every array of a fluid state, always in the same order.
 template <class State, class Visit>
 void each_array(State& state, Visit&& visit) {
     for (auto& component : state.velocity) visit(component);

@@ -1,5 +1,6 @@
-// game/brew/brew_state.h: samples of the brew as blobs in the World, where they are part of the state.
-// Haptics and picture read the two newest fluid states there while a job computes the next one.
+// game/brew/brew_state.h: velocities, substances and surface of the brew as blobs in the World, where they
+// are part of the match's state. Haptics and picture read the two newest fluid states there while a job
+// computes the next one.
 #pragma once
 #include <span>
 
@@ -14,14 +15,14 @@ namespace thaum::game::inline brew {
 void make_brew_state(ecs::World& world, const Brew& brew);
 bool has_brew_state(const ecs::World& world);
 
-/// Copies state 0 or 1 of the fluid to or from the World.
+/// Copies the fluid to the World, or from there, as stored state `which`: 0 or 1.
 void write_fluid(ecs::World& world, std::size_t which, const fluid::Fluid& fluid);
 void read_fluid(const ecs::World& world, std::size_t which, fluid::Fluid& fluid);
 void write_surface(ecs::World& world, Cauldron& cauldron, const fluid::SpringSurface& surface);
 void read_surface(const ecs::World& world, const Cauldron& cauldron, fluid::SpringSurface& surface);
 
-/// One array of a state: 0 to 2 are the velocity components, 3 and above the substances. The span stays valid
-/// until the World is cleared or restored.
+/// One array of stored fluid state `which`: arrays 0 to 2 are the velocity components, 3 and above the
+/// substances. The span stays valid until the World is cleared or restored.
 std::span<const float> brew_samples(const ecs::World& world, std::size_t which, const fluid::Fluid& fluid,
                                     std::size_t array);
 

@@ -130,7 +130,7 @@ Reading chord_reading(const MatchContext& context, const GestureSet& gestures, c
     return reading;
 }
 
-/// Casts the spell of a key chord, and records the key for the picture.
+/// Casts the spell of a key chord, and records the chord's key for the picture.
 void act_by_chord(MatchContext& context, const Caster& caster, const Reading& chord, std::uint32_t slot) {
     auto& ended = context.output.strokes.write()[caster.player];
     ended.chord_at = std::max<Tick>(caster.tick, 1);
@@ -181,8 +181,8 @@ void follow(MatchContext& context, ReadingSpace& space, const Caster& caster, Dr
     world.commands().remove<DrawnStroke>(caster.wizard);
 }
 
-/// Adds the system that gives focus back over time, but not while a wizard scries or uses a carving tool,
-/// which would otherwise cost nothing.
+/// Adds the system that gives focus back over time. It gives none while a wizard scries or uses a carving
+/// tool, because both cost focus and would otherwise be free.
 void add_focus_system(MatchContext& context, ecs::Schedule& schedule) {
     schedule.add(
         {.name = "focus",

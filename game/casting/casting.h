@@ -1,4 +1,4 @@
-// game/casting/casting.h: strokes in the match, and the spells that they cast.
+// game/casting/casting.h: strokes that wizards draw in the match, and the spells that these cast.
 //
 //     Trace goes down -> the wizard has a DrawnStroke, a viscous force acts on the hand
 //     while it is held -> a point of the stroke in every gameplay tick
@@ -28,7 +28,7 @@ struct Caster {
     Tick tick{};
 };
 
-/// Stores a reading, and casts the spell of its gesture. A wizard who stirs casts no spell.
+/// Stores the reading of a stroke, and casts the spell of its gesture. A wizard who stirs casts no spell.
 void act_on(MatchContext& context, const Caster& caster, const Reading& reading, const GestureSet& gestures);
 
 /// Components and resources that a system must declare if it calls act_on.

@@ -27,7 +27,7 @@ const input::DeviceSpec* free_device(const MatchContext& context, std::uint32_t 
     return nullptr;
 }
 
-/// Moves a mouse player's hand by the counts of one tick, with the same scale as in a stroke.
+/// Moves the hand of a mouse player by the mouse counts of one tick, with the same scale as in a stroke.
 void move_along(const MatchContext& context, std::uint32_t player, FreeHand& free) {
     std::size_t number = 0;
     const auto* spec = free_device(context, player, number);
@@ -80,7 +80,7 @@ void cast_drawn(MatchContext& context, const GestureSet& gestures, const Caster&
         drawn.gesture != no_gesture && drawn.miss == Miss::none && drawn.probability >= drawn.needed;
     const bool soon = hand.cast_at != 0 && caster.tick < hand.cast_at + rules.free_apart;
     if (!sure) {
-        if (soon) return;  // this is the end of the motion that has just cast a spell
+        if (soon) return;  // the hand still ends the motion that has just cast a spell
         const auto& odd = hand.odd;
         if (odd.gesture != no_gesture && odd.miss != Miss::unclear && odd.probability >= odd.needed)
             return note_miss(rules, caster.tick, odd, odd.miss, miss);

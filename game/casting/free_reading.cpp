@@ -9,24 +9,25 @@ namespace {
 
 using gesture::StrokePoint;
 
-/// Number of points at rest after which the windows' end is fixed: later motion is no part of the gesture.
+/// Number of points at rest after which the windows' end is fixed: later motion does not belong to the
+/// gesture.
 constexpr std::uint32_t points_to_end = 4;
-/// Number of windows read per gameplay tick, arc length of the shortest window (m), and ratio of the lengths
-/// of two successive windows.
+/// Number of windows read per gameplay tick, arc length of the shortest window (m), and ratio of each
+/// window's length to the next shorter one.
 constexpr std::uint32_t windows_per_tick = 9;
 constexpr double first_length = 0.02, window_ratio = 1.05;
-/// Number of points before a window that give the speed before the gesture (0.1 s).
+/// Number of points before a window from which the speed before the gesture is taken (0.1 s).
 constexpr std::size_t points_before = 12;
-// Weights of the terms added to the logarithm of the distance, as in gesture/spotter.cpp: of the logarithm of
-// the ratio of the speed before the window to the speed in it, and of the squared logarithm of the ratio of
-// the duration to the usual one.
+// Weights of two terms that are added to the logarithm of a window's distance, as in gesture/spotter.cpp: the
+// logarithm of (speed before the window / speed in it), and the squared logarithm of (duration / usual
+// duration).
 constexpr double pace_weight = 0.14, duration_weight = 0.1;
-// Limits of that speed ratio: a hand at rest, and a hand in fast motion.
+// Limits of that speed ratio: lower ones come from a hand at rest, higher ones from a hand in fast motion.
 constexpr double min_pace = 0.1, max_pace = 3;
 /// Radius within which a hand counts as stopped, as a share of the gesture's size. Tremor stays within it.
 constexpr double stop_way = 0.03;
 
-/// The motion that may contain a gesture, in the reader's memory.
+/// The motion that may contain a gesture; its points lie in the reader's memory.
 struct FreeMotion {
     std::span<const StrokePoint> points;
     std::array<double, free_points> way{};  ///< arc length from each point to the last one (m)
@@ -36,8 +37,8 @@ fvec3 place_of(const FreeHand& hand, std::uint32_t number) {
     return hand.points[(hand.first + number) % free_points];
 }
 
-/// Position smoothed over three points. Otherwise the steps of a mouse would count as turns, and corners of
-/// figures drawn by a program would show no slowing down.
+/// Position smoothed over three points. Without smoothing, the single counts of a mouse would look like turns
+/// of the path, and a figure drawn by a program would show no slowing down at its corners.
 vec3 smooth_place(std::span<const vec3> places, std::size_t number) {
     const vec3 before = places[number > 0 ? number - 1 : number];
     const vec3 after = places[number + 1 < places.size() ? number + 1 : number];
@@ -66,7 +67,7 @@ FreeMotion motion_of(const CastingRules& rules, const FreeHand& hand, ReadingSpa
     return motion;
 }
 
-/// First point of the window with this number; 0 if the window is longer than the motion.
+/// Index of the first point of the window with this number; 0 if the window is longer than the motion.
 std::size_t begin_of(const FreeMotion& motion, std::uint32_t window) {
     const double length = first_length * det::pow(window_ratio, window);
     const auto ways = std::span(motion.way).first(motion.points.size());
@@ -93,8 +94,8 @@ double pace_before(const FreeMotion& motion, std::size_t begin, double lasts) {
     return way * lasts / (time * motion.way[begin]);
 }
 
-/// Longest time for which the hand stops within a stroke of this size (s). The first and last tenth of the
-/// stroke do not count, since a hand is slow there.
+/// Longest time for which the hand stops within a stroke of this size (s). Stops in the first and last tenth
+/// of the stroke do not count, since a hand is slow there.
 double longest_stop(gesture::Points stroke, double size) {
     const std::size_t end = stroke.size() / 10;
     std::size_t longest = 0;
@@ -105,8 +106,8 @@ double longest_stop(gesture::Points stroke, double size) {
     return static_cast<double>(longest) * gameplay_dt;
 }
 
-/// Whether the hand stops within a stroke for so long that the stroke is two movements, such as one to a
-/// place and one back.
+/// Whether the hand stops within a stroke for so long that the stroke is rather two movements, such as one to
+/// a place and one back.
 bool is_broken(const CastingRules& rules, gesture::Points stroke, double size, double lasts) {
     const double stop = longest_stop(stroke, size);
     return stop >= rules.free_stop && stop >= rules.free_stop_share * lasts;

@@ -1,4 +1,4 @@
-// game/context/aim.h: directions of view as two angles.
+// game/context/aim.h: a direction of view as two angles.
 #pragma once
 #include "core/maths.h"
 

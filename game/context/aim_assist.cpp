@@ -11,16 +11,17 @@
 namespace thaum::game::inline context {
 namespace {
 
-/// Angle from the foe within which the view turns more slowly (rad)
+/// Angle between crosshair and foe within which the view turns more slowly (rad)
 constexpr double slow_zone = 4 * radians_per_degree;
-/// Largest share of the turning speed that is taken away, with the crosshair on the foe.
+/// Share of the turning speed that is taken away at full strength, with the crosshair on the foe.
 constexpr double max_slowed = 0.7;
-constexpr double draw_rate = 40;  ///< turning speed towards the foe per angle from the foe (1/s)
+constexpr double draw_rate = 40;  ///< speed at which the view turns towards the foe, per angle that is left
+                                  ///< (rad/s per rad)
 /// Largest speed at which the view is turned towards the foe (rad/s)
 constexpr double fastest_draw = 120 * radians_per_degree;
-constexpr double help_ends = 40;  ///< distance of the foe beyond which there is no help (m)
+constexpr double help_ends = 40;  ///< distance of the foe beyond which there is no aim assist (m)
 
-/// Strength of the help for a player, 0 to 1.
+/// Strength of aim assist for a player, 0 to 1.
 double strength_for(const MatchContext& context, std::uint32_t player) {
     if (!context.data.rules.aim_assist) return 0;
     double strength = 0;
@@ -30,7 +31,7 @@ double strength_for(const MatchContext& context, std::uint32_t player) {
     return strength > 0 && plays_by_arm(context.world, player) ? 0 : strength;
 }
 
-/// Position of the foe's body relative to the aim.
+/// Where the foe's body is, as seen along the aim.
 struct FoeBeside {
     vec3 point{};         ///< point of the axis of the foe's body that is nearest to the aim (m, world)
     double off{};         ///< angle from the aim to the nearest point of the foe's body (rad)
@@ -50,7 +51,7 @@ FoeBeside foe_beside(const WizardRules& rules, vec3 centre, vec3 from, vec3 aim)
     return {from + way, angle_off(aim, way), det::atan2(rules.radius, glm::length(way))};
 }
 
-/// The living foe within reach of help; an invalid Entity if there is none.
+/// The living foe of `player` within reach of aim assist; an invalid Entity if there is none.
 ecs::Entity foe_in_reach(const MatchContext& context, std::uint32_t player, vec3 from) {
     const auto foe = wizard_of(context.world, 1 - player);
     if (!foe || context.world.has<Dead>(foe)) return {};
@@ -74,7 +75,7 @@ double speed_in_hand(const MatchContext& context, ecs::Entity wizard) {
     return shot && shot->fall == 0 ? shot->speed : 0;
 }
 
-/// Turns the view towards a point, by way of ViewHelp.
+/// Adds to `help` the turn of the view towards a point in this tick.
 void draw_to(vec3 eye, vec3 point, const Gaze& gaze, double strength, ViewHelp& help) {
     const auto aim = aim_at(eye, point);
     const double left = angle_between(gaze.yaw, aim.yaw), up = aim.pitch - gaze.pitch;

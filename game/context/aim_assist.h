@@ -14,21 +14,22 @@
 
 namespace thaum::game::inline context {
 
-/// Angle from the foe within which the view is drawn towards it, and largest turn of a shot at full strength
-/// (rad).
+/// Angle between crosshair and foe within which the view is drawn towards the foe; also the largest angle by
+/// which a shot is turned, at full strength (rad).
 inline constexpr double max_pull = 2 * radians_per_degree;
 
-/// Help with the view in one tick.
+/// What aim assist does to the view in one tick.
 struct ViewHelp {
     double turn_share{1};  ///< share of the player's own turn that is kept: 1 without help
     double left{}, up{};   ///< added turn of the view towards the foe, if the player gives any input (rad)
 };
-/// Help with the view of a wizard in this tick. Reads Wizard, Gaze, WandBelt, Dead, Arm and
+/// What aim assist does to the view of a wizard in this tick. Reads Wizard, Gaze, WandBelt, Dead, Arm and
 /// resource::Physics.
 ViewHelp view_help(const MatchContext& context, ecs::Entity wizard);
 
-/// Direction of a straight shot with help (unit, world), from its direction without. `from` is its start (m,
-/// world), `speed` its speed (m/s). Reads Wizard, Dead, Arm and resource::Physics.
+/// Direction of a straight shot after aim assist (unit, world). `aim` is the direction before (unit, world),
+/// `from` the start of the shot (m, world), `speed` its speed (m/s). Reads Wizard, Dead, Arm and
+/// resource::Physics.
 vec3 helped_aim(const MatchContext& context, ecs::Entity wizard, vec3 from, vec3 aim, double speed);
 
 }  // namespace thaum::game::inline context

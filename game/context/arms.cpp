@@ -3,7 +3,7 @@
 namespace thaum::game::inline context {
 namespace {
 
-/// Ticks without a sample after which the arm counts as gone, so that the simulated hand takes over.
+/// Ticks without a sample after which an arm counts as gone, so that the simulated hand takes over.
 constexpr std::uint32_t gone_after = 250;
 
 }  // namespace

@@ -5,8 +5,8 @@
 
 namespace thaum::game::inline context {
 
-/// Condition of a player's real arm. While the arm is gone, a simulated hand takes over, moved by mouse or
-/// gamepad. An arm that has come back gives forces again only after it was held still.
+/// Condition of a player's real arm. While the arm is gone, mouse or gamepad move a simulated hand instead.
+/// An arm that has come back gives forces again only after it was held still.
 enum class ArmCondition : std::uint8_t { none, felt, clutched, gone, back };
 ArmCondition arm_condition(const ecs::World& world, std::uint32_t player);
 

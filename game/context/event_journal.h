@@ -1,4 +1,5 @@
-// game/context/event_journal.h: every event of the last seconds of a match, for all who show or count events.
+// game/context/event_journal.h: every event of the last seconds of a match, for all code that shows or counts
+// events.
 //
 // The World keeps only the last 64 events (EventLog), since each costs bytes in every saved state. A tick may
 // record more: 100 missiles that hit together are 200 events. So readers take events from this journal, which

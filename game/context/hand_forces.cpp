@@ -6,7 +6,7 @@ namespace {
 /// Peak force of the device for which the forces in the wands' files are given (N).
 constexpr double reference_peak = 3.3;
 
-/// Force at this player's device per newton in the wands' files (N/N). It depends on the device and on the
+/// Force at this player's device per force in the wands' files (N/N). It depends on the device and on the
 /// player's settings.
 double felt_share(const MatchContext& context, ecs::Entity wizard) {
     const auto player = context.world.get<Wizard>(wizard).player;

@@ -14,18 +14,20 @@ HandState empty_hand_state();
 /// `newtons` is in the device frame. Writes HandState.
 void kick(MatchContext& context, ecs::Entity wizard, vec3 newtons, Tick length);
 
-/// Kicks the hand towards the user. `share` is relative to the largest force that the player chose.
+/// Kicks the hand towards the user. `share` is the peak as a share of the largest force that the player
+/// chose.
 void kick_at_peak(MatchContext& context, ecs::Entity wizard, double share, Tick length);
 
-/// Kicks the hand towards the user for a shot of the user's own wand. The player's fader for recoil scales
-/// the kick.
+/// Kicks the hand of a wizard's player for a shot of that wizard's own wand. The player's fader for recoil
+/// scales the kick.
 void recoil(MatchContext& context, ecs::Entity wizard, double newtons, Tick length);
 
 /// Sets a steady force on the hand (N, device frame), scaled like a kick. The force may vary smoothly over
 /// successive calls. Writes HandState.
 void set_steady_force(MatchContext& context, ecs::Entity wizard, vec3 newtons);
 
-/// Ties the hand to a point by a spring. For a moving point, call this every tick. Writes HandState.
+/// Ties the hand to a point by a spring. A caller whose point moves must call this in every tick. Writes
+/// HandState.
 void tether(MatchContext& context, ecs::Entity wizard, const haptics::Tether& to);
 
 /// Removes the steady force, tether and displacement that a wand has set on the hand. Writes HandState.

@@ -23,7 +23,8 @@ struct HapticSetup {
     haptics::SimulatedDevice device;
     std::array<haptics::Servo, players> servos{};
     std::array<bool, players> on{};  ///< whether the player feels any forces
-    /// Largest force that a player has chosen during the match (% of the device's); 0: the value in `servos`.
+    /// Largest force that a player has chosen during the match (% of the device's peak); 0: the one in
+    /// `servos`.
     std::array<std::uint8_t, players> force_percent{};
     /// Share of a carried thing's weight that the player feels, 0 to 1.
     std::array<double, players> weight{};
@@ -37,7 +38,7 @@ struct HapticSetup {
     std::array<haptics::FluidModes, players> brew{};
     /// Half the size of the box of positions that the device can reach (m, device frame).
     std::array<vec3, players> reach{};
-    /// Scale of hand motion relative to a device with the reference workspace.
+    /// Scale of hand motion, relative to a device with the reference workspace (m/m).
     std::array<double, players> workspace_scale{};
     /// Displacement of the wand's tip per displacement of the hand (m/m).
     std::array<double, players> wand_per_hand{};

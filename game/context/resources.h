@@ -23,10 +23,11 @@ struct EndedStroke {
     DrawnStroke stroke;
     Tick at{};    ///< tick of play at which the stroke ended; 0: no stroke yet
     bool read{};  ///< true: the stroke was recognised as a gesture
-    /// Why the last spell that was cast in vain had nothing to act on (SpellRules::refusal)
+    /// Why the spell that was last cast in vain had nothing to act on (SpellRules::refusal)
     std::string_view refusal{};
     Tick outcome_at{};           ///< tick of play of `outcome`; 0: never
-    std::string_view outcome{};  ///< how the effect of a spell ended after its cast, as a text for its wizard
+    std::string_view outcome{};  ///< how the effect of a spell ended after its cast, as a text for the wizard
+                                 ///< who cast it
     Tick chord_at{};             ///< tick of play of the last key chord; 0: none yet
     std::uint32_t chord_slot{};  ///< slot of the last key chord's wand key, which is the spell's slot
 };
@@ -41,7 +42,7 @@ struct Physics {
     static constexpr std::string_view name = "physics";
 };
 
-/// Haptic models of this tick, one for each player. Unchanged parts are not written again.
+/// Haptic models of this tick, one for each player. A tick rewrites only the parts that changed.
 struct Models {
     using Value = std::array<haptics::HapticModel, players>;
     static constexpr std::string_view name = "haptic models";

@@ -15,7 +15,8 @@ namespace {
 
 /// Distance of the point aimed at if nothing nearer is under the crosshair (m)
 constexpr double aim_reach = 60;
-/// Minimum distance of the point aimed at (m). A nearer one would send the shot sideways.
+/// Minimum distance of the point aimed at (m). A shot from the wand's tip to a nearer point would fly
+/// sideways.
 constexpr double nearest_aim = 1.0;
 
 bool blocked(const physics::Physics& physics, vec3 from, vec3 to, double radius, physics::Key ignored) {

@@ -13,8 +13,8 @@ void strike(MatchContext& context, physics::Key struck, vec3 place, vec3 way, st
 /// Records hits on all crystals that a burst reaches. `size` is the radius of the missile (m). Reads Crystal.
 void strike_by_burst(MatchContext& context, vec3 place, double size, std::uint32_t player);
 
-/// Records a blow by a loose thing on a crystal, unless the blow was too weak or the crystal was chipped just
-/// before. Reads Crystal.
+/// Records the blow of a loose thing on a crystal, unless the blow was too weak or another one chipped the
+/// crystal just before. Reads Crystal.
 void strike_by_thing(MatchContext& context, ecs::Entity crystal, const physics::Contact& contact,
                      std::uint32_t player, Tick tick);
 

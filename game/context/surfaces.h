@@ -14,7 +14,8 @@ struct HandFrame {
     double metres_per_metre{1};  ///< world distance per distance of the device, > 0 (m/m)
 
     vec3 to_device(vec3 world) const { return way_to_device(world - origin); }
-    /// Transforms a displacement from world to device, or a velocity if the frame is at rest.
+    /// Transforms a displacement from the world to the device frame; also a velocity, if the frame is at
+    /// rest.
     vec3 way_to_device(vec3 way) const { return glm::conjugate(turn) * way / metres_per_metre; }
     vec3 to_world(vec3 device) const { return origin + turn * (metres_per_metre * device); }
     bool operator==(const HandFrame&) const = default;
@@ -36,8 +37,8 @@ struct Around {
     physics::Key ignore{physics::no_key};
 };
 
-/// Empties a patch. Unused entries are set to fixed bytes, so that a match restored from a saved state
-/// publishes the same models. Entries beyond the counts must have been cleared before.
+/// Empties a patch. Unused entries get fixed bytes, so that a match restored from a saved state publishes the
+/// same haptic models. The caller must have cleared the entries beyond the counts before.
 void clear_patch(haptics::SurfacePatch& patch);
 
 /// Writes the nearest surfaces around a point into the patch, as many as fit. `before` is the device frame
