@@ -12,7 +12,8 @@ struct MatchData;
 
 /// Short name of a fault for tables and scenarios, such as "early"; empty for a number without a fault.
 std::string_view name_of_fault(BrewFault fault);
-/// What a player did wrong, and what to do: "Too early: stir on before the next ingredient".
+/// What a player did wrong and what to do instead, in one text: "Too early: stir on before the next
+/// ingredient".
 std::string_view words_of_fault(BrewFault fault);
 
 struct PotionWords {

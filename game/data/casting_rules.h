@@ -16,25 +16,31 @@ struct CastingRules {
     double harsh_from{};      ///< mean force at or above which a stroke is harsh (N)
     double harsh_strength{};  ///< strength of a harsh spell, relative to a gentle one
     double harsh_cost{};      ///< focus that a harsh spell costs, relative to a gentle one
-    Tick shortest{};          ///< shortest stroke that is read (ticks)
-    double smallest{};        ///< minimum arc length of a stroke that is read (m)
-    // Rules of casting without a button.
+    Tick shortest{};          ///< duration below which a stroke is not read (ticks)
+    double smallest{};        ///< arc length below which a stroke is not read (m)
+    // Rules of casting without a button, in which a gesture ends where the hand comes to rest.
     Tick free_rest{};                 ///< time for which the hand must rest after the gesture (ticks)
     double free_rest_way{};           ///< radius within which a hand counts as resting (m)
-    Tick free_pause{};                ///< rest so long that it cannot be part of a gesture (ticks)
-    double free_least_probability{};  ///< probability that a gesture needs in order to cast
-    double free_quiet_probability{};  ///< probability that suffices if the hand was slow before the gesture
-    /// Speed before a gesture, relative to the gesture's own, below which the hand was slow.
+    Tick free_pause{};                ///< duration of a rest that cannot be part of a gesture (ticks)
+    double free_least_probability{};  ///< probability of the reading that a gesture needs in order to cast
+                                      ///< its spell, 0 to 1
+    double free_quiet_probability{};  ///< probability that suffices instead if the hand was slow before the
+                                      ///< gesture, 0 to 1
+    /// Speed of the hand before a gesture, as a multiple of the speed in the gesture, below which the hand
+    /// was slow.
     double free_quiet_pace{};
-    /// Speed before a gesture, relative to the gesture's own, above which the gesture did not begin there.
+    /// Speed of the hand before a gesture, as a multiple of the speed in the gesture, above which the motion
+    /// so far belongs to the gesture, so the gesture did not begin there.
     double free_most_pace{};
     /// Arc length below which a closed gesture needs the full probability even after a slow start (m)
     double free_loop{};
-    double free_stop{};  ///< pause within a gesture from which on it may be two movements (s)
-    /// Pause within a gesture from which on it may be two movements, as a share of the gesture's duration.
-    /// The limit in seconds must be reached, too.
+    double free_stop{};  ///< duration of a pause within a gesture from which on the gesture may be two
+                         ///< movements (s)
+    /// That duration as a share of the gesture's duration. A pause splits a gesture only if it reaches both
+    /// limits.
     double free_stop_share{};
-    double free_near_probability{};  ///< probability from which on an uncast gesture is a near miss
+    double free_near_probability{};  ///< probability from which on a gesture that casts nothing is shown as a
+                                     ///< near miss, 0 to 1
     double free_smallest{};          ///< minimum width or height of a gesture, whichever is larger (m)
     double free_shortest{};          ///< minimum duration of a gesture (s)
     Tick free_apart{};               ///< minimum time between two spells (ticks)

@@ -43,19 +43,20 @@ struct LadleRules {
 /// Effects of the brew on wizards near it and on players who stir it.
 struct AuraRules {
     double radius{};  ///< distance from the middle within which the effects act (m)
-    /// A brew is thick above this multiple of the pure brew's viscosity. Near it, wizards walk at this
-    /// fraction of the full speed.
+    /// `thick_above`: multiple of the pure brew's viscosity above which a brew is thick. `thick_pace`:
+    /// fraction of the full speed at which wizards walk near a thick brew.
     double thick_above{}, thick_pace{};
-    /// A brew is light below this fraction of the pure brew's density. Near it, wizards keep this fraction of
-    /// their weight.
+    /// `light_below`: fraction of the pure brew's density below which a brew is light. `light_gravity`:
+    /// fraction of their weight that wizards keep near a light brew.
     double light_below{}, light_gravity{};
-    double refill{};        ///< energy that each wand gains while its wizard stirs with the flow (1/s)
+    double refill{};  ///< energy that each wand gains while its wizard stirs in the direction of the flow
+                      ///< (1/s)
     double refill_speed{};  ///< minimum speed of the flow that refills wands (m/s)
 };
 
-/// Reward for keeping a brew well mixed (the boon). Each brew gives it once.
+/// Reward for keeping a brew well mixed, called the boon: it heals the brew's owner. Each brew gives it once.
 struct BoonRules {
-    double mixed{};    ///< mixing number from which on the brew counts as well mixed, 0 to 1
+    double mixed{};    ///< evenness (Cauldron::mixing) from which on the brew counts as well mixed, 0 to 1
     Tick after{};      ///< time for which one owner must keep the brew well mixed (ticks)
     Tick lasts{};      ///< duration of the healing (ticks)
     double healing{};  ///< health that the owner gains near the bowl, up to the start value (HP/s)
@@ -69,7 +70,8 @@ struct CauldronRules {
     double density{};                        ///< density of the pure brew, for momentum (kg/m^3)
     double viscosity{};                      ///< kinematic viscosity of the base fluid (m^2/s)
     vec3 colour{};                           ///< colour of the base fluid, linear light, 0 to 1
-    fluid::SpringSurfaceSettings surface{};  ///< spring surface; `side` is computed from the bowl
+    fluid::SpringSurfaceSettings surface{};  ///< settings of the spring surface, whose `side` is computed
+                                             ///< from the bowl
     LadleRules ladle{};
     AuraRules aura{};
     BoonRules boon{};
@@ -82,7 +84,7 @@ struct CauldronRules {
     Tick spoils_after{};  ///< time from the first ingredient to boiling over (ticks)
     /// Time from the first ingredient to boiling over, for a brew that can no longer become a potion (ticks)
     Tick useless_spoils_after{};
-    /// Boiling over: speed of the push and harm for wizards at the rim (m/s, HP)
+    /// Effect of a brew that boils over on wizards at the rim: speed of the push (m/s), and harm (HP)
     double spoil_push{}, spoil_harm{};
     double niche_radius{};  ///< greatest distance at which a wizard picks up an ingredient (m)
     Tick niche_again{};

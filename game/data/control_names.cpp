@@ -14,8 +14,8 @@ std::string in_brackets(const std::string& control) {
     return text("[", control.empty() ? "not bound" : control, "]");
 }
 
-/// The control that selects the wand. If there is none, the control for the next wand, with words that say
-/// so.
+/// Name of the control that selects the wand. For a wand without a control of its own: the control for the
+/// next wand, with words that say so.
 std::string control_of_wand(std::string_view wand, const ControlNames& controls, const Presentation& shown) {
     const auto found =
         std::find_if(shown.wands.begin(), shown.wands.end(), [&](const auto& w) { return w.name == wand; });

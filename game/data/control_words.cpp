@@ -9,7 +9,7 @@
 namespace thaum::game::inline data {
 namespace {
 
-/// Names of all controls except the wands', in the order of ControlWord.
+/// Names of all controls except those of wands, in the order of ControlWord.
 constexpr std::array<std::string_view, 9> control_names{"move",  "look",      "jump",  "fire", "stir",
                                                         "throw", "next_wand", "pause", "trace"};
 constexpr std::string_view wand_prefix = "wand:";

@@ -13,11 +13,11 @@ namespace thaum::game::inline data {
 /// Controls that words may name.
 enum class ControlWord : std::uint8_t { move, look, jump, fire, stir, throw_, next_wand, pause, trace, wand };
 
-/// A piece of plain text, and the control that follows it.
+/// A piece of plain text, and the control named after it.
 struct ControlPiece {
     std::string plain;
     std::optional<ControlWord> word{};
-    std::string wand{};  ///< name of the wand of ControlWord::wand
+    std::string wand{};  ///< name of the wand, if `word` is ControlWord::wand
 };
 /// Splits a text at its controls. Braces without a known control stay plain text.
 std::vector<ControlPiece> control_pieces_of(std::string_view pattern);

@@ -27,7 +27,7 @@ std::vector<std::string> read_tool_names(const ConfigTable& root) {
     return names;
 }
 
-/// Tool that melts a ball of this radius (voxels).
+/// A tool that melts a ball of this radius (voxels).
 field::Tool melt_of_hit(double radius) {
     return {
         .name = "chip",

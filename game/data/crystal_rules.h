@@ -30,7 +30,7 @@ struct CrystalRules {
     std::vector<std::string> tool_names;  ///< files of assets/carving in the order of the wand keys
     std::vector<field::Tool> tools;       ///< the tools read from the files in `tool_names`
     double focus_per_second{};            ///< focus that a tool takes while it is applied (1/s)
-    /// Share of a tool's change that is made where it leads away from the key's shape, 0 to 1.
+    /// Share of a tool's change that remains where the change leads away from the key's shape, 0 to 1.
     double against_key{};
     double turning{};  ///< speed at which a carver turns the crystal (rad/s)
     double overlap{};  ///< overlap with the key's shape at which the wizard gains the Lens, 0 to 1

@@ -101,7 +101,8 @@ void set_row(EventKinds& all, std::uint32_t number, const EventKindInfo& info) {
     }
 }
 
-/// Gives the cause of a kind its number: a fixed one, the one that it already has, or the next one.
+/// Returns the number of a kind's cause: the fixed number, or the one that the cause already has, or the next
+/// free one.
 std::size_t cause_number(EventKinds& all, const EventKindInfo& kind,
                          const std::optional<FixedNumbers>& fixed) {
     const auto known = std::find(all.causes.begin(), all.causes.end(), kind.cause);
@@ -121,7 +122,7 @@ std::size_t cause_number(EventKinds& all, const EventKindInfo& kind,
     return number;
 }
 
-/// A kind whose numbers the program gives. `is_hit`: it must have a cause.
+/// A kind without fixed numbers. `is_hit`: the kind must have a cause of harm.
 struct FreeKind {
     EventKindInfo info;
     bool is_hit{};

@@ -66,7 +66,8 @@ struct HitKind {
 /// assets/events.toml says how it is shown.
 class EventRegistration {
 public:
-    /// Registers the kind when the program starts. Its numbers are given to it: cause_number is ignored.
+    /// Registers the kind when the program starts. The program chooses its numbers, so `info.cause_number` is
+    /// ignored.
     explicit EventRegistration(const EventKindInfo& info);
     EventKind kind() const;
 
@@ -100,7 +101,7 @@ EventKind hit_kind(std::string_view name);
 
 /// Names of the causes of harm, by number.
 std::span<const std::string_view> causes();
-/// Number of the cause of harm; max_causes if the kind takes no health.
+/// Number of the cause of harm of a kind of event; max_causes if the kind takes no health.
 std::size_t cause_of(EventKind kind);
 
 }  // namespace thaum::game::inline data

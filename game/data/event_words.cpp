@@ -10,7 +10,8 @@
 namespace thaum::game::inline data {
 namespace {
 
-/// Name of the cause of harm. A thing that a player moved is "thrown".
+/// Name of the cause of an event's harm. If a player moved the thing that did it, the name begins with
+/// "thrown".
 std::string cause_words(const Event& event, std::string_view thing) {
     if (!thing.empty()) return text(event.by < players ? "thrown " : "", thing);
     const bool about_cause = info_of(event.kind).with == EventWith::cause;
@@ -22,7 +23,8 @@ std::string power_up_words(const Event& event) {
     return event.detail < power_up_names.size() ? capitalised(power_up_names[event.detail]) : std::string();
 }
 
-/// Name of a potion with a capital letter. In recipe_told, its number is in the lowest 8 bits of `detail`.
+/// Name of a potion with a capital letter. Event::detail is the potion's number; for recipe_told, its lowest
+/// 8 bits are.
 std::string potion_words(const Event& event, const BrewWords& brew) {
     const bool told = event.kind == EventKind::recipe_told;
     return capitalised(brew.potion(told ? event.detail & 0xFFU : event.detail));

@@ -11,7 +11,8 @@
 
 namespace thaum::game::inline data {
 
-/// Shared by all matches with the same data. The recogniser is made when it is first needed, in any thread.
+/// A set of gestures that all matches with the same data share. Its recogniser is made when it is first
+/// needed, in any thread.
 class GestureSet {
 public:
     /// The gestures must have been checked by `fault_of`.

@@ -48,7 +48,8 @@ public:
         return std::find(faulty_.begin(), faulty_.end(), name) == faulty_.end();
     }
 
-    /// Checks one file against another that has no faults. `report` reports an error at a line of `file`.
+    /// Checks a file together with others, if they have no faults of their own. `report` reports an error at
+    /// a line of `file`.
     template <class Report>
     void check_across(const std::optional<Config>& file, Report report) {
         if (!file) return;
@@ -68,7 +69,7 @@ public:
 
     const std::filesystem::path& assets() const { return assets_; }
 
-    /// Adds an error that belongs to no single file, or that a file's reader returns.
+    /// Adds an error that belongs to no single file, or that the reader of a file returns.
     void refuse(const Error& fault) { add_faults(error, fault); }
 
     /// Name of a file in messages: "assets/orb.toml".
@@ -229,7 +230,8 @@ void load_device(MatchData& data, const std::optional<Config>& haptics, Loader& 
         loader.refuse(device.error());
 }
 
-/// Wraps a reader so that its file is kept for errors that appear only when another file is read.
+/// Wraps a reader of a file so that the file is kept in `kept`, for errors that appear only when another file
+/// is read.
 template <class Read>
 auto noting(std::optional<Config>& kept, Read read) {
     return [&kept, read](const Config& file) {
@@ -327,7 +329,8 @@ void load_gestures(MatchData& data, Loader& loader) {
         gestures.push_back(std::move(**read));
         files.push_back(file);
     }
-    // If a gesture file has a fault, spells and recipes would seem to name gestures that do not exist.
+    // If a gesture file has a fault, spells and recipes would wrongly seem to name gestures that do not
+    // exist.
     if (gestures.size() < names.size()) return;
     if (const auto fault = fault_of(gestures)) {
         loader.refuse({text(loader.shown("gestures"), ": ", *fault)});
@@ -377,7 +380,7 @@ void load_spells(MatchData& data, Loader& loader) {
     data.presentation = std::move(shown);
 }
 
-/// Reports recipes with the same ingredients, because a brew could not be assigned to one of them.
+/// Reports recipes with the same ingredients, because nothing would tell which of them a brew follows.
 void check_different(const std::vector<Recipe>& recipes, const std::optional<Config>& file, Loader& loader) {
     const auto& last = recipes.back();
     const auto like_last = [&](const Recipe& other) {
@@ -421,7 +424,7 @@ void load_orb(MatchData& data, Loader& loader) {
         loader.load("orb.toml", [](const Config& file) { return std::optional(read_orb_rules(file)); });
 }
 
-/// Stores the names of ingredients and potions for those who show the match.
+/// Stores the names of ingredients and potions in the presentation, for code that shows the match.
 void name_brew(MatchData& data) {
     auto shown = std::make_shared<Presentation>(*data.presentation);
     shown->brew = brew_words_of(data);

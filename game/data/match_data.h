@@ -41,15 +41,16 @@ struct MatchData {
     WizardRules wizard;
     HapticRules haptic_rules;
     haptics::DeviceSpec device;  ///< device that simulated hands hold
-    /// std::nullopt if the rule set has no cauldron, or the arena no bowl
+    /// Rules of the cauldron; std::nullopt if the rule set has no cauldron, or the arena no bowl.
     std::optional<CauldronRules> cauldron;
-    /// std::nullopt if the rule set has no cauldron, or the arena no crystal
+    /// Rules of crystals; std::nullopt if the rule set has no cauldron, or the arena no crystal.
     std::optional<CrystalRules> crystal;
     std::vector<Recipe>
         recipes;  ///< recipes of potions, sorted by name; empty without a cauldron or gestures
-    /// std::nullopt if the rule set has no cauldron or no spells, or if the arena has no orb
+    /// Rules of the orb; std::nullopt if the rule set has no cauldron or no spells, or if the arena has no
+    /// orb.
     std::optional<OrbRules> orb;
-    /// Sorted by the name of the kind; with the changes that the rule set makes.
+    /// Wands, sorted by the name of the kind; with the changes that the rule set makes.
     std::vector<LoadedWand> wands;
     /// Gestures of assets/gestures. Empty if the rule set has no spells.
     std::shared_ptr<const GestureSet> gestures;
@@ -69,8 +70,8 @@ std::span<const std::string_view> rule_set_names();
 /// sorted.
 std::vector<std::string> match_lengths(const std::filesystem::path& assets);
 
-/// Loads and checks all data of a match. The error names file, line and key, and has a line on every other
-/// fault.
+/// Loads and checks all data of a match. The error names file, line and key of the first fault, and has one
+/// more line for every other fault.
 Expected<MatchData> load_match_data(const std::filesystem::path& assets, const DataChoice& choice);
 
 /// Data that was read in spite of faults, so that names in it can be checked. It must not be used for a match
@@ -81,10 +82,10 @@ struct MatchReading {
 };
 MatchReading read_match_data(const std::filesystem::path& assets, const DataChoice& choice);
 
-/// Folder of the assets: $THAUM_ASSETS if set, else that of the program.
+/// Folder of the assets: $THAUM_ASSETS if that is set, else the folder that belongs to the program.
 std::filesystem::path find_assets();
-/// Folder of the assets that belong to the program: relative to it (build tree or installation), else
-/// "assets".
+/// Folder of the assets that belong to the program: found relative to the program (in a build tree or an
+/// installation), else "assets" in the current folder.
 std::filesystem::path shipped_assets();
 
 }  // namespace thaum::game::inline data

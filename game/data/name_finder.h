@@ -15,14 +15,15 @@
 
 namespace thaum::game::inline data {
 
-/// Whether a bank has left out the file of this name because of its faults. Those faults are reported
-/// elsewhere.
+/// Whether a bank of sounds or effects has left out the file of this name because of its faults. Those faults
+/// are reported elsewhere.
 template <class Bank>
 bool is_left_out(const Bank& bank, std::string_view name) {
     return std::ranges::any_of(bank.faulty, [&](const LeftOut& faulty) { return faulty.name == name; });
 }
 
-/// A name stripped of folder and ending, which must not be written: "bolt_shot" for "sounds/bolt_shot.toml".
+/// A name without folder and ending, which data files should not write: "bolt_shot" for
+/// "sounds/bolt_shot.toml".
 inline std::string bare_name(std::string_view name) {
     name.remove_prefix(std::min(name.rfind('/') + 1, name.size()));
     if (name.ends_with(".toml")) name.remove_suffix(5);

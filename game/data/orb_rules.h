@@ -21,7 +21,8 @@ struct OrbMode {
     field::TransferFunction friction{};  ///< coefficient of friction, as a function of the field's value
     /// Property at the right end of the plane on which a wizard draws the strength curve.
     double max_property{};
-    double least{};  ///< strength at the bottom of the drawing plane (N); the plane's left end is property 0
+    double least{};  ///< strength at the bottom of the drawing plane (N); property 0 is at the plane's left
+                     ///< end
 };
 
 struct OrbRules {
@@ -33,10 +34,12 @@ struct OrbRules {
     Tick hold{};  ///< time for which the probe must stay near the core until the orb gives its reward (ticks)
     double healing{};       ///< health that the reward gives (HP)
     double focus{};         ///< focus that scrying costs (1/s)
-    double stiffness{};     ///< stiffness of the spring between tip and proxy (N/m, at the device)
-    double most{};          ///< strength at the top of the plane on which a wizard draws (N)
+    double stiffness{};  ///< stiffness of the spring between the device's tip and the proxy (N/m, at the
+                         ///< device)
+    double most{};          ///< strength at the top of the plane on which a wizard draws strength curves (N)
     double column_share{};  ///< width of a column of a drawn curve, as a share of the plane's width
-    /// Hand displacement after which it starts to draw, so that a key chord draws nothing (m)
+    /// Hand displacement after which a held Trace button begins to draw, so that a key chord draws nothing
+    /// (m)
     double begins{};
     std::vector<OrbMode> modes;  ///< all modes, 1 to max_orb_modes of them
 };

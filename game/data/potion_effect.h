@@ -20,8 +20,8 @@ namespace thaum::game::inline data {
 struct PotionUse {
     MatchContext& context;
     ecs::Entity wizard;
-    std::uint32_t potion{};  ///< its number among MatchData::recipes
-    Tick lasts{};            ///< time for which the potion acts; 0: it has none
+    std::uint32_t potion{};  ///< number of the potion, its index in MatchData::recipes
+    Tick lasts{};            ///< time for which the potion acts (ticks); 0: it has no duration
     Tick tick{};             ///< tick of play
 };
 
@@ -31,7 +31,7 @@ struct PotionSystems {
     ecs::Schedule& schedule;
 };
 
-/// One effect with the numbers of a potion's data file. Its state in a match is in the World.
+/// One effect of a potion, with the numbers of the potion's data file. Its state in a match is in the World.
 class PotionEffect {
 public:
     PotionEffect() = default;
@@ -39,24 +39,25 @@ public:
     PotionEffect& operator=(const PotionEffect&) = delete;
     virtual ~PotionEffect() = default;
 
-    /// The wizard has drunk the potion.
+    /// Called when the wizard has drunk the potion.
     virtual void drunk(const PotionUse& use) const = 0;
-    /// The potion's time is up.
+    /// Called when the potion stops acting on the wizard.
     virtual void over(const PotionUse&) const {}
-    /// The wizard has died, and may not have drunk it.
+    /// Called when the wizard has died, who may not have drunk the potion.
     virtual void lost(const PotionUse&) const {}
     /// Components and resources that these functions write, besides Potions, EventLog and resource::Journal.
     virtual ecs::Mask writes(const ecs::World& world) const = 0;
-    /// Adds systems that act while the potion does.
+    /// Adds systems that act while the potion acts on a wizard.
     virtual void add_systems(const PotionSystems&) const {}
 };
 
-/// A kind of effect, as its source registers it.
+/// A kind of potion effect, as its source registers it.
 struct PotionEffectKind {
     std::string_view name;
-    /// Declares components of the effect's own; null: it has none.
+    /// Declares components that only this effect has; null: it has none.
     void (*declare)(ecs::World&) = nullptr;
-    /// Reads the effect from the table `wizard` of a potion; null: the potion does not have it.
+    /// Reads the effect from the table `wizard` of a potion's data file; a null result: the potion does not
+    /// have the effect.
     std::shared_ptr<const PotionEffect> (*read)(const ConfigTable& wizard);
 };
 
@@ -65,10 +66,11 @@ struct PotionEffectRegistration {
     explicit PotionEffectRegistration(const PotionEffectKind& kind);
 };
 
-/// All kinds of effect, sorted by name.
+/// All kinds of potion effect, sorted by name.
 const std::vector<PotionEffectKind>& potion_effect_kinds();
 
-/// The effects that a potion has, in the order of their names.
+/// The effects that a potion has, in the order of their names. `wizard`: the table `wizard` of the potion's
+/// data file.
 std::vector<std::shared_ptr<const PotionEffect>> read_potion_effects(const ConfigTable& wizard);
 
 }  // namespace thaum::game::inline data

@@ -91,7 +91,7 @@ std::string line_of(const MissingName& missing) {
 
 namespace {
 
-/// The wand whose hit the event is; null if the event is no wand's hit.
+/// The wand that registered this kind of event as its hit; null if no wand did.
 const WandKind* wand_of_hit(EventKind kind) {
     const auto has_it = [&](const WandKind& wand) {
         return std::ranges::any_of(wand.hits, [&](const HitKind& hit) { return hit.name == name_of(kind); });

@@ -40,10 +40,11 @@ struct RecipeStroke {
 struct ChangedBrew {
     double viscosity{1};   ///< factor on the pure brew's viscosity
     double density{1};     ///< factor on the pure brew's density
-    double elasticity{1};  ///< factor on the tension of the surface
-    /// Mean speed below which the brew is driven in a circle, clockwise seen from above (m/s); 0: never.
+    double elasticity{1};  ///< factor on the tension of the brew's surface
+    /// Mean speed of the brew below which it is driven in a circle, clockwise seen from above (m/s); 0:
+    /// never.
     double swirl{};
-    double rise{};   ///< mean speed below which the middle of the brew is pushed upwards (m/s); 0: never
+    double rise{};   ///< mean speed of the brew below which its middle is pushed upwards (m/s); 0: never
     double aura{1};  ///< factor on the radius of the brew's effects (AuraRules)
     Tick lasts{};
     vec3 colour{};  ///< colour as linear light, 0 to 1; for pictures only
@@ -52,8 +53,8 @@ struct ChangedBrew {
 /// What the potion does to the wizard who brewed it, besides its effects.
 struct PotionGift {
     Tick lasts{};
-    double pace{1};          ///< multiple of the walking speed
-    double gravity{1};       ///< share of the weight that is left
+    double pace{1};          ///< factor on the walking speed
+    double gravity{1};       ///< share of the wizard's weight that is left
     bool work_half = false;  ///< the wizard holds half of the Great Work until death
 };
 

@@ -13,7 +13,7 @@ void declare_all(ecs::World& world) {
     (world.declare<Components>(), ...);
 }
 
-/// Makes the rules of a kind from the table of its data file.
+/// Makes the rules of a kind of wand or spell from the root table of its data file.
 template <class Rules, class OfKind>
 std::shared_ptr<const Rules> read_rules(const ConfigTable& root) {
     return std::make_shared<OfKind>(root);

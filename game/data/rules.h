@@ -42,7 +42,8 @@ struct WizardRules {
     /// Mass (kg); radius, height, and height of the eye above the feet (m)
     double mass{}, radius{}, height{}, eye{};
     physics::MoverSettings walk{};
-    /// Ticks for which the feet slip after a push, and the share of ground friction that is left meanwhile.
+    /// `loose`: ticks for which the feet slip after a push. `loose_grip`: share of ground friction that is
+    /// left meanwhile.
     Tick loose{};
     double loose_grip{};
     /// Initial health (HP), largest health (HP), and loss rate of health above the initial value (HP/s).
@@ -53,7 +54,8 @@ struct WizardRules {
     double object_safe{}, object_damage{}, max_object_damage{};
     /// Ticks after the beginning of a blow in which the same thing cannot hurt again.
     Tick object_again{};
-    /// Ticks for which a fall, or a blow by a thing that the other player moved, counts for the other player.
+    /// Ticks after the other player has hurt or pushed the wizard, or moved a thing, for which that player is
+    /// credited with a fall of the wizard, or with a blow by that thing.
     Tick blame{};
     double pitch_limit{};  ///< largest angle of view above or below the horizon (rad)
 };

@@ -1,6 +1,6 @@
 // game/data/shown_words.h: text from players and files that the screen shows. Allowed are letters, digits and
-// signs that the game's typeface has and that are written from left to right, so the drawn text is the
-// written one.
+// signs that the game's typeface has and that are written from left to right, so that the screen shows the
+// text as it was written.
 #pragma once
 #include <string_view>
 

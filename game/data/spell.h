@@ -72,8 +72,8 @@ public:
     SpellRules& operator=(const SpellRules&) = delete;
     virtual ~SpellRules() = default;
 
-    /// Why the spell would do nothing now, in words for the wizard ("the thing is too far away"); empty if it
-    /// can be cast. The text must stay valid as long as the rules.
+    /// Returns why the spell would do nothing now, in words for the wizard ("the thing is too far away"); an
+    /// empty text if the spell can be cast. The text must stay valid as long as the rules.
     virtual std::string_view refusal(const MatchContext&, ecs::Entity) const { return {}; }
     /// Casts the spell. The caller has already taken the focus.
     virtual void cast(const SpellCast& cast) const = 0;

@@ -12,7 +12,7 @@ namespace thaum::game::inline data {
 
 /// Colours of a team: 0 is ember, 1 is tide.
 struct TeamColours {
-    /// Linear colours of the robe's cloth, of its dark parts and of its light parts.
+    /// Colours of the robe's cloth, of its dark parts and of its light parts (linear light, 0 to 1).
     fvec3 cloth, dark, light;
     fvec3 glow;  ///< colour of bolts and of the light that bolts emit
 };

@@ -59,7 +59,7 @@ struct ShotKind {
     double radius{};   ///< radius within which the impact does harm (m)
     double energy{};   ///< energy of the shot
     bool held{};       ///< true: holding fire readies the wand, and releasing it shoots
-    double liking{1};  ///< how often bots choose this wand among similar ones, relative to 1
+    double liking{1};  ///< how often bots choose this wand, relative to a similar wand with the value 1
 };
 
 /// How a wand takes up and throws loose things, for bots.
@@ -95,7 +95,7 @@ struct Target {
     double mass_share{};  ///< mass of the thing as a share of the largest mass that the wand takes
 };
 
-/// Position of the wand's tip for a hand at rest (m, eye frame).
+/// Position of the wand's tip for a hand at rest (m, in the frame of the wizard's eye).
 inline constexpr vec3 wand_tip{0.22, -0.2, -0.75};
 
 /// Rules of one wand with the numbers of its data file: what the wand does, and what bots and pictures may
@@ -125,8 +125,8 @@ public:
 
     /// Calls the function once for every missile in flight. Used by pictures and bots.
     virtual void show(const ecs::World&, const std::function<void(const Missile&)>&) const {}
-    /// The point that the wizard holds with the wand, or from which the wizard hangs (m, world); std::nullopt
-    /// if there is none.
+    /// The point at which the wizard holds a thing with the wand, or from which the wizard hangs by a rope
+    /// (m, world); std::nullopt if there is none.
     virtual std::optional<vec3> held_at(const ecs::World&, ecs::Entity) const { return std::nullopt; }
     /// The loose thing that the wizard holds with the wand; an invalid entity if there is none.
     virtual ecs::Entity held_thing(const ecs::World&, ecs::Entity) const { return {}; }
@@ -138,8 +138,8 @@ public:
     /// Returns the thing under the crosshair that the wand would take hold of, or the reason why it would
     /// not.
     virtual Target target(const MatchContext&, ecs::Entity) const { return {}; }
-    /// Force with which the wand holds `held_at` (N): a thing's weight, or a rope's tension; 0: nothing is
-    /// held.
+    /// Force with which the wand holds its thing or its anchor (N): a thing's weight, or a rope's tension; 0:
+    /// nothing is held.
     virtual double holding_force(const ecs::World&, ecs::Entity) const { return 0; }
     /// Current charge or draw, 0 to 1; std::nullopt while the wand is not being readied.
     virtual std::optional<double> readiness(const ecs::World&, ecs::Entity) const { return std::nullopt; }
@@ -179,7 +179,7 @@ struct LoadedWand {
 
 LoadedWand read_wand(const WandKind& kind, const Config& file);
 
-/// Speed to which `energy` accelerates a thing of `mass` kg from rest (m/s).
+/// Speed to which `energy` accelerates a thing of `mass` kg from rest when it is thrown (m/s).
 double throw_speed(const GraspKind& grasp, double mass, double energy);
 
 /// Takes the given amount of energy, or the wand's cost of one use. Returns false and takes nothing if there

@@ -13,7 +13,7 @@ enum class LookShape : std::uint8_t {
     ball,   ///< ellipsoid at `from`
     ring,   ///< flat ring at `from`
     crook,  ///< rod bent upwards along an arc of a circle; starts at `from`
-    cage    ///< mark of the team across each axis: rings, or triangles; of missiles only
+    cage    ///< the team's mark (a ring or a triangle) across each of the three axes; for missiles only
 };
 
 /// Colour of a part: fixed, or given by the team.
@@ -47,7 +47,7 @@ struct WandLook {
     bool flat{};  ///< true: the wand is flat and held at an angle, so that no view shows only its edge
     std::vector<LookPart> wand;
     std::string steady_force = "Pull";  ///< display name of the wand's steady force on the hand
-    /// The missile's parts; it flies towards +z, scaled by Missile::size unless that is 0.
+    /// Parts of the missile, which flies towards +z. Missile::size scales them unless it is 0.
     std::vector<LookPart> missile;
 };
 
