@@ -6,7 +6,8 @@
 namespace thaum::game::inline bots {
 namespace {
 
-constexpr double close_to = 0.15;   ///< angle below which the eye has reached its aim (rad)
+constexpr double close_to = 0.15;   ///< angle between view and aim below which the bot has reached its aim
+                                    ///< (rad)
 constexpr double near_share = 0.7;  ///< share of the preferred distance below which a bot spares no energy
 
 /// Random number with mean 0 and standard deviation 1 (the sum of twelve uniform ones).
@@ -22,7 +23,7 @@ bool worth_a_shot(const Self& self, const Seat& seat, const Mind& mind) {
     return self.can_shoot && distance < seat.skill.range && (near || self.energy_share > seat.skill.reserve);
 }
 
-/// Returns this tick's equal share of the counts still to be given, and subtracts it from them.
+/// Returns this tick's equal share of the mouse counts still to be given, and subtracts it from them.
 std::int32_t take_share(std::int32_t& left, Tick ticks_left) {
     const auto part = left / static_cast<std::int32_t>(ticks_left);
     left -= part;
@@ -52,7 +53,7 @@ Aim aim_of_shot(const Self& self, vec3 target) {
     const double v2 = self.shot.speed * self.shot.speed, g = self.shot.fall;
     const double root = v2 * v2 - g * (g * flat * flat + 2 * to.y * v2);
     Aim aim = aim_at(self.eye, target);
-    // Target out of reach: throw as far as possible.
+    // A target out of reach has no solution, so the bot throws at 45 degrees, as far as possible.
     aim.pitch = root > 0 ? det::atan2(v2 - std::sqrt(root), g * flat) : pi / 4;
     return aim;
 }
@@ -73,9 +74,10 @@ bool seen_within(const Mind& mind, double duration, Tick tick) {
     return mind.foe_seen_at != 0 && tick - mind.foe_seen_at <= ticks(duration);
 }
 
-/// Holds fire until the wand is ready and the eye has reached its aim, then releases fire.
+/// Holds fire until the wand is charged or drawn as wanted and the view has reached its aim, then releases
+/// fire.
 void ready_and_let_go(const Self& self, const Seat& seat, Aim wanted, Mind& mind, Tick tick) {
-    constexpr double enough = 0.04;  // readiness that may be missing
+    constexpr double enough = 0.04;  // charge or draw (0 to 1) that may be missing
     const bool arc = self.shot.fall > 0;
     const bool knows = seen_within(mind, arc ? 1.4 : 0.3, tick);
     const bool aimed = std::abs(angle_between(self.yaw, wanted.yaw)) < close_to &&

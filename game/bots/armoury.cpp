@@ -9,12 +9,13 @@ namespace {
 using input::bit;
 using input::Button;
 
-/// Least distance as a multiple of the burst's radius; a nearer burst would hurt the bot.
+/// Least distance of the foe for a shot that bursts, as a multiple of the burst's radius. A nearer burst
+/// would hurt the bot.
 constexpr double clear_of_burst = 1.4;
-/// Largest distance of a throw (m); farther away the stone bursts before it arrives.
+/// Largest distance of a throw (m). Beyond it the missile bursts before it arrives.
 constexpr double throw_within = 14;
 
-/// How a wand's shots fly and how fire is used.
+/// How a wand's shots fly and how fire is used: rapid bolts, charged shots, or shots on a parabola.
 enum class Way : std::uint8_t { rapid, charged, arc };
 
 Way way_of(const ShotKind& shot) {
@@ -28,7 +29,7 @@ struct Prospect {
     const Seat& seat;
     double distance;  ///< distance to the foe (m)
     double up;        ///< height of the foe above the bot's eye (m)
-    bool hidden;      ///< the foe has just gone out of sight
+    bool hidden;      ///< true: the foe has just gone out of sight
 };
 
 bool hidden(const Mind& mind, Tick tick) {
@@ -36,8 +37,8 @@ bool hidden(const Mind& mind, Tick tick) {
            tick < mind.foe_seen_at + ticks(1.2);
 }
 
-/// Readiness at which to throw, 0 to 1, with a wand that shoots; more is faster. The throw is 1.5 times as
-/// fast as the slowest throw that reaches the foe, so that it is flat. Over cover it is only 1.05 times as
+/// How far to draw a wand before a throw over this distance, 0 to 1; more is faster. The throw is 1.5 times
+/// as fast as the slowest throw that reaches the foe, so that it is flat. Over cover it is only 1.05 times as
 /// fast.
 double draw_for(const LoadedWand& wand, const Prospect& prospect) {
     const double reach =
@@ -49,7 +50,8 @@ double draw_for(const LoadedWand& wand, const Prospect& prospect) {
     return range > 0 ? std::clamp((speed - slow.speed) / range, 0.1, 1.0) : 1;
 }
 
-/// Readiness to which the bot would ready this wand, which shoots; negative if the wand is of no use now.
+/// How far the bot would charge or draw this wand, 0 to 1; negative if the wand is of no use now. The wand
+/// must be one that shoots.
 double readiness_for(const LoadedWand& wand, const WandBelt& belt, const Prospect& prospect, Random& random) {
     const auto shot = [&](double share) { return *wand.rules->shot(share); };
     const double energy = belt.energy[wand.stats.energy_slot];
@@ -65,8 +67,8 @@ double readiness_for(const LoadedWand& wand, const WandBelt& belt, const Prospec
     return std::max(share, 0.0);
 }
 
-/// Chooses one of the useful wands whose shots fly like `way`, and writes its slot and readiness to `mind`.
-/// The probability of each useful wand is in proportion to the `liking` of its shot.
+/// Chooses one of the useful wands whose shots fly like `way`, and writes its slot and its wanted charge or
+/// draw to `mind`. The probability of each useful wand is in proportion to the `liking` of its shot.
 bool take(const MatchData& data, const WandBelt& belt, const Prospect& prospect, Way way, Mind& mind) {
     double liking = 0;
     for (const auto& wand : data.wands) {
@@ -93,7 +95,8 @@ void choose_anew(const MatchData& data, const WandBelt& belt, const Prospect& pr
     if (take(data, belt, prospect, Way::rapid, mind) || take(data, belt, prospect, Way::charged, mind))
         return;
     if (take(data, belt, prospect, Way::arc, mind)) return;
-    // No wand has enough energy. The bot chooses one that shoots, so that it notices the missing energy.
+    // No wand has enough energy. The bot still chooses one that shoots; when fire has no effect, it notices
+    // the missing energy.
     const auto shoots = [](const LoadedWand& wand) { return wand.rules->shot(0).has_value(); };
     const auto in_mind = [&](const LoadedWand& wand) { return shoots(wand) && wand.stats.slot == mind.wand; };
     if (std::any_of(data.wands.begin(), data.wands.end(), in_mind)) return;

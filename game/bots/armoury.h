@@ -1,5 +1,5 @@
-// game/bots/armoury.h: chooses the wand of a bot by the foe's distance and cover and by the energy left. Bots
-// know wands only by the flight of their shots.
+// game/bots/armoury.h: chooses the wand of a bot by the foe's distance and cover and by the energy left. Of a
+// wand, bots know only how its shots fly.
 #pragma once
 #include "game/bots/turn.h"
 
@@ -9,8 +9,8 @@ namespace thaum::game::inline bots {
 /// true if mind.wand is in hand.
 bool in_hand(const Self& self, Mind& mind);
 
-/// Chooses mind.wand and mind.readiness from time to time, and selects the wand. Returns true if mind.wand is
-/// in hand.
+/// Chooses from time to time a wand (mind.wand) and how far to charge or draw it (mind.readiness), and
+/// selects the wand. Returns true if mind.wand is in hand.
 bool choose_wand(const BotTurn& turn);
 
 }  // namespace thaum::game::inline bots

@@ -24,16 +24,16 @@ namespace {
 using input::Button;
 namespace hand = input::hand;
 
-constexpr double reached = 1.2;      ///< distance at which a goal counts as reached (m)
-constexpr double stuck_speed = 0.4;  ///< speed below which a walking bot is stuck (m/s)
+constexpr double reached = 1.2;      ///< distance from mind.goal at which the bot counts it as reached (m)
+constexpr double stuck_speed = 0.4;  ///< speed below which a walking bot counts as stuck (m/s)
 constexpr Range distances{0, 100};   ///< distances in a level's file (m)
-/// Time in a cell that leads nowhere after which a bot walks out of it.
-/// Passing through such a cell takes less.
+/// Time outside of the large connected regions of the ground (WalkGrid) after which a bot walks straight to
+/// the nearest one. To pass through such a cell takes less time.
 constexpr Tick stranded_after = ticks(2.0);
 constexpr Tick forget_after = ticks(4.0);
 /// Time after a hit by the foe for which a bot is under fire.
 constexpr Tick under_fire_for = ticks(1.5);
-constexpr double side_step = 1.2;  ///< distance in which a step must be safe (m)
+constexpr double side_step = 1.2;  ///< distance to the side within which a step must be safe (m)
 
 /// A random walkable place in the arena.
 vec3 random_place(const WalkGrid& grid, Random& random) {
@@ -64,7 +64,7 @@ void unstick(const Self& self, Mind& mind, Tick tick) {
     if (!slow || mind.wishes_to_move == 0) mind.slow_since = tick;
     if (tick - mind.slow_since < ticks(0.4)) return;
     mind.slow_since = tick;
-    if (mind.random.below(2) == 0) {  // else it jumps straight on, perhaps onto a ledge
+    if (mind.random.below(2) == 0) {  // otherwise it jumps straight on, perhaps onto a ledge
         mind.dodge_until = tick + ticks(0.5);
         mind.strafe = mind.random.below(2) == 0 ? -1 : 1;
     }
@@ -153,7 +153,7 @@ vec3 way_in_a_fight(const BotTurn& turn) {
         mind.strafe = -mind.strafe;
         return way - right;
     }
-    // The next cell of a way is safe, even if the ground beyond the cell is not.
+    // The next cell of the way to the goal is safe, even if the ground beyond that cell is not.
     return safe(way) ? way : next;
 }
 
@@ -259,7 +259,7 @@ void make_plans(const BotTurn& turn) {
     if (hands_free) plan_to_cast(turn);
 }
 
-/// Direction of walking, on a rope too.
+/// Direction of walking, also for a bot that crosses a gap on a rope.
 vec3 walk(const BotTurn& turn) {
     choose_step(turn);
     vec3 way = choose_way(turn);

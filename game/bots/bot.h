@@ -17,16 +17,16 @@ namespace thaum::game::inline bots {
 /// Lowest and highest level.
 inline constexpr int easiest_bot = 0, hardest_bot = 3;
 
-/// Skill in the use of a wand that takes up loose things.
+/// Skill in the use of a wand that takes up and throws loose things.
 struct LiftSkill {
     double share{};          ///< share of opportunities at which the bot takes something up; 0: never
     double seek{};           ///< largest walk to a thing (m)
-    double largest{};        ///< largest distance from a thing's middle to its corners (m)
+    double largest{};        ///< largest size of a thing, from its middle to its corners (m)
     double lead{};           ///< share of the foe's motion that a throw takes into account
     double within{};         ///< angle between present and wanted throw below which the bot throws (rad)
     Tick hold{};             ///< ticks for which the bot waits for a good throw
-    Tick rest{};             ///< mean ticks between two things
-    std::uint32_t guards{};  ///< 1: holds a thing as a shield while shots come
+    Tick rest{};             ///< mean time from one thing to the next (ticks)
+    std::uint32_t guards{};  ///< 1: while shots come, the bot holds a thing as a shield
     std::uint32_t spare{};
     THAUM_FIELDS(LiftSkill, share, seek, largest, lead, within, hold, rest, guards, spare);
 };
@@ -46,41 +46,42 @@ struct StirSkill {
 struct CastSkill {
     double share{};   ///< share of occasions at which the bot casts; 0: never
     double force{};   ///< mean force of a stroke (N); more is faster
-    double jitter{};  ///< size of the deviations of a stroke (share of its size)
+    double jitter{};  ///< size of random deviations of a stroke, as a share of the stroke's size
     double harsh{};   ///< share of strokes that are drawn harshly
     THAUM_FIELDS(CastSkill, share, force, jitter, harsh);
 };
 
-/// Behaviour at an edge from which a fall hurts.
+/// Skill at an edge from which a fall hurts.
 struct EdgeSkill {
     double panic{};     ///< health below which the bot panics under fire (HP); 0: never
-    double heedless{};  ///< share of side steps in a panic that heed no edge
+    double heedless{};  ///< share of side steps in a panic for which the bot ignores edges
     THAUM_FIELDS(EdgeSkill, panic, heedless);
 };
 
 /// Skill of a bot, from assets/bots/level_N.toml, which describes each number.
 struct BotSkill {
     std::uint32_t level{};
-    std::uint32_t dodges{};  ///< 1: steps out of the way of bolts that it sees coming
-    std::uint32_t arcs{};    ///< 1: throws missiles that fly on a parabola
+    std::uint32_t dodges{};  ///< 1: the bot steps out of the way of bolts that it sees coming
+    std::uint32_t arcs{};    ///< 1: the bot throws missiles that fly on a parabola
     std::uint32_t spare{};
     Tick reaction{};         ///< ticks from seeing to acting
-    double aim_error{};      ///< standard deviation of the aim (rad)
+    double aim_error{};      ///< standard deviation of the aiming error (rad)
     double turn_speed{};     ///< largest turning speed (rad/s)
-    double view_cos{};       ///< cosine of half its field of view
+    double view_cos{};       ///< cosine of half the bot's field of view
     Tick burst{}, rest{};    ///< ticks of fire in a burst, and ticks between bursts
     double keep{}, range{};  ///< preferred distance to the foe, and largest distance of shots (m)
     double lead{};           ///< share of the foe's motion that the aim takes into account
     double strafe{};         ///< share of a fight in which the bot steps sideways
-    Tick strafe_step{};      ///< ticks after which the bot may change its step
+    Tick strafe_step{};      ///< ticks after which the bot may change its sideways step
     double vial_below{};     ///< health below which the bot walks to power-ups that give health (HP)
     double spark_below{};    ///< share of the wand's energy below which the bot fetches energy (a spark)
     double reserve{};        ///< share of the energy that the bot keeps for a near foe
     double cover_below{};    ///< health below which the bot hides if there is nothing to fetch (HP)
-    double variety{};        ///< share of the choices of a wand that take one which must be readied first
-    double charge{};         ///< largest readiness to which the bot readies such a wand, 0 to 1
-    double throws{};         ///< share of those choices that take a wand which throws on a parabola
-    double over_cover{};     ///< chance in each gameplay tick to throw over what hides the foe
+    double variety{};  ///< share of the choices of a wand that take one which must be charged or drawn before
+                       ///< it shoots
+    double charge{};   ///< largest charge or draw of such a wand, 0 to 1
+    double throws{};   ///< share of those choices that take a wand whose shots fly on a parabola
+    double over_cover{};  ///< probability, in each gameplay tick, to throw over what hides the foe
     LiftSkill lift{};
     StirSkill stir{};
     EdgeSkill edge{};
@@ -91,8 +92,8 @@ struct BotSkill {
                  variety, charge, throws, over_cover, lift, stir, edge, cast, swing_gain);
 };
 
-/// Reads the part of a skill that concerns aiming and shooting, from a level's file or the range's:
-/// reaction_s, aim_error_deg, turn_deg_per_s, view_deg, burst_s, rest_s, range_m.
+/// Reads the part of a skill that concerns aiming and shooting, from the file of a level or of the practice
+/// range: reaction_s, aim_error_deg, turn_deg_per_s, view_deg, burst_s, rest_s, range_m.
 BotSkill read_marksmanship(const ConfigTable& table);
 /// Loads the skill of a level. The error is one line: a level that does not exist, or a fault in its file.
 Expected<BotSkill> load_bot_skill(const std::filesystem::path& assets, int level);
@@ -108,8 +109,8 @@ public:
     Bots(Bots&&) noexcept;
     Bots& operator=(Bots&&) noexcept;
 
-    /// Adds a bot for `player`, which fills the samples of device number `device` in the match's input
-    /// frames.
+    /// Adds a bot that plays `player`. The bot fills the samples of device number `device` in the match's
+    /// input frames.
     void add(const Simulation& match, std::size_t device, std::uint32_t player, const BotSkill& skill,
              std::uint64_t seed);
     bool empty() const;

@@ -12,11 +12,13 @@ namespace {
 namespace hand = input::hand;
 
 constexpr Tick rest_before = 24, rest_after = 24;         // ticks with Trace held and the hand at rest
-constexpr double gentle = 0.65, plain = 1.2, hard = 1.9;  // mean force of a stroke (N)
+constexpr double gentle = 0.65, plain = 1.2, hard = 1.9;  // mean force of a gentle, a usual and a hard stroke
+                                                          // (N)
 
 const Cauldron& cauldron_of(const Simulation& match) { return match.world().single<Cauldron>(); }
 
-/// Niche of an ingredient that is nearest to the wizard and has some; std::nullopt if all are empty.
+/// Place of the niche of an ingredient that is nearest to the wizard and not empty; std::nullopt if all are
+/// empty.
 std::optional<vec3> niche_of(const BotTurn& turn, std::uint32_t ingredient) {
     const auto& world = turn.match.world();
     const auto from = world.get<Motion>(wizard_of(world, turn.seat.player)).position;
@@ -29,7 +31,7 @@ std::optional<vec3> niche_of(const BotTurn& turn, std::uint32_t ingredient) {
     return best;
 }
 
-/// Whether a straight way comes nearer to a place than `clear` (m). A way that leads away from the place does
+/// Whether a straight way passes a place at less than `clear` (m). A way that leads away from the place does
 /// not count.
 bool comes_near(vec3 place, vec3 from, vec3 to, double clear) {
     const vec2 way(to.x - from.x, to.z - from.z), off(place.x - from.x, place.z - from.z);
@@ -41,7 +43,7 @@ bool comes_near(vec3 place, vec3 from, vec3 to, double clear) {
 /// Whether a straight way to a niche passes no other niche that holds an ingredient.
 bool passes_no_niche(const BotTurn& turn, vec3 from, vec3 niche) {
     const auto& match = turn.match;
-    constexpr double room = 0.5;  // distance beyond the niche's reach that the way keeps (m)
+    constexpr double room = 0.5;  // distance beyond the niche's reach at which the way must pass (m)
     bool free = true;
     match.world().view<const Niche, const Motion>().each([&](const Niche& other, const Motion& motion) {
         if (turn.tick < other.back_at || motion.position == niche) return;
@@ -65,13 +67,13 @@ vec3 way_to_niche(const BotTurn& turn, vec3 from, vec3 niche) {
     return niche;
 }
 
-/// Force at which a bot draws: in the middle of the recipe's band.
+/// Mean force with which a bot draws a stroke of a recipe: well within the range that the recipe allows (N).
 double force_for(const RecipeStroke& stroke) {
     if (stroke.min_force > plain) return std::max(hard, 1.2 * stroke.min_force);
     return stroke.max_force < plain ? std::min(gentle, 0.8 * stroke.max_force) : plain;
 }
 
-/// Points of a gesture's first template, and its length (m).
+/// Points of the gesture's first recorded stroke (its template), with their length (m).
 struct StrokePath {
     std::span<const gesture::StrokePoint> points;
     double length{};
@@ -97,13 +99,13 @@ StrokePath path_of(const Simulation& match, const Seat& seat, const StirPlan& pl
     return path;
 }
 
-/// Time for drawing the path at its force (ticks).
+/// Time in which the hand draws the path at the path's mean force (ticks).
 Tick time_of(const Simulation& match, const StrokePath& path) {
     const double speed = path.force / match.data().casting->viscosity;
     return std::max<Tick>(1, ticks(path.length / speed));
 }
 
-/// Place on the path after a share of its length (m).
+/// Point of the path after a share of its length, 0 to 1 (m).
 vec2 place_on(const StrokePath& path, double share) {
     double left = std::clamp(share, 0.0, 1.0) * path.length;
     vec2 at(path.points.front().at);

@@ -6,14 +6,14 @@
 
 namespace thaum::game::inline bots {
 
-/// Chooses a recipe that a bot could brew now, from scratch; no_potion if there is none.
+/// Chooses a recipe that a bot could now brew from the beginning; no_potion if there is none.
 std::uint32_t choose_recipe(const Simulation& match, const Seat& seat, Random& random);
 
 /// Next step of a bot that brews.
 enum class BrewTask : std::uint32_t {
     fetch,  ///< walk to the niche of the next ingredient
-    carry,  ///< carry it to the rim, or stir there
-    drop,   ///< let it fall into the brew
+    carry,  ///< carry the ingredient to the rim, or stir there
+    drop,   ///< let the ingredient fall into the brew
     draw,   ///< draw the next gesture
     done    ///< the potion is brewed, or can no longer succeed
 };
@@ -22,10 +22,11 @@ struct BrewStep {
     BrewTask task{};
     vec3 place{};  ///< place to walk to (m, world)
 };
-/// Next step for the recipe of the plan to stir.
+/// Next step of the recipe in the bot's StirPlan.
 BrewStep next_brew_step(const BotTurn& turn);
 
-/// Length of the stroke that the recipe of the plan wants next (ticks), with the rests before and after it.
+/// Duration of the stroke that the plan's recipe wants next (ticks), with the rests of the hand before and
+/// after it.
 Tick stroke_length(const Simulation& match, const Seat& seat, const StirPlan& plan);
 /// Writes the hand's motion of this tick of a stroke that began at plan.drawing_from.
 void draw_hand(const Simulation& match, const Seat& seat, const StirPlan& plan, Tick tick,

@@ -14,7 +14,7 @@ struct BotDuel {
 
     /// Input frame of both bots for the next tick.
     input::InputFrame next_frame();
-    /// Plays that many ticks.
+    /// Plays `count` ticks.
     void run(Tick count);
 };
 

@@ -10,9 +10,11 @@ namespace thaum::game::inline bots {
 namespace {
 
 constexpr Tick choice_period = 256;  ///< ticks between two choices; a multiple of gameplay_period
-constexpr double min_worth = 0.05;   ///< least worth of an errand (full needs per second)
-constexpr double in_a_fight = 0.45;  ///< factor on the worth of a power-up while the bot could shoot
-constexpr double time_lost = 2;      ///< time for turning away and back (s)
+constexpr double min_worth = 0.05;   ///< least worth of an errand: share of the full need that it serves, per
+                                     ///< second (1/s)
+constexpr double in_a_fight = 0.45;  ///< factor on the worth of a power-up while the bot sees the foe and can
+                                     ///< shoot
+constexpr double time_lost = 2;      ///< time that a fetch costs for turning away and back (s)
 constexpr double walk_speed = 4;     ///< walking speed along a way, corners included (m/s)
 constexpr int hiding_places_tried = 10;
 constexpr double hiding_within = 9;  ///< largest distance of a hiding place (m)
@@ -64,7 +66,7 @@ Choice best_to_fetch(const BotTurn& turn, bool fights) {
     return best;
 }
 
-/// A near place that the foe cannot see from its presumed position.
+/// A place near the bot that the foe cannot see from its presumed position.
 Choice hiding_place(const BotTurn& turn) {
     const auto& self = turn.self;
     const auto& grid = turn.grid;
@@ -92,7 +94,8 @@ void choose_errand(const BotTurn& turn) {
     const auto& seat = turn.seat;
     auto& mind = turn.mind;
     const Tick tick = turn.tick;
-    // The two players' bots choose in different ticks, so that their work does not fall into the same tick.
+    // The bots of the two players choose in different ticks, so that the work of both does not fall into the
+    // same tick.
     if (tick % choice_period / gameplay_period != seat.player * (choice_period / gameplay_period / 2)) return;
     const bool fights = sees_foe(mind, tick) && self.can_shoot && self.energy_share > seat.skill.reserve;
     const auto fetch = best_to_fetch(turn, fights);

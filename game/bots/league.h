@@ -7,7 +7,7 @@
 
 namespace thaum::game::inline bots {
 
-/// Largest number of rounds in a result; rules allow no more (rules.cpp).
+/// Largest number of rounds in a result; the rules of a match allow no more (data/rules.cpp).
 inline constexpr std::size_t max_rounds = 99;
 
 /// Result of one match of a league. It holds plain bytes, so that it can be sent between processes.
@@ -49,13 +49,13 @@ struct LeagueLevel {
 struct LeagueSummary {
     std::vector<LeaguePair> pairs;
     std::vector<LeagueLevel> levels;
-    /// Matches won by each seat (player number). A fair arena gives both equal shares, since every seed is
-    /// played with the levels in both seats.
+    /// Matches won by player 0 and by player 1. In a fair arena both win equally often, since every seed is
+    /// played with each of the two levels in both places.
     std::array<std::uint32_t, players> seat_wins{};
     std::vector<double> round_s;                    ///< lengths of all rounds, sorted (s)
-    std::uint32_t timed_out{};                      ///< number of rounds that ended on time
+    std::uint32_t timed_out{};                      ///< number of rounds that ended because their time was up
     std::array<std::uint32_t, max_causes> kills{};  ///< kills by cause
-    std::uint32_t own_deaths{};                     ///< deaths that are a kill of no player
+    std::uint32_t own_deaths{};                     ///< deaths that count as a kill of no player
     double median_round_s() const;
 };
 

@@ -19,12 +19,12 @@ constexpr double handy = 0.8;  ///< share of the wand's reach within which the b
 /// Distance along the ground below which a held thing would hit its holder (m).
 constexpr double too_near = 1.8;
 constexpr double near_foe = 3;       ///< distance of the foe below which the bot does not turn away (m)
-constexpr double far_foe = 15;       ///< distance of the foe above which no throw arrives (m)
+constexpr double far_foe = 15;       ///< distance of the foe beyond which no throw arrives (m)
 constexpr double min_harm = 8;       ///< least harm of a throw (HP)
 constexpr double carrying_cost = 8;  ///< estimated energy of carrying a thing until it is thrown
 constexpr double cost_per_kg = 0.3;  ///< estimated additional energy per mass (1/kg)
 constexpr double walk_pace = 4;      ///< walking speed (m/s)
-constexpr double turn_pace = 1.5;    ///< turning speed with a thing in hand (rad/s)
+constexpr double turn_pace = 1.5;    ///< turning speed of the view while the bot holds a thing (rad/s)
 constexpr double time_to_take = 1;   ///< time to take a thing up (s)
 constexpr Tick come_time = ticks(3.0), take_time = ticks(1.4), press_time = ticks(0.03);
 constexpr Tick last_chance = ticks(1.0);
@@ -54,7 +54,7 @@ double harm_of(const WizardRules& rules, double mass, double speed) {
     return harm_of_blow(rules, impulse);
 }
 
-/// Distance from a body's middle to its farthest point (m).
+/// Distance from a body's middle to the farthest point of the body (m).
 double size_of(const physics::BodyDesc& body) {
     switch (body.shape) {
         case physics::Shape::box: return glm::length(body.size);
@@ -65,7 +65,7 @@ double size_of(const physics::BodyDesc& body) {
 
 double along_ground(vec3 from, vec3 to) { return glm::length(vec2(to.x - from.x, to.z - from.z)); }
 
-/// Worth of a thing (HP/s); 0 if the thing is of no use.
+/// Worth of taking up a thing: harm of a throw per time for it (HP/s); 0 if the thing is of no use.
 double worth_of(const BotTurn& turn, const Lifter& lifter, const Sighting& seen) {
     const auto& match = turn.match;
     const auto& self = turn.self;
@@ -105,7 +105,7 @@ void end_lifting(const BotTurn& turn) {
     const Tick tick = turn.tick;
     if (hands_full(lift_plan)) {
         mind.buttons &= ~(bit(Button::fire) | bit(Button::throw_));
-        mind.wand_until = tick;  // choose another wand at once
+        mind.wand_until = tick;  // at once, another wand may be chosen
     }
     lift_plan.stage = LiftStage::none;
     lift_plan.not_before = tick + ticks(seconds(turn.seat.skill.lift.rest) * mind.random.uniform(0.6, 1.4));
@@ -193,8 +193,8 @@ void note_shots(const BotTurn& turn) {
     lift_plan.shot_at = tick;
 }
 
-/// Whether the bot knows that it is under fire. It knows after its reaction time, and until a moment after
-/// the last shot.
+/// Whether the bot knows that it is under fire. It knows one reaction time after the first shot that it saw
+/// coming, and until a moment after the last one.
 bool under_fire(const BotTurn& turn) {
     const auto& lift_plan = turn.lift_plan;
     const Tick later = turn.seat.skill.reaction, tick = turn.tick;
@@ -202,7 +202,7 @@ bool under_fire(const BotTurn& turn) {
            tick < lift_plan.shot_at + later + lull;
 }
 
-/// Aim at which the held thing, at its present distance, stands between the foe and the bot.
+/// Direction of view at which the held thing, at its present distance, is between the foe and the bot.
 Aim aim_to_guard(const BotTurn& turn) {
     const auto& self = turn.self;
     const vec3 chest = self.centre + vec3(0, shield_height, 0);
@@ -258,7 +258,7 @@ Aim hold_and_throw(const BotTurn& turn, const Lifter& lifter) {
     if (guards && waits) return aim_to_guard(turn);
     const vec3 thing = *self.held;
     const auto t = plan_throw(turn, lifter);
-    if (t.harm < min_harm) {  // holding has cost too much energy
+    if (t.harm < min_harm) {  // carrying has cost so much energy that no useful throw is left
         end_lifting(turn);
         return as_it_is;
     }

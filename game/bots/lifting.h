@@ -5,7 +5,7 @@
 
 namespace thaum::game::inline bots {
 
-/// Whether the wand that lifts is in use.
+/// Whether the bot takes up or holds a thing, so that its wand is in use.
 inline bool hands_full(const LiftPlan& lift_plan) {
     return lift_plan.stage == LiftStage::take || lift_plan.stage == LiftStage::hold;
 }
@@ -14,7 +14,7 @@ inline bool hands_full(const LiftPlan& lift_plan) {
 /// something else becomes more urgent.
 void plan_to_lift(const BotTurn& turn);
 
-/// Uses the wand while hands_full. Returns the wanted direction of view.
+/// Uses the wand for the thing while hands_full. Returns the wanted direction of view.
 Aim handle_thing(const BotTurn& turn);
 
 }  // namespace thaum::game::inline bots

@@ -5,7 +5,8 @@
 
 namespace thaum::game::inline bots {
 
-inline constexpr std::size_t bot_memory = 128;    ///< number of glimpses; one second at 8 ms each
+inline constexpr std::size_t bot_memory = 128;  ///< number of remembered observations of the foe; one every 8
+                                                ///< ms, so one second
 inline constexpr std::size_t max_power_ups = 16;  ///< number of power-ups that a bot remembers
 inline constexpr std::size_t max_things = 32;     ///< number of loose things that a bot remembers
 
@@ -41,7 +42,7 @@ struct Eyes {
     THAUM_COMPONENT(Eyes, looks, glimpses, back_at, things);
 };
 
-/// Reason for which a bot walks to mind.goal instead of fighting.
+/// Purpose for which a bot walks to mind.goal instead of fighting.
 enum class Errand : std::uint32_t { none, fetch, hide, lift, stir };
 
 /// Present beliefs, goals and controls of a bot.
@@ -50,7 +51,7 @@ struct Mind {
     vec3 foe{};                        ///< presumed position of the foe's chest (m, world)
     vec3 foe_velocity{};               ///< velocity of the foe as the bot saw it (m/s)
     Tick foe_seen_at{};                ///< tick at which the foe was last seen; 0: never
-    double error_right{}, error_up{};  ///< present error of the aim (rad)
+    double error_right{}, error_up{};  ///< present error of the aim, to the right and upwards (rad)
     vec3 goal{};                       ///< place to which the bot walks (m, world)
     Tick goal_until{};                 ///< tick at which the bot chooses another goal
     Tick errand_until{};               ///< tick until which the bot hides
@@ -58,20 +59,20 @@ struct Mind {
     Tick strafe_until{};               ///< tick until which the bot keeps its sideways step
     Tick slow_since{};                 ///< tick since which the bot has been slower than intended
     Tick stranded_since{};             ///< tick since which the bot has stood in a cell that leads nowhere
-    Tick dodge_until{};                ///< tick until which the bot walks sideways to get free
+    Tick dodge_until{};                ///< tick until which a stuck bot walks sideways to get free
     Tick wand_until{};                 ///< tick until which the bot keeps its choice of wand
-    double readiness{};                ///< readiness to which the bot readies the chosen wand
+    double readiness{};                ///< charge or draw to which the bot readies the chosen wand, 0 to 1
     Errand errand{};
     std::int32_t strafe{};                 ///< -1 left, 0 none, 1 right
     std::int32_t wishes_to_move{};         ///< 1: the bot walks
     std::int32_t right_left{}, up_left{};  ///< mouse counts still to be given before the next gameplay tick
-    std::int32_t move_strafe{}, move_forward{};  ///< controls of walking, -127 to 127
+    std::int32_t move_strafe{}, move_forward{};  ///< input for walking sideways and forward, -127 to 127
     std::uint32_t buttons{};                     ///< buttons that are down (bits of input::Button)
     std::uint32_t round{};                       ///< round of the bot's latest gameplay tick
     std::uint32_t wand{};                        ///< slot of the chosen wand
-    std::int32_t trigger{255};                   ///< control of the trigger while fire is down, 0 to 255
+    std::int32_t trigger{255};                   ///< value of the trigger while fire is down, 0 to 255
     std::uint32_t wand_key{};                    ///< wand whose key is down, 1 to wand_slots; 0: none
-    std::uint32_t heedless{};                    ///< 1: the present side step heeds no edge
+    std::uint32_t heedless{};                    ///< 1: in its present side step the bot ignores edges
     std::uint32_t spare{};
     THAUM_COMPONENT(Mind, random, foe, foe_velocity, foe_seen_at, error_right, error_up, goal, goal_until,
                     errand_until, fire_from, fire_until, strafe_until, slow_since, stranded_since,
@@ -101,7 +102,7 @@ enum class SwingStage : std::uint32_t { none, approach, aim, hang, fly };
 
 /// Plan of a bot to swing over a gap.
 struct SwingPlan {
-    vec3 from{}, anchor{}, to{};  ///< take-off (feet), anchor, landing (feet) (m, world)
+    vec3 from{}, anchor{}, to{};  ///< take-off (feet), anchor of the rope, landing (feet) (m, world)
     Tick until{};                 ///< tick at which the bot gives up the present stage
     Tick not_before{};
     SwingStage stage{};
@@ -132,18 +133,19 @@ struct StirPlan {
 
 /// How a bot distorts the strokes that it draws, like a person's handwriting; fixed for each bot.
 struct DrawingStyle {
-    double size{1};                  ///< size of strokes, relative to the templates
-    double aspect{1};                ///< width relative to the height
-    double slant{};                  ///< shear of x by y
-    double cos_tilt{1}, sin_tilt{};  ///< turn on the page
+    double size{1};                  ///< size of strokes, as a multiple of the recorded strokes
+    double aspect{1};                ///< factor on the width of strokes relative to their height
+    double slant{};                  ///< shear of strokes: displacement in x per y
+    double cos_tilt{1}, sin_tilt{};  ///< cosine and sine of the angle by which strokes are turned in their
+                                     ///< plane
     THAUM_FIELDS(DrawingStyle, size, aspect, slant, cos_tilt, sin_tilt);
 };
 
-/// A slow wave across a stroke, so that no two strokes are alike.
+/// A slow sine wave that is added to a stroke, so that no two strokes are alike.
 struct Wobble {
     double size{};    ///< amplitude (m)
-    double waves{};   ///< waves within the stroke
-    double begins{};  ///< phase at its start (rad)
+    double waves{};   ///< number of waves within the stroke
+    double begins{};  ///< phase of the wave at the start of the stroke (rad)
     THAUM_FIELDS(Wobble, size, waves, begins);
 };
 
@@ -153,12 +155,12 @@ struct CastPlan {
     Tick began{};            ///< tick at which the bot presses Trace
     Tick lasts{};            ///< ticks of the stroke itself; 0: the bot does not draw
     Tick not_before{};       ///< tick before which the bot considers no other spell
-    Tick no_thing_before{};  ///< tick before which the bot calls no thing back
+    Tick no_thing_before{};  ///< tick before which the bot does not call a thing back by a spell
     Wobble right{}, up{};
-    double scale{};                          ///< size of the stroke relative to the template
-    std::int32_t given_right{}, given_up{};  ///< mouse counts so far
+    double scale{};                          ///< size of the stroke, as a multiple of the recorded stroke
+    std::int32_t given_right{}, given_up{};  ///< mouse counts that the hand has made so far
     std::uint32_t spell{};                   ///< index in MatchData::spells
-    std::uint32_t stroke{};                  ///< number of the gesture's template
+    std::uint32_t stroke{};                  ///< number of the recorded stroke that the bot copies
     THAUM_COMPONENT(CastPlan, style, began, lasts, not_before, no_thing_before, right, up, scale, given_right,
                     given_up, spell, stroke);
 };
@@ -171,10 +173,10 @@ struct Self {
     Tick hit_at{};               ///< tick at which the foe last hurt the bot; 0: never
     vec3 tip{};                  ///< position of the wand's tip (m, world)
     double energy_share{};       ///< energy of the wand in hand as a share of its cap
-    double readiness{};          ///< readiness of the wand in hand, 0 to 1
-    ShotKind shot{};             ///< next shot of the wand in hand
+    double readiness{};          ///< charge or draw of the wand in hand, 0 to 1
+    ShotKind shot{};             ///< how the next shot of the wand in hand would fly
     std::uint32_t wand{};        ///< slot of the wand in hand
-    bool can_shoot = false;      ///< whether there is energy for that shot
+    bool can_shoot = false;      ///< true: there is energy for that shot
     std::optional<vec3> held{};  ///< point that the wand in hand holds or hangs on (m, world)
     std::uint32_t key{};
     bool alive = false;

@@ -10,14 +10,14 @@ namespace thaum::game::inline bots {
 namespace {
 
 constexpr double body_radius = 0.4;  ///< radius of the swept sphere (m), a little more than a wizard's
-/// Height above the highest ground from which the ground is searched downwards
-/// (m); higher things block no wizard.
+/// Height above the highest ground from which the ground is searched downwards (m). Things higher up block no
+/// wizard.
 constexpr double headroom = 2.5;
 /// Depth below the lowest ground to which the ground is searched (m).
 constexpr double depth = 15;
 /// Largest height difference between neighbouring cells (m): ramps are walkable, ledges are not.
 constexpr double highest_step = 0.75;
-/// Least size of a large region, as a share of the largest one.
+/// Least size of a large region, as a share of the largest region's size.
 constexpr double large_share = 0.25;
 
 }  // namespace
@@ -77,8 +77,8 @@ void WalkGrid::neighbours(int cell, Visit&& visit) const {
     for (const auto& [dx, dz] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
         if (open(dx, dz)) visit(cell + dz * columns_ + dx);
     }
-    // A diagonal is open only if both ways round its corner are passable to the end, so that the way back is
-    // open, too.
+    // A diagonal step is open only if both ways round its corner can be walked to the end, so that the way
+    // back is open, too.
     for (const auto& [dx, dz] : {std::pair{1, 1}, {-1, 1}, {1, -1}, {-1, -1}}) {
         const int there = cell + dz * columns_ + dx;
         if (open(dx, dz) && open(dx, 0) && open(0, dz) && passable(cell + dx, there) &&

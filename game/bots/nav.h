@@ -12,7 +12,7 @@ namespace thaum::game::inline bots {
 /// Height of a fall that costs a wizard more than a few points of health (m).
 inline constexpr double hurtful_drop = 3.5;
 
-/// Grid of walkable cells with a search for ways.
+/// Grid of walkable cells, with a search for shortest ways.
 class WalkGrid {
 public:
     static constexpr std::uint16_t unreachable = 0xffff;
@@ -38,10 +38,11 @@ public:
         std::vector<int> queue;
     };
     void find_ways(int goal, Ways& ways) const;
-    /// The neighbour of `cell` nearest to the goal; `cell` itself at the goal, or if there is no way.
+    /// The neighbour of `cell` that is nearest to the goal by number of steps; `cell` itself at the goal, or
+    /// if there is no way.
     int next(int cell, const Ways& ways) const;
-    /// Whether the cell is in one of the large connected regions. The top of a block is not, nor is a cell
-    /// that a thing fills in part.
+    /// Whether the cell is in one of the large connected regions. The top of a block is in none, nor is a
+    /// cell that a thing fills in part.
     bool in_large_region(int cell) const { return in_large_region_[static_cast<std::size_t>(cell)] != 0; }
     /// The neighbour of `cell` that is in a large region, at most a step above the feet, and nearest to them
     /// in distance and height; `cell` itself if there is none.

@@ -10,14 +10,14 @@
 namespace thaum::game::inline bots {
 namespace {
 
-/// Gameplay ticks between the two glimpses that give the foe's velocity.
+/// Number of gameplay ticks between the two observations from which the foe's velocity is taken.
 constexpr std::uint64_t stride = 12;
 constexpr double noticed_within = 2.0;  ///< distance within which a thing is noticed without being seen (m)
 constexpr vec3 head{0, 0.5, 0};         ///< position of the head relative to the chest (m)
 constexpr double bolt_reach = 0.9;      ///< distance beyond which a passing bolt is ignored (m)
 /// Distance within which a passing shot counts as aimed at the bot (m).
 constexpr double shot_near = 2.0;
-constexpr double bolt_soon = 0.7;  ///< time to the impact beyond which a bolt is ignored (s)
+constexpr double bolt_soon = 0.7;  ///< time until the impact beyond which a bolt is still ignored (s)
 
 /// Whether the place is in the bot's field of view, and no fog hides it.
 bool in_view(const Simulation& match, const Self& self, const Seat& seat, vec3 place) {
@@ -38,14 +38,14 @@ Glimpse look(const Simulation& match, const Self& self, const Seat& seat) {
         const auto hit = match.physics().ray(self.eye, place, physics::all_layers, self.key);
         return hit && hit->key != foe.index ? match.physics().desc(hit->key).layer : 0;
     };
-    // A loose thing that one of the wizards holds may hide the foe's chest. Then it is enough to see the
-    // head.
+    // A loose thing that one of the wizards holds may hide the foe's chest. Then it is enough for the bot to
+    // see the head.
     const auto by = hidden(chest);
     if (by != 0 && ((by & layer::prop) == 0 || hidden(chest + head) != 0)) return {};
     return {chest, 1};
 }
 
-/// Search for the bolt that arrives first, and the step that avoids it.
+/// Search for the bolt that arrives first, and for the step that avoids it.
 struct Threat {
     const Simulation& match;
     const Self& self;

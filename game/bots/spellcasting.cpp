@@ -13,13 +13,14 @@ using input::bit;
 using input::Button;
 namespace hand = input::hand;
 
-constexpr Tick consider_again = ticks(0.5);  ///< time between two considerations
+constexpr Tick consider_again = ticks(0.5);  ///< time between two decisions whether to cast
 constexpr Tick after_spell = ticks(1.0);     ///< rest after a stroke
-constexpr Tick after_thing = ticks(20.0);    ///< rest from one recalled thing to the next
+constexpr Tick after_thing = ticks(20.0);    ///< minimum time from calling one thing back to calling the next
 constexpr Tick pause = ticks(0.03);          ///< time with Trace held before and after the stroke itself
-constexpr Tick recent = ticks(1.2);          ///< time for which a hit counts as fire
+constexpr Tick recent = ticks(1.2);          ///< time for which the bot counts as under fire after a hit
 constexpr Tick in_sight = ticks(0.3);        ///< time for which a seen foe counts as in sight
-constexpr double pushed_way = 2.5;   ///< distance that a push moves a foe; an edge within it counts (m)
+constexpr double pushed_way = 2.5;   ///< distance that a push moves a foe (m); an edge within it makes a push
+                                     ///< worthwhile
 constexpr double harsh_force = 1.9;  ///< mean force of a harsh stroke (N)
 
 // ---- which spell ------------------------------------------------------------------------------------------
@@ -100,7 +101,7 @@ Wobble random_wobble(Random& random, double size) {
             .begins = random.uniform(0, 2 * pi)};
 }
 
-/// Deviation after a share of the stroke (m); 0 at its start.
+/// Deviation of the hand by a wave after a share of the stroke, 0 to 1 (m); 0 at the stroke's start.
 double deviation(const Wobble& wobble, double share) {
     return wobble.size * (det::sin(2 * pi * wobble.waves * share + wobble.begins) - det::sin(wobble.begins));
 }
@@ -134,7 +135,7 @@ void begin_stroke(const BotTurn& turn, std::size_t spell, bool harsh) {
     if (points.size() < 2) return;
     const double length = length_of(points) * cast_plan.scale;
     const double force = harsh ? harsh_force : skill.force;
-    constexpr double usual_size = 0.065;  // height of the templates (m)
+    constexpr double usual_size = 0.065;  // height of the recorded strokes (m)
     cast_plan.right = random_wobble(mind.random, skill.jitter * usual_size);
     cast_plan.up = random_wobble(mind.random, skill.jitter * usual_size);
     cast_plan.lasts =
@@ -143,7 +144,7 @@ void begin_stroke(const BotTurn& turn, std::size_t spell, bool harsh) {
     mind.right_left = mind.up_left = 0;
 }
 
-/// Plans to lift the thing that a spell makes fly to the bot.
+/// Plans to catch the thing that a spell makes fly to the bot (LiftPlan).
 void expect_thing(const BotTurn& turn) {
     constexpr Tick flight = ticks(2.0);
     const auto& match = turn.match;

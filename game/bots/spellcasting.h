@@ -6,14 +6,14 @@
 
 namespace thaum::game::inline bots {
 
-/// A style of drawing.
+/// A random style of drawing for a new bot.
 DrawingStyle random_drawing_style(Random& random);
 
-/// Whether the bot draws at present.
+/// Whether the bot draws a stroke at present.
 inline bool draws(const CastPlan& cast_plan) { return cast_plan.lasts != 0; }
 
-/// Considers from time to time to cast a spell, and begins its stroke. Plans to
-/// lift a thing that the spell brings.
+/// From time to time considers whether to cast a spell, and begins its stroke. If the spell brings a thing,
+/// also plans to catch that thing (LiftPlan).
 void plan_to_cast(const BotTurn& turn);
 
 /// Writes the hand's motion of this tick to the sample, in place of the turn of the view. Ends the stroke.

@@ -1,4 +1,4 @@
-// game/bots/standing_room.h: finds out whether a wizard can stand at a place of an arena.
+// game/bots/standing_room.h: tells whether a wizard can stand at a place of an arena.
 #pragma once
 #include <filesystem>
 
@@ -22,7 +22,8 @@ private:
     bool has_ground(vec3 feet) const;
 
     std::shared_ptr<const MatchData> data_;
-    std::shared_ptr<const Simulation> match_;  ///< before its first tick
+    std::shared_ptr<const Simulation> match_;  ///< a match in that arena before its first tick, for its
+                                               ///< physics
 };
 
 }  // namespace thaum::game::inline bots

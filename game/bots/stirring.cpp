@@ -14,14 +14,16 @@ namespace hand = input::hand;
 constexpr double beside_rim = 0.75;   ///< distance from the rim at which a bot stands (m)
 constexpr double needs_energy = 0.6;  ///< share of the wand's energy below which stirring is worth the time
 constexpr double has_enough = 0.97;
-constexpr double unnerved = 8;  ///< loss of health at the rim after which the bot fights back (HP)
-constexpr double well = 50;     ///< health from which the bot goes for a potion (HP)
+constexpr double unnerved = 8;  ///< loss of health at the rim after which the bot stops stirring and fights
+                                ///< back (HP)
+constexpr double well = 50;     ///< health above which the bot goes for a potion (HP)
 constexpr Tick brew_limit = ticks(40.0);
 constexpr Tick between_strokes = ticks(0.2);
 constexpr Tick way_limit = ticks(6.0);
 constexpr Tick unseen = ticks(1.5);
 constexpr Tick period = ticks(1.1);  ///< ticks of one circle
-/// Mouse counts per tick; the circle then uses the whole reach of the hand.
+/// Mouse counts per tick while the hand draws a circle. With this number the circle uses the whole reach of
+/// the hand.
 constexpr double counts = 2.6;
 
 bool foe_stirs(const BotTurn& turn) {
@@ -127,8 +129,8 @@ void brew(const BotTurn& turn) {
     }
 }
 
-/// Stirs until the bot has energy enough, was hurt too much, or has stirred for long. An ingredient that it
-/// has picked up on its way goes into the brew, so that its hands are free.
+/// Stirs until the bot has enough energy, was hurt too much, or has stirred for long. If the bot has picked
+/// up an ingredient on its way, it drops it into the brew, so that its hands are free.
 void stir_on(const BotTurn& turn) {
     auto& stir_plan = turn.stir_plan;
     const auto& self = turn.self;

@@ -11,17 +11,18 @@ namespace {
 using input::bit;
 using input::Button;
 
-constexpr double half_gap = 4;        ///< distance along the ground from the anchor to either side (m)
-constexpr double level_ground = 0.3;  ///< largest height difference between the two sides (m)
+constexpr double half_gap = 4;  ///< distance along the ground from below the anchor to the take-off and to
+                                ///< the landing (m)
+constexpr double level_ground = 0.3;  ///< largest height difference between take-off and landing (m)
 constexpr double deep = 1.5;          ///< least depth of a gap (m); the bot walks through a shallower one
-constexpr double knee = 0.9;          ///< height above the feet from which the way must be free (m)
-/// Distance from the anchor within which a ray has met the anchor itself (m).
+constexpr double knee = 0.9;          ///< height above the feet at which nothing may be in the way (m)
+/// Largest distance from the anchor at which a ray counts as meeting the anchor itself (m).
 constexpr double near_anchor = 0.5;
-constexpr double walk_to_edge = 7;   ///< largest walk to the edge (m)
+constexpr double walk_to_edge = 7;   ///< largest distance that the bot walks to the edge (m)
 constexpr double at_edge = 0.5;      ///< distance at which the edge is reached (m)
 constexpr double costs_as = 9;       ///< walking distance that takes as long as a swing (m)
 constexpr double let_go_past = 2.2;  ///< distance behind the anchor at which the bot lets go (m)
-constexpr double aim_share = 0.7;    ///< share of the angle within which the rope finds its anchor
+constexpr double aim_share = 0.7;    ///< share of the rope's largest aiming angle within which the bot fires
 constexpr double energy_needed = 20;
 constexpr double min_health = 35;  ///< least health for a swing (HP): a fall into the gap must not kill
 constexpr Tick again_after = ticks(2.0), look_again = ticks(0.1);

@@ -5,13 +5,13 @@
 
 namespace thaum::game::inline bots {
 
-/// Finds all crossings of the arena: anchors with ground of equal height on two opposite sides and a gap
-/// between.
+/// Finds all crossings of the arena: anchors above a gap that has ground of equal height on two opposite
+/// sides.
 std::vector<Crossing> find_crossings(const Simulation& match, const WalkGrid& grid);
 
-/// Whether the bot is on its way over a gap, walking to the edge included.
+/// Whether the bot is crossing a gap; also true while it walks to the edge.
 inline bool roped(const SwingPlan& swing_plan) { return swing_plan.stage != SwingStage::none; }
-/// Whether the crossing also occupies the bot's hands, from aiming at the anchor on.
+/// Whether the crossing occupies the bot's hands, which it does from aiming at the anchor on.
 inline bool hands_full(const SwingPlan& swing_plan) {
     return roped(swing_plan) && swing_plan.stage != SwingStage::approach;
 }
@@ -19,9 +19,10 @@ inline bool hands_full(const SwingPlan& swing_plan) {
 /// Plans a crossing that is near and shortens the way to mind.goal by at least BotSkill::swing_gain.
 void plan_to_swing(const BotTurn& turn);
 
-/// Presses the buttons for the crossing while roped. Returns the displacement to walk (m).
+/// Presses the buttons for the crossing while `roped`. Returns the displacement that the bot wants to walk
+/// (m).
 vec3 swing_over(const BotTurn& turn);
-/// The wanted direction of view while hands_full.
+/// The wanted direction of view while `hands_full`.
 Aim aim_on_rope(const Self& self, const SwingPlan& swing_plan);
 
 }  // namespace thaum::game::inline bots

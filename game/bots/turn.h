@@ -11,7 +11,7 @@ struct Crossing {
     vec3 from{}, anchor{}, to{};  ///< take-off (feet), anchor, landing (feet) (m, world)
 };
 
-/// Working memory for ways, kept for a bot: to its goal, and from its position.
+/// Search results for ways, kept for a bot: ways to its goal, and ways from its position.
 struct BotWays {
     WalkGrid::Ways to_goal, from_here;
 };
@@ -25,7 +25,7 @@ struct BotTurn {
     Tick tick;                               ///< ticks of play
     Self self;                               ///< the bot's own wizard in this tick (self_of)
 
-    // What the bot may change: all its state, and caches.
+    // What the bot may change: its whole state, and caches.
     Eyes& eyes;
     Mind& mind;
     LiftPlan& lift_plan;

@@ -43,7 +43,7 @@ public:
     virtual void drunk(const PotionUse& use) const = 0;
     /// Called when the potion stops acting on the wizard.
     virtual void over(const PotionUse&) const {}
-    /// Called when the wizard has died, who may not have drunk the potion.
+    /// Called when the wizard has died, whether or not the wizard has drunk the potion.
     virtual void lost(const PotionUse&) const {}
     /// Components and resources that these functions write, besides Potions, EventLog and resource::Journal.
     virtual ecs::Mask writes(const ecs::World& world) const = 0;
