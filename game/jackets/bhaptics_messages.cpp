@@ -14,7 +14,8 @@ constexpr std::size_t motors_of_side = 20;
 constexpr Tick longest_duration_ms = 500;
 
 struct Side {
-    std::string_view key;       ///< name of a feeling; a later request with the same key replaces it
+    std::string_view key;  ///< key of the request's effect; a later request with the same key replaces the
+                           ///< effect
     std::string_view position;  ///< name that the bHaptics Player has for the side
     std::size_t first_actuator;
 };
@@ -24,11 +25,11 @@ constexpr std::array<Side, 2> sides{
 long percent_of(const tactile::TactileFrame& frame, std::size_t actuator) {
     if (actuator >= frame.count) return 0;
     const float amplitude = frame.amplitude[actuator];
-    // The comparison is false for NaN, which so becomes 0.
+    // NaN fails this comparison and becomes 0.
     return amplitude > 0 ? std::lround(std::min(amplitude, 1.0F) * 100) : 0;
 }
 
-/// The lit motors of a side as members of a JSON list; empty if all are off.
+/// The motors of a side that run, as members of a JSON list; empty if all are off.
 std::string dots_of(const tactile::TactileFrame& frame, const Side& side) {
     std::string dots;
     for (std::size_t i = 0; i < motors_of_side; ++i) {
@@ -47,7 +48,7 @@ std::string part_of(const tactile::TactileFrame& frame, const Side& side) {
                 R"(","dotPoints":[)", dots, R"(],"pathPoints":[]}})");
 }
 
-/// Whether a reply's position, given by name or by number, is one of a vest.
+/// Whether the position of a device in a reply, given by name or by number, is that of a vest.
 bool is_vest(const Json& position) {
     constexpr std::array<std::string_view, 3> names{"Vest", "VestFront", "VestBack"};
     constexpr std::array<std::int64_t, 3> numbers{3, 201, 202};

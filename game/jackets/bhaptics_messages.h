@@ -24,11 +24,12 @@ inline constexpr std::size_t max_reply_bytes = 1U << 16U;
 /// to 100.
 std::string bhaptics_request(const tactile::TactileFrame& frame);
 
-/// The part of a reply that is used.
+/// The part of a Player's reply that the game uses.
 struct BhapticsReply {
     std::optional<std::int64_t> devices{};  ///< number of devices that the Player is connected to
     std::optional<bool> vest{};             ///< whether a vest is among them
-    /// Whether there may be a vest. True if the reply does not tell, as from older versions of the Player.
+    /// Whether a vest may be connected. Also true if the reply does not say so, as from older versions of the
+    /// Player.
     bool may_have_vest() const { return vest.value_or(devices.value_or(1) > 0); }
 };
 /// Reads a reply of at most max_reply_bytes. Unknown keys are ignored. The error says why the text is no

@@ -5,7 +5,7 @@
 namespace thaum::game::inline jackets {
 namespace {
 
-/// Rows and columns of cells on each side of the body, front and back.
+/// Number of rows and columns of cells on each side of the body, front and back.
 constexpr int rows_of_cells = 5, columns_of_cells = 4;
 constexpr std::size_t cells = 2 * rows_of_cells * columns_of_cells;
 

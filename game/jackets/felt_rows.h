@@ -1,6 +1,6 @@
-// game/jackets/felt_rows.h: table of what players feel on the body. A row has the tick, the player and the
-// amplitudes of the 40 cells of the body's picture (layout abstract_4x5). `thaum replay --tactile` and the
-// recorder of a session write the same table.
+// game/jackets/felt_rows.h: table of the vibrations that players feel on the body. A row has the tick, the
+// player and the amplitudes of the 40 cells in which the screen shows the body (layout abstract_4x5). `thaum
+// replay --tactile` and the recorder of a session write the same table.
 #pragma once
 #include <cstdint>
 #include <string>

@@ -13,8 +13,8 @@
 namespace thaum::game::inline jackets {
 namespace {
 
-/// First of the HID usage pages that a maker may define (HID Usage Tables, 3.1). Keyboards and mice have
-/// lower ones.
+/// First of the HID usage pages that a maker may define (HID Usage Tables, 3.1). The usage pages of keyboards
+/// and mice have lower numbers.
 constexpr unsigned first_vendor_page = 0xFF00;
 
 /// Lock for hidapi, which may list, open and close devices in one thread at a time only.
@@ -35,7 +35,8 @@ public:
         return hid_write(device_, report.data(), report.size()) >= 0;
     }
     bool is_there() override {
-        constexpr int max_reports = 16;  // a device that sends without end must not hold up the caller
+        constexpr int max_reports = 16;  // at most so many per call, because a device that sends without end
+                                         // must not hold up the caller
         std::array<unsigned char, 64> thrown_away{};
         int got = 1;
         for (int i = 0; i < max_reports && got > 0; ++i)
@@ -63,7 +64,7 @@ FoundDevices find_devices(const HidId& id) {
     return found;
 }
 
-/// A number of exactly four hexadecimal digits.
+/// Reads a number of exactly four hexadecimal digits.
 std::optional<std::uint16_t> hid_number_of(std::string_view words) {
     std::uint16_t number = 0;
     const auto* const end = words.data() + words.size();
@@ -94,7 +95,8 @@ std::vector<std::pair<HidId, std::string>> hid_devices() {
     hid_device_info* const all = hid_enumerate(0, 0);
     for (const auto* one = all; one != nullptr; one = one->next) {
         if (one->usage_page < first_vendor_page) continue;
-        // Characters beyond ASCII are rare in names, and the numbers say which device it is.
+        // Other characters than ASCII are rare in device names and become '?'. The numbers still identify the
+        // device.
         std::string name;
         for (const wchar_t* c = one->product_string; c != nullptr && *c != L'\0'; ++c)
             name += *c > 0 && *c < 128 ? static_cast<char>(*c) : '?';

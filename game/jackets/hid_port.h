@@ -1,4 +1,4 @@
-// game/jackets/hid_port.h: the devices of the system that take HID reports, by hidapi.
+// game/jackets/hid_port.h: access to the computer's devices that take HID reports, by the library hidapi.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -14,17 +14,17 @@
 
 namespace thaum::game::inline jackets {
 
-/// The numbers by which USB names a kind of device.
+/// The vendor and product numbers by which USB identifies a kind of device.
 struct HidId {
     std::uint16_t vendor{}, product{};
     bool operator==(const HidId&) const = default;
 };
-/// "1234:abcd".
+/// Text of the two numbers, hexadecimal: "1234:abcd".
 std::string words_of(const HidId& id);
 /// Reads "1234:abcd", two numbers of four hexadecimal digits each; std::nullopt for any other text.
 std::optional<HidId> read_hid_id(std::string_view words);
 
-/// An open device. Tests have a fake. Each call may block.
+/// An open HID device. Tests implement a fake. Each call may block.
 class HidPort {
 public:
     HidPort() = default;
@@ -35,7 +35,7 @@ public:
     /// Sends a report, whose first byte is the report's number. Returns false if the device refuses it or is
     /// gone.
     virtual bool write(std::span<const std::uint8_t> report) = 0;
-    /// False once the device is pulled out. Also throws away the reports that the device has sent.
+    /// Returns false once the device has been unplugged. Also discards the reports that the device has sent.
     virtual bool is_there() = 0;
 };
 

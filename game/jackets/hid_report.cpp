@@ -6,9 +6,11 @@
 namespace thaum::game::inline jackets {
 namespace {
 
-/// Index in the layout x40 (rows from the top, each from the wearer's left) of a motor of the report.
+/// Index in the layout x40 (rows from the top, each from the wearer's left) of motor number `motor` of the
+/// report.
 std::size_t actuator_at(std::size_t motor) {
-    constexpr std::size_t columns = 4, motors_of_pair = 10;  // columns of each side
+    constexpr std::size_t columns = 4, motors_of_pair = 10;  // columns of motors on each side of the body;
+                                                             // motors in a pair of columns
     constexpr std::size_t first_of_back = 20;
     const auto pair = motor / motors_of_pair;  // front left, back left, back right, front right
     const auto in_pair = motor % motors_of_pair;
@@ -21,7 +23,7 @@ std::uint8_t strength_of(const tactile::TactileFrame& frame, std::size_t motor) 
     constexpr float strongest = 15;
     const auto actuator = actuator_at(motor);
     const float amplitude = actuator < frame.count ? frame.amplitude[actuator] : 0;
-    // The comparison is false for NaN, which so becomes 0.
+    // NaN fails this comparison and becomes 0.
     const float share = amplitude > 0 ? std::min(amplitude, 1.0F) : 0.0F;
     return static_cast<std::uint8_t>(std::lround(share * strongest));
 }

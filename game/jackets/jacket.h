@@ -13,9 +13,9 @@
 
 namespace thaum::game::inline jackets {
 
-/// The picture of a jacket: 4 x 5 cells in front, then as many at the back.
+/// The layout in which the screen shows a jacket: 4 x 5 cells for the front, then as many for the back.
 inline constexpr JacketLayout figure_layout{"abstract_4x5", 40};
-/// The layout of no jacket.
+/// Layout for a player without a jacket.
 inline constexpr JacketLayout no_layout{};
 
 struct Jacket {
@@ -30,7 +30,7 @@ struct Jacket {
     const JacketLayout& layout() const { return form == nullptr ? no_layout : form->layout; }
 };
 
-/// The usual layouts of all jackets, each once.
+/// The usual layouts of all kinds of jacket, each layout once.
 std::vector<JacketLayout> jacket_layouts();
 
 /// All values that the setting may have, for messages: "\"bhaptics\", \"osc:HOST:PORT\" or ...".
@@ -39,16 +39,17 @@ std::string jacket_forms();
 /// Reads the setting. The error says what is wrong with it.
 Expected<Jacket> parse_jacket(std::string_view words);
 
-/// The layout that a player has written for a jacket: a file of assets/tactile/layouts by its name without
-/// ending, or any other file by its path. It may have fewer actuators than the jacket has motors; those that
-/// follow stay off. The error is one line, and then the jacket has its usual layout.
+/// Loads the layout that a player has written for a jacket. `words`: the name of a file in
+/// assets/tactile/layouts without its ending, or the path of any other file. The layout may have fewer
+/// actuators than the jacket has motors; the remaining motors stay off. The error is one line; after it, the
+/// jacket is to have its usual layout.
 Expected<tactile::Layout> load_own_layout(const std::string& words, const Jacket& jacket,
                                           const std::filesystem::path& assets);
 
-/// Whether two jackets are one device, or one file.
+/// Whether two jackets are the same device, or the same file.
 bool is_same_device(const Jacket& a, const Jacket& b);
 
-/// The jacket as an output, not opened yet; null for none. `player`: 0 or 1.
+/// Output to the jacket, not opened yet; null if there is no jacket. `player`: 0 or 1.
 std::unique_ptr<input::TactileOutput> jacket_output(const Jacket& jacket, std::uint32_t player);
 
 }  // namespace thaum::game::inline jackets

@@ -1,6 +1,6 @@
-// game/jackets/jacket_maker.h: support for one maker's jackets: one source of game/jackets/makers, which
-// registers a JacketMaker. The settings, their messages, `thaum doctor` and a session know a maker's jackets
-// by this value alone.
+// game/jackets/jacket_maker.h: support for the jackets of one maker. It is one source of game/jackets/makers,
+// which registers a JacketMaker. The settings, their messages, `thaum doctor` and a session know a maker's
+// jackets by this value alone.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -16,10 +16,10 @@ namespace thaum::game::inline jackets {
 
 struct Jacket;
 
-/// Motors of a jacket, and where they sit.
+/// Layout of a jacket: how many motors it has, and where they sit.
 struct JacketLayout {
     std::string_view name{};  ///< file of assets/tactile/layouts, without its ending
-    std::size_t motors{};     ///< number of its actuators
+    std::size_t motors{};     ///< number of motors, each of which is an actuator of the layout
 };
 
 /// One kind of jacket. The setting is "WORD:PLACE", or "WORD" alone.
@@ -34,10 +34,11 @@ struct JacketForm {
 /// What `thaum doctor` finds out about a jacket.
 struct JacketCheck {
     bool usable{};
-    std::string words{};   ///< what follows the jacket's name in one line, with the space or colon before it
-    std::string advice{};  ///< what to do; empty: nothing
+    std::string words{};   ///< text that follows the jacket's name in a line, with the space or colon before
+                           ///< it
+    std::string advice{};  ///< what the user can do about it; empty: nothing
 };
-/// Opens the jacket, which stays silent, and closes it.
+/// Opens the jacket, leaves it silent and closes it again; reports how that went.
 JacketCheck check_by_opening(const Jacket& jacket, input::TactileOutput& output);
 
 /// A device that is plugged in, and the setting that would name it.
@@ -47,14 +48,14 @@ struct FoundJacket {
 };
 
 struct JacketMaker {
-    std::string_view name;  ///< name of the maker's source
+    std::string_view name;  ///< name of the maker's source file, without its ending
     int order = 100;        ///< order in lists: smaller ones first, equal ones by their names
     std::vector<JacketForm> forms;
-    std::vector<std::string_view> shown;  ///< settings as lists show them: "osc:HOST:PORT"
-    /// Reads the place, which follows the colon. Returns it in a spelling that is the same for the same
-    /// device. The error says how to write a place.
+    std::vector<std::string_view> shown;  ///< settings as lists show them to users: "osc:HOST:PORT"
+    /// Reads the place, which follows the colon in the setting. Returns it in a normal form, which is the
+    /// same for the same device. The error says how to write a place.
     Expected<std::string> (*read)(std::string_view word, std::string_view place);
-    /// Makes the output. It is not opened yet.
+    /// Makes the output to a jacket. The output is not opened yet.
     std::unique_ptr<input::TactileOutput> (*make)(const Jacket& jacket, std::uint32_t player);
     JacketCheck (*check)(const Jacket& jacket, input::TactileOutput& output) = check_by_opening;
     /// Devices that are plugged in, whatever the settings say; null: they cannot be listed.

@@ -16,7 +16,8 @@ bool fits_host(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
            c == '.' || c == '_';
 }
-/// Characters of an IPv6 address in brackets, with a zone: "fe80::1%eth0".
+/// Whether a character may stand in an IPv6 address in brackets; such an address may have a zone:
+/// "fe80::1%eth0".
 bool fits_brackets(char c) { return fits_host(c) || c == ':' || c == '%'; }
 
 std::optional<std::string> host_of(std::string_view words) {
@@ -34,7 +35,7 @@ std::optional<std::uint16_t> port_of(std::string_view words) {
     return read.ec == std::errc() && read.ptr == end && port > 0 ? std::optional(port) : std::nullopt;
 }
 
-/// "HOST:PORT". The host stands in brackets if it has one of the characters `bracketed`.
+/// Text "HOST:PORT". The host is put in brackets if it contains one of the characters in `bracketed`.
 std::string with_port(std::string_view host, std::uint16_t port, std::string_view bracketed) {
     const bool brackets = host.find_first_of(bracketed) != std::string_view::npos;
     return text(brackets ? "[" : "", host, brackets ? "]:" : ":", port);

@@ -18,7 +18,7 @@ void append_string(std::string& out, std::string_view words) {
 
 void append_strength(std::string& out, float amplitude) {
     constexpr std::string_view digits = "0123456789abcdef";
-    // The comparison is false for NaN.
+    // NaN fails this comparison and becomes 0.
     const float share = amplitude > 0 ? std::min(amplitude, 1.0F) : 0.0F;
     const auto value = static_cast<std::uint32_t>(std::lround(share * strongest));
     for (const unsigned shift : {12U, 8U, 4U, 0U}) out += digits[(value >> shift) & 0xFU];

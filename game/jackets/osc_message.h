@@ -1,4 +1,4 @@
-// game/jackets/osc_message.h: the bytes that an OSC jacket gets (Open Sound Control 1.0).
+// game/jackets/osc_message.h: the messages that an OSC jacket receives (Open Sound Control 1.0).
 #pragma once
 #include <cstddef>
 #include <cstdint>

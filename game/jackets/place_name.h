@@ -1,4 +1,5 @@
-// game/jackets/place_name.h: places of jackets that are names of a device, or paths.
+// game/jackets/place_name.h: places of jackets (the part after the colon of the setting) that are the name of
+// a device, or a path.
 #pragma once
 #include "core/one_line.h"
 

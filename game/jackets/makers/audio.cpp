@@ -22,7 +22,8 @@ constexpr std::size_t max_at_once = 4;
 /// about every 4 ms.
 constexpr int max_idle_looks = 500;
 constexpr Tick longest_life = 500;
-/// At the end: number of blocks in which the waves fade out, and how often the device is asked to take them.
+/// When the output closes: number of blocks in which the waves fade out, and how often the device is asked to
+/// take them.
 constexpr int last_blocks = 3, max_last_looks = 15;
 constexpr std::chrono::milliseconds between_last_looks{4};
 
@@ -49,7 +50,7 @@ private:
     audio::ChannelTones tones_;
     bool open_ = false;
     std::size_t blocks_left_ = 0;  ///< blocks until the time to live of the last frame is over
-    int idle_looks_ = 0;           ///< calls since the device last took a block
+    int idle_looks_ = 0;           ///< calls in a row in which the device has taken no block
     std::string fault_{};
 };
 

@@ -13,8 +13,8 @@
 
 namespace thaum::game::inline jackets {
 
-/// `channels`: 2, or 8 in the order of audio::surround_channels; the device must have as
-/// many. `name`: words for messages.
+/// Output on a sound device, which must have `channels` channels: 2, or 8 in the order of
+/// audio::surround_channels. `name`: name of the output in messages.
 std::unique_ptr<input::TactileOutput> audio_jacket(std::string name, std::size_t channels,
                                                    std::unique_ptr<audio::SoundDevice> device);
 

@@ -30,16 +30,17 @@ constexpr std::chrono::milliseconds between_pings{
     250};  ///< shortest time between pings, which go out with requests only
 constexpr std::chrono::milliseconds longest_parting{100};
 constexpr std::chrono::milliseconds between_looks{2};
-/// Bytes that the system keeps for a slow Player: a few requests.
+/// Size of the system's buffer for outgoing data: a few requests, so that those for a slow Player do not pile
+/// up (bytes).
 constexpr int send_buffer = 4096;
 
-/// Lock for making and ending contexts of libwebsockets, which share some state.
+/// Lock for creating and destroying contexts of libwebsockets, which share some state.
 std::mutex& context_mutex() {
     static std::mutex mutex;
     return mutex;
 }
 
-/// One connection to a Player. It lives in one thread.
+/// One connection to a Player, used by one thread only.
 class PlayerLink {
 public:
     PlayerLink() = default;
@@ -75,10 +76,10 @@ private:
     bool up_ = false, failed_ = false;
     std::string request_{};  ///< request that waits; empty: none
     Clock::time_point queued_{};
-    bool pinged_ = false;  ///< a ping has no answer yet
+    bool pinged_ = false;  ///< true: a ping has not been answered yet
     Clock::time_point pinged_at_{};
     std::string reply_{};                    ///< the part of a reply received so far
-    std::optional<BhapticsReply> newest_{};  ///< the newest reply that tells of devices
+    std::optional<BhapticsReply> newest_{};  ///< the newest reply that says something about devices
 };
 
 bool PlayerLink::start_context() {
@@ -90,7 +91,7 @@ bool PlayerLink::start_context() {
     info.gid = -1;
     info.user = this;
     info.fd_limit_per_thread = 16;
-    // Otherwise the variable http_proxy would send the connection to another machine.
+    // Otherwise libwebsockets would obey the variable http_proxy and connect to another machine.
     info.http_proxy_address = "none:0";
     const std::lock_guard lock(context_mutex());
     lws_set_log_level(0, nullptr);
@@ -132,7 +133,7 @@ bool PlayerLink::serve_until(Condition condition, Clock::duration longest) {
 
 void PlayerLink::serve() {
     if (failed_) return;
-    // A negative time: the call does not wait.
+    // A negative timeout: the call does not wait.
     lws_service(context_, -1);
     if (!up_) return;
     const auto now = Clock::now();
@@ -153,7 +154,7 @@ void PlayerLink::send(std::string request) {
     request_ = std::move(request);
     lws_callback_on_writable(socket_);
     serve();
-    // The ping went first.
+    // The ping has just been written, so the request is written in a second call.
     if (!request_.empty()) serve();
 }
 
@@ -162,14 +163,15 @@ int PlayerLink::on_event(lws* socket, lws_callback_reasons reason, void*, void* 
     return link->take_event(reason, static_cast<const char*>(data), size);
 }
 
-/// Returns 0; other values end the connection.
+/// Handles one event of the connection. Returns 0; other values end the connection.
 int PlayerLink::take_event(lws_callback_reasons reason, const char* data, std::size_t size) {
     switch (reason) {
         case LWS_CALLBACK_CLIENT_ESTABLISHED: begin(); return 0;
         case LWS_CALLBACK_CLIENT_WRITEABLE: return write();
         case LWS_CALLBACK_CLIENT_RECEIVE_PONG: pinged_ = false; return 0;
         case LWS_CALLBACK_CLIENT_RECEIVE: return take_piece(data, size);
-        // The settings name the Player; nobody else may send us to another machine.
+        // A redirection is refused: the settings choose the machine, and the Player must not send the game to
+        // another one.
         case LWS_CALLBACK_CLIENT_HTTP_REDIRECT: return -1;
         case LWS_CALLBACK_CLIENT_CONNECTION_ERROR:
         case LWS_CALLBACK_CLIENT_CLOSED:
@@ -184,12 +186,13 @@ void PlayerLink::begin() {
     up_ = true;
     const int socket = lws_get_socket_fd(socket_);
     ::setsockopt(socket, SOL_SOCKET, SO_SNDBUF, &send_buffer, sizeof send_buffer);
-    // Otherwise the system may hold a request back for 40 ms, until the one before is acknowledged.
+    // Without TCP_NODELAY, the system may hold a request back for 40 ms, until the one before is
+    // acknowledged.
     const int on = 1;
     ::setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
 }
 
-/// Writes one frame. The library asks again when there is room for another.
+/// Writes the waiting request. libwebsockets calls again when there is room for another one.
 int PlayerLink::write() {
     if (request_.empty()) return 0;
     const auto now = Clock::now();
@@ -251,8 +254,8 @@ Expected<void> BhapticsJacket::open() {
         link_.reset();
         return connected;
     }
-    // Stops motors that an earlier program left on. The reply tells whether there is a vest, but not every
-    // Player replies.
+    // Stops motors that an earlier program left on. The Player's reply also says whether a vest is connected,
+    // but not every Player replies.
     silence();
     link_->serve_until([this] { return !link_->is_up() || link_->reply(); }, longest_first_reply);
     if (link_->is_up() && has_vest()) return {};

@@ -50,12 +50,12 @@ Expected<void> HidJacket::open() {
     auto port = open_(id_);
     if (!port) return port.error();
     port_ = std::move(*port);
-    // Stops motors that an earlier program left on.
+    // Stops motors that an earlier program left running.
     if (!send(silent_)) return fail(fault_);
     return {};
 }
 
-/// Returns false, and closes the device, if the report did not go out in time.
+/// Sends a report. Closes the device and returns false if the report was not sent in time.
 bool HidJacket::send(const HidReport& report) {
     const double began_s = clock_();
     if (!port_->write(report)) {

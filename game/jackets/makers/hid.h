@@ -3,8 +3,8 @@
 //
 // A report is sent when it has changed, and again after half of the frame's time to live. Only an interface
 // with a maker-defined usage page is opened, so no keyboard gets reports by mistake. A device that takes
-// longer than 100 ms for a report gets one with all motors off and is closed, because its motors would run
-// too late.
+// longer than 100 ms for a report gets one report with all motors off and is closed, because its motors would
+// run too late.
 #pragma once
 #include <functional>
 #include <memory>
@@ -14,11 +14,11 @@
 
 namespace thaum::game::inline jackets {
 
-/// A steady clock (s).
+/// Returns the time of a clock that never jumps (s).
 using ClockSeconds = std::function<double()>;
 double steady_seconds();
 
-/// Tests pass a fake of the device, and a clock.
+/// Output to a HID jacket. Tests pass a fake device in `open` and a clock of their own in `clock`.
 std::unique_ptr<input::TactileOutput> hid_jacket(const HidId& id, OpenHidPort open = open_hid_port,
                                                  ClockSeconds clock = steady_seconds);
 

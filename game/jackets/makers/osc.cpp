@@ -93,7 +93,8 @@ bool send_to(const Peer& peer, const std::string& message) {
                     peer.size) == static_cast<ssize_t>(message.size());
 }
 
-/// Tells the jacket our address. If we have no port this is left out, because frames need no answer.
+/// Tells the jacket the address of this program. If no port can be bound, no ping is sent; that does no harm,
+/// because frames need no answer.
 void send_ping(const Peer& peer) {
     sockaddr_storage own{};  // an address that means any address and port of this machine
     own.ss_family = peer.address.ss_family;
@@ -121,7 +122,7 @@ Expected<void> OscJacket::open() {
     }
     if (peers_.empty()) return fail(text("no socket: ", std::strerror(errno)));
     for (const Peer& peer : peers_) send_ping(peer);
-    // Stops motors that an earlier program left on.
+    // Stops motors that an earlier program left running.
     silence();
     return {};
 }
@@ -158,7 +159,7 @@ void OscJacket::send_silence() {
     next_silence_ = Clock::now() + between_silences;
 }
 
-/// Returns false if the message could not be sent to any address.
+/// Sends a message to all addresses. Returns false if that failed for each of them.
 bool OscJacket::send(const std::string& message) {
     bool sent = false;
     for (const Peer& peer : peers_) sent = send_to(peer, message) || sent;
@@ -167,7 +168,7 @@ bool OscJacket::send(const std::string& message) {
 
 void OscJacket::end() {
     if (peers_.empty()) return;
-    // This is the last chance, and two of the three messages may be lost.
+    // These are the last messages of this output, so three are sent: two of them may be lost.
     for (int i = 0; i < 3; ++i) send(silent_);
     for (const Peer& peer : peers_) ::close(peer.socket);
     peers_.clear();

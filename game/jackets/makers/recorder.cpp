@@ -44,11 +44,11 @@ private:
     std::optional<FileWriter> file_{};
     std::string rows_{};
     int unflushed_ = 0;
-    std::string fault_{};  ///< why the recording was given up; empty: it was not
+    std::string fault_{};  ///< why the recording was given up; empty: it goes on
 };
 
-/// Starts a file with the first name that no file has: FILE.csv, FILE_2.csv, ... If another program takes the
-/// name between the check and the start, the next name is tried.
+/// Creates a file under the first of the names FILE.csv, FILE_2.csv, ... that is free. If another program
+/// takes the name between the check and the creation, the next name is tried.
 Expected<FileWriter> start_new(const std::filesystem::path& wanted, std::filesystem::path& name) {
     for (int i = 1; i < max_names; ++i) {
         name = wanted;
@@ -65,7 +65,7 @@ Expected<FileWriter> start_new(const std::filesystem::path& wanted, std::filesys
 }
 
 Expected<void> FeltRecorder::open() {
-    if (!fault_.empty()) return fail(fault_);  // a full disk is not tried again
+    if (!fault_.empty()) return fail(fault_);  // it does not try again after a fault, such as a full disk
     end();
     auto made = start_new(wanted_, path_);
     if (!made) return made.error();
@@ -85,7 +85,7 @@ void FeltRecorder::write(const tactile::TactileFrame& frame, double) {
     if (!file_->is_whole()) fault_ = "it cannot be written, such as on a full disk; nothing is kept";
 }
 
-/// Completes the file. Prints a fault, because nobody asks a closed output for its faults.
+/// Completes the file. Prints a fault here, because nobody asks an output for its faults once it is closed.
 void FeltRecorder::end() {
     if (!file_) return;
     const bool told = !fault_.empty();

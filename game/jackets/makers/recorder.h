@@ -1,9 +1,9 @@
-// game/jackets/makers/recorder.h: an output that writes what one player feels to a CSV file
+// game/jackets/makers/recorder.h: an output that writes the vibrations that one player feels to a CSV file
 // (game/jackets/felt_rows.h): a row for every frame that is not silent. Each match begins at tick 0 again.
 //
-// It replaces no file: if there is a FILE.csv, it writes FILE_2.csv, and so on. The file appears under its
-// name when the session ends, or when the player's jacket is changed. On a full disk the recording is given
-// up, with one line of explanation.
+// The recorder replaces no file: if there is a FILE.csv, it writes FILE_2.csv, and so on. The file appears
+// under its name when the session ends, or when the player's jacket is changed. When the disk is full, the
+// recording is given up, with one line of explanation.
 #pragma once
 #include <filesystem>
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace thaum::game::inline jackets {
 
-/// `player`: 0 or 1, for the table.
+/// Output that records to `file`. `player`: 0 or 1, the player's number in the table.
 std::unique_ptr<input::TactileOutput> felt_recorder(std::filesystem::path file, std::uint32_t player);
 
 }  // namespace thaum::game::inline jackets
