@@ -21,7 +21,7 @@ void choose(const MatchData& data, const Controls& controls, bool wheel_is_taken
     constexpr auto forward = std::uint32_t{1};
     constexpr auto backward = static_cast<std::uint32_t>(wand_slots - 1);
     const auto pressed = [&](Button b) { return (controls.pressed & input::bit(b)) != 0; };
-    // While a stroke is drawn, the keys of wands cast spells by key chords.
+    // While a wizard draws a stroke, the keys of wands do not select wands but cast spells (key chords).
     const bool draws = data.gestures && (controls.held & input::bit(Button::trace)) != 0;
     const auto wand = draws ? 0 : controls.wand_pressed;
     if (wand != 0 && wand_in_slot(data, wand - 1) != nullptr) belt.selected = wand - 1;

@@ -1,4 +1,4 @@
-// game/match/belt.h: the systems that all wands share.
+// game/match/belt.h: the systems of the match that serve all wands.
 #pragma once
 #include "game/context/match_context.h"
 
@@ -13,7 +13,8 @@ void add_wand_forces(MatchContext& context, ecs::Schedule& schedule);
 /// Adds the systems that move missiles. They run after the new positions of bodies are known.
 void add_missile_systems(MatchContext& context, ecs::Schedule& schedule);
 
-/// Ends the use of the wand in hand, such as a charge or a hold. Writes all components that wands may write.
+/// Ends the use of the wand in hand: drops its charge, or what it holds. Writes all components that wands may
+/// write.
 void put_away_wand(MatchContext& context, ecs::Entity wizard, Tick tick);
 
 }  // namespace thaum::game::inline match

@@ -8,11 +8,11 @@ namespace {
 
 /// Ticks over which the impulses of one blow are summed. Bullet spreads a blow over a few steps.
 constexpr Tick blow_length = 24;
-/// Minimum speed of a hit, in the direction of the wizard (m/s). A slower thing is pushed, stood on or walked
-/// into.
+/// Minimum speed of a thing towards the wizard at which its contact is a blow (m/s). A slower thing is merely
+/// pushed, stood on or walked into.
 constexpr double hitting_speed = 0.5;
 
-/// Returns the current blow by this thing, or a slot for a new one.
+/// Returns the blow that this thing is giving to the wizard, or a free slot for a new blow.
 Blow& blow_of(Blows& blows, ecs::Entity by) {
     Blow* oldest = blows.recent.data();
     for (auto& blow : blows.recent) {
@@ -36,8 +36,8 @@ void collect(ecs::World& world, ecs::Entity wizard, ecs::Entity thing, const phy
     blow = {.by = thing, .began = tick, .counts_again = tick + again, .impulse = contact.impulse};
 }
 
-/// Player for whom a blow by a thing counts; no_player if no player moved the thing within the blame time
-/// (WizardRules).
+/// Player who is credited with a blow by a thing; no_player if no player moved the thing within the blame
+/// time (WizardRules::blame).
 std::uint32_t mover_of(const ecs::World& world, ecs::Entity thing, Tick began, Tick blame) {
     const auto* prop = world.find<Prop>(thing);
     return prop != nullptr && began <= prop->moved_at + blame ? prop->moved_by : no_player;
@@ -49,7 +49,7 @@ void blow_on_crystal(MatchContext& context, ecs::Entity crystal, ecs::Entity thi
                     mover_of(context.world, thing, tick, context.data.wizard.blame), tick);
 }
 
-/// Adds the impulses of things that hit wizards to their blows, and records blows on crystals.
+/// Sums up the impulses of things that hit wizards, one sum for each blow, and records blows on crystals.
 void collect_blows(MatchContext& context, Tick tick) {
     auto& world = context.world;
     for (const auto& contact : context.physics.read().contacts()) {
@@ -66,13 +66,13 @@ void collect_blows(MatchContext& context, Tick tick) {
     }
 }
 
-/// Number of a thing's Surface, also if the thing no longer exists.
+/// Number of a thing's Surface. For a thing that no longer exists, the first one.
 std::uint32_t surface_of(const ecs::World& world, ecs::Entity thing) {
     const auto* look = world.find<Look>(thing);
     return static_cast<std::uint32_t>(look != nullptr ? look->surface : Surface{});
 }
 
-/// Turns finished blows into harm.
+/// Turns blows that have ended into harm.
 void count_blows(MatchContext& context, Tick tick) {
     const auto& rules = context.data.wizard;
     context.world.view<Blows, const Motion>().each(

@@ -5,14 +5,14 @@
 
 namespace thaum::game::inline match {
 
-/// Installs hooks: adding a Body to an entity with Motion adds the body to the physics; removing the Body
-/// removes it there.
+/// Installs hooks: adding a Body to an entity with Motion adds that body to the physics; removing the Body
+/// component removes the body there.
 void add_body_hooks(MatchContext& context);
 
 /// Adds the systems "physics", "blows" and "places", in this order.
 void add_body_systems(MatchContext& context, ecs::Schedule& schedule);
 
-/// Harm by a blow of this impulse (HP; impulse in N s).
+/// Harm by a blow with an impulse of `impulse` N s (HP).
 double harm_of_blow(const WizardRules& rules, double impulse);
 
 /// Copies position and velocity of every moving body from the physics into Motion.

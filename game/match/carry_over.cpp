@@ -70,8 +70,7 @@ void copy(const ecs::World& from, ecs::Entity source, ecs::World& to, ecs::Entit
     ((to.get<Cs>(target) = from.get<Cs>(source)), ...);
 }
 
-/// Copies a wizard of the old scene into the new one. References of wands to things of the old scene are
-/// dropped.
+/// Copies a wizard of the old scene into the new one. What a wand holds in the old scene is let go.
 void move_wizard(const MatchContext& from, MatchContext& to, std::uint32_t player) {
     auto& world = to.world;
     const auto old = wizard_of(from.world, player), now = wizard_of(world, player);
@@ -109,7 +108,8 @@ void copy_world(const MatchContext& from, MatchContext& to) {
     rebuild_physics(to);
 }
 
-/// Whether the components of one match suit the other: the same scene and the same parts of the game.
+/// Whether the components of one match can be copied to another: both have the same arena and the same parts
+/// of the game.
 bool fits(const MatchData& from, const MatchData& to) {
     return to.arena == from.arena && (to.gestures == nullptr) == (from.gestures == nullptr) &&
            to.cauldron.has_value() == from.cauldron.has_value() &&

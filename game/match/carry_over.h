@@ -10,8 +10,8 @@
 
 namespace thaum::game::inline match {
 
-/// Copies state and outputs of `from` into `to`, a match with the new data that has not run yet. The brew
-/// must be rebuilt afterwards.
+/// Copies state and outputs of `from` into `to`, a match with the new data that has played no tick yet. The
+/// caller must then rebuild the brew's solver.
 void carry_over(const MatchContext& from, MatchContext& to);
 
 }  // namespace thaum::game::inline match

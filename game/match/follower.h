@@ -1,4 +1,4 @@
-// game/match/follower.h: for code that reads a match every few ticks, to make sounds or effects from it.
+// game/match/follower.h: for code that looks at a match every few ticks, to make sounds or effects from it.
 #pragma once
 #include <cmath>
 
@@ -9,11 +9,11 @@ namespace thaum::game::inline match {
 /// Share of full health below which players hear and feel their own heart.
 inline constexpr double loud_heart_health = 0.25;
 
-/// How far a reader has read a match.
+/// How far a reader has read a match: the tick of its last look, and the events that it has seen.
 class MatchFollower {
 public:
-    /// Whether the match has simply continued since the reader last looked. False at the first look, after a
-    /// jump of the clock, and for a match that was changed.
+    /// Whether the match has simply played on since the reader last looked. False at the first look, after a
+    /// jump of the clock, and for a match that was changed otherwise.
     bool goes_on(const Simulation& match) const;
     /// Whether the reader has looked before.
     bool has_begun() const { return begun_; }
@@ -33,7 +33,7 @@ private:
     std::uint64_t events_seen_{};  ///< number of the next event
 };
 
-/// Counts the steps of a walking wizard.
+/// Counts the steps of a walking wizard, by the distance walked.
 struct Stride {
     static constexpr double length = 1.5;  ///< distance between two steps (m)
 

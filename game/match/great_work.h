@@ -6,7 +6,7 @@
 
 namespace thaum::game::inline match {
 
-/// Player who completes the Great Work at this tick; no_player: none. Reads GreatWork.
+/// Player who completes the Great Work in this tick and so wins the round; no_player: none. Reads GreatWork.
 std::uint32_t great_worker(const MatchContext& context, Tick tick);
 
 /// Time for which a player has held both halves (ticks); 0: the player does not hold both.

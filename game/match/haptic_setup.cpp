@@ -45,7 +45,7 @@ void set_force(const MatchData& data, std::uint32_t player, std::uint8_t percent
     const bool as_rules = percent == input::force_as_rules;
     const auto own = as_rules ? std::lround(100 * data.haptic_rules.share) : long{percent};
     setup.on[player] = own > 0;
-    // The value depends only on the last move of the fader, so a restored match computes the same.
+    // This value depends only on the last move of the fader, so a restored match computes the same one.
     setup.force_percent[player] = static_cast<std::uint8_t>(own);
 }
 
@@ -77,7 +77,7 @@ MovedFaders& record_of(ecs::World& world) {
     return world.get<MovedFaders>(world.create(none));
 }
 
-/// Ticks after a move of a fader until every system has set its forces again.
+/// Ticks after a move of a fader until every system has computed its forces again.
 constexpr std::uint8_t settling_ticks = gameplay_period + 1;
 
 /// While a fader's move takes effect, gives the steady force of the hand a new number in every tick. A new

@@ -11,15 +11,16 @@ namespace thaum::game::inline match {
 /// Setup at the beginning of a match.
 HapticSetup haptic_setup_of(const MatchData& data, const std::vector<input::DeviceSpec>& devices);
 
-/// Applies the faders that were moved in this tick to the World and the setup. Only devices that have this
-/// setting move faders. After each move the servo fades to the new forces, so no force jumps.
+/// Applies the faders that were moved in this tick to the World and the setup. Samples of devices without
+/// faders move none. After each move the servo fades to the new forces, so no force jumps.
 void move_faders(const MatchData& data, const std::vector<input::DeviceSpec>& devices,
                  const input::InputFrame& frame, ecs::World& world, HapticSetup& setup);
 
-/// Names of all faders, input::HandFader `n` at n - 1: "force", "weight", ..., "brew viscosity", ...
+/// Names of all faders: "force", "weight", ..., "brew viscosity", ... The name of fader `n`
+/// (input::HandFader) is at index n - 1.
 const std::vector<std::string>& fader_names();
 
-/// The World's record of moved faders, which the next round takes over; std::nullopt: none was moved.
+/// The World's record of moved faders, with which the next round goes on; std::nullopt: none was moved.
 std::optional<MovedFaders> moved_faders_in(const ecs::World& world);
 
 /// After a restore, applies all moved faders recorded in the World to the setup.

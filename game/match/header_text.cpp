@@ -29,7 +29,7 @@ std::string match_lines(const input::LogHeader& h) {
                 "rules: ", shown(h.rule_set), "\n", "arena: ", shown(h.arena), "\n", "seed: ", h.seed, "\n");
 }
 
-/// The settings of a device that are not zero.
+/// Text of all settings of a device that are not zero.
 std::string settings_of(const input::DeviceSpec& d) {
     auto line = text("look_rad_per_count ", d.look_rad_per_count, ", turn_rad_per_s ", d.turn_rad_per_s);
     const auto number = [&](std::string_view name, std::uint8_t percent) {

@@ -6,8 +6,8 @@
 
 namespace thaum::game::inline match {
 
-/// One line for the file itself, then one for each value of the header. Each line begins with the name of its
-/// value.
+/// Text with one line for the log file itself, then one line for each value of the header. Each line begins
+/// with the name of its value.
 std::string header_text(const input::LogReader& log);
 
 }  // namespace thaum::game::inline match

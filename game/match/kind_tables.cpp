@@ -14,7 +14,7 @@ namespace {
 using input::Kind;
 using input::KindTable;
 
-/// Appends a kind, unless its number is not in use.
+/// Appends a kind to the table, unless its number is not in use, so that it has no name.
 void add(std::size_t number, std::string_view name, KindTable& table) {
     if (!name.empty()) table.kinds.push_back({static_cast<std::uint16_t>(number), std::string(name)});
 }

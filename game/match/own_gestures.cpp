@@ -30,7 +30,7 @@ Expected<gesture::Gesture> read_item(const input::ProfileData& item) {
     return gesture;
 }
 
-/// Replaces the shipped gesture of the same name.
+/// Replaces the shipped gesture that has the same name by the player's own.
 Expected<void> replace(std::vector<gesture::Gesture>& gestures, const input::ProfileData& item) {
     if (item.kind != gesture_kind)
         return fail(text("profile data of the unknown kind '", printable(item.kind, 40), "'"));

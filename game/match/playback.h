@@ -43,10 +43,10 @@ public:
     /// Continues from a state that another Playback of the same log saved at tick `at`, which must be a
     /// keyframe.
     Expected<void> restore(std::span<const std::byte> snapshot, Tick at);
-    /// The input frame that the last step played.
+    /// Input frame of the last tick that was played.
     const input::InputFrame& frame() const { return frame_; }
-    /// The log's hash of this tick if it differs from the state. std::nullopt if they agree or the log has no
-    /// hash here.
+    /// At the tick just played, the log's hash and the computed one if they differ. std::nullopt if they
+    /// agree, or if the log has no hash for this tick.
     std::optional<Divergence> mismatch() const;
     /// The first divergence found. After it, the replay no longer shows the recorded match.
     const std::optional<Divergence>& divergence() const { return divergence_; }

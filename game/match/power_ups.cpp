@@ -6,7 +6,7 @@
 namespace thaum::game::inline match {
 namespace {
 
-/// The wand with the smallest share of its energy cap; null if no wand has a cap.
+/// The wand whose energy is the smallest share of its cap; null if no wand has a cap.
 const LoadedWand* emptiest_wand(const MatchData& data, const WandBelt& belt) {
     const LoadedWand* found = nullptr;
     double least = std::numeric_limits<double>::max();
@@ -18,7 +18,7 @@ const LoadedWand* emptiest_wand(const MatchData& data, const WandBelt& belt) {
     return found;
 }
 
-/// The nearest wizard who stands on the power-up and can gain from it.
+/// The nearest wizard who stands on the power-up and can gain from it, with that gain.
 struct Taker {
     ecs::Entity wizard;
     Gift gift;

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::string_view match_parameter = "match=";
 
-/// A file that affects how a crystal feels, but that older recordings do not list.
+/// Data file that affects how a crystal feels. Older recordings do not list it, so its absence there is no
+/// difference.
 constexpr std::string_view joined_later = "materials.toml";
 
 /// First difference between the data files of a recording and the present ones, as one line; empty if there

@@ -1,5 +1,5 @@
-// game/match/record.h: connects a match and its log: the header, recording of ticks, and a match made from a
-// log.
+// game/match/record.h: connects a match and its log: makes the log's header, records ticks, and makes a match
+// from a log.
 #pragma once
 #include <filesystem>
 
@@ -14,7 +14,8 @@ inline constexpr Tick log_after_end = 500;
 /// Log header of a match that is about to begin. `players` describes the players: "human", "bot 1".
 input::LogHeader log_header(const MatchData& data, const MatchSetup& setup, std::vector<std::string> players);
 
-/// Writes the last tick of the match to the log: its input frame, and the hashes and marks that are due.
+/// Writes the tick that the match has just played to the log: its input frame, and the hashes and marks that
+/// are due.
 void record_tick(const Simulation& match, const input::InputFrame& frame, input::LogWriter& log);
 
 /// Plays one tick and writes it to the log. A null log records nothing.

@@ -4,7 +4,8 @@
 
 namespace thaum::game::inline match {
 
-/// What one player achieved by one cause over the whole match, as "12 of 64 hit (19 %), 72 HP, 1 kill".
+/// What one player achieved by one cause of harm over the whole match, as "12 of 64 hit (19 %), 72 HP, 1
+/// kill".
 struct ResultRow {
     std::string_view cause;
     std::array<std::string, players> words;

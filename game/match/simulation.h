@@ -25,9 +25,10 @@ struct MatchSetup {
     std::vector<input::DeviceSpec> devices;  ///< devices, in the order of the samples in an input frame
     /// Gestures of players who recorded their own; null: those of the match's data. Set by use_profile.
     std::array<std::shared_ptr<const GestureSet>, players> gestures{};
-    /// These own gestures as profile data, as the log stores them.
+    /// The gestures in `gestures` as profile data, the form in which the log stores them.
     std::vector<input::ProfileData> profile{};
-    /// Number of threads for large computations, besides the calling thread; does not affect the match.
+    /// Number of further threads for large computations, besides the calling thread. It does not affect the
+    /// match.
     unsigned workers = 0;
 };
 
@@ -85,8 +86,8 @@ public:
     /// Returns a match that continues this one with other data (game/match/carry_over.h). Its state no longer
     /// follows from its own data, seed and input, so it must not be logged.
     std::unique_ptr<Simulation> continued_with(std::shared_ptr<const MatchData> data) const;
-    /// Like the overload above, with gestures that players have recorded in the meantime. The setup must have
-    /// the same seed and devices.
+    /// Like the function above, with a setup whose own gestures players have recorded in the meantime. The
+    /// setup must have the same seed and devices.
     std::unique_ptr<Simulation> continued_with(std::shared_ptr<const MatchData> data, MatchSetup setup) const;
 
     /// Systems of the match with their performance counters. The systems of `always` also run in a pause.

@@ -9,7 +9,8 @@
 namespace thaum::game::inline match {
 namespace {
 
-/// Number of ticks for which the models repeat a key press, since an arm may skip models.
+/// Number of ticks for which further models repeat a press of the panic button, since an arm's thread may
+/// skip models.
 constexpr std::uint32_t press_kept = 40;
 /// Limit of hand positions (m). No arm reaches farther, but a damaged log might contain more.
 constexpr double furthest = 0.5;
@@ -30,7 +31,7 @@ const PastModel& model_in(const ecs::World& world, const Arm& arm, std::uint32_t
     return world.get<PastModel>(arm.models[number % arm.models.size()]);
 }
 
-/// Copies the position of the arm's hand into HandState, where all other code reads it.
+/// Copies position and servo state of the arm into HandState, where all other code reads them.
 void hold(const input::ArmState& state, HandState& hand_state) {
     auto& device = hand_state.device;
     hand_state.servo = state.servo;
@@ -57,7 +58,7 @@ bool moved(const std::array<std::int32_t, 3>& a, const std::array<std::int32_t, 
     return false;
 }
 
-/// Counts the ticks for which the arm is held still, or restarts the count.
+/// Counts the ticks for which the arm has been held still; restarts the count when it moves.
 void note_still(Arm& arm) {
     if (arm.state.without != 0) return;
     if (arm.still == 0 || moved(arm.state.position_um, arm.still_um)) {
@@ -92,7 +93,8 @@ void follow(MatchContext& context, Arm& arm, bool skipped) {
     note_presence(context, arm, world.get<HandState>(wizard_of(world, arm.player)));
 }
 
-/// Continues an arm in another scene, where the arm's thread starts a new epoch.
+/// Continues an arm in another scene. The arm's thread then starts a new epoch, with a state that the match
+/// chooses.
 void go_on_with(const Arm& old, Arm& arm) {
     arm.state = old.state;
     begin_epoch(arm.state);

@@ -17,11 +17,11 @@ void add_arms(MatchContext& context, const std::vector<Arm>& before);
 /// Copies the state of arms from a match into the world of the match that continues it.
 void carry_arms(const std::vector<Arm>& before, ecs::World& world);
 
-/// Adds the system that takes each arm's sample and repeats its servo step, every tick and also in a pause.
-/// Writes HandState.
+/// Adds the system that takes each arm's sample and repeats its servo step. It runs every tick, also in a
+/// pause. Writes HandState.
 void add_arm_system(MatchContext& context, ecs::Schedule& schedule);
-/// Creates the haptic models that arms use next. Must be called last in a tick. Forces are off unless the
-/// match is live.
+/// Creates the haptic models that the arms' threads use next. Must be called last in a tick. `live`: false
+/// switches the forces off, as in a pause.
 void publish_models(MatchContext& context, const BrewResource& brew, bool live);
 
 /// Restores the arms' models from the bytes in the World, after the World was restored. This is necessary
@@ -31,8 +31,8 @@ void recall_models(MatchContext& context);
 /// Passes a player's panic press to the arms, or the press that switches forces on again.
 void tell_arms(ecs::World& world, bool panic);
 
-/// Fills in the order for the player's arm after the last tick. Returns false if the player has no arm or no
-/// model exists yet.
+/// Fills in what the thread of the player's arm needs after the last tick (input::ArmOrder). Returns false if
+/// the player has no arm or no model exists yet.
 bool fill_order(const ecs::World& world, const HapticSetup& setup, std::uint32_t player,
                 input::ArmOrder& order);
 

@@ -8,12 +8,15 @@
 namespace thaum::game::inline match {
 namespace {
 
-/// Margin around the line from proxy to tip (m): larger than any motion of the tip in a tick.
+/// Margin of the searched sphere around the line from proxy to tip (m). It is larger than any motion of the
+/// tip in a tick.
 constexpr double margin = 0.15;
-/// Displacement of the frame in one tick above which it was moved by a jump, not by walking (m).
+/// Displacement of the device frame in one tick above which it was moved by a jump, such as a return to life,
+/// and not by walking (m).
 constexpr double leap = 0.5;
 
-/// `roughness`: share of the friction that the player wants to feel.
+/// Contact properties that the wand's tip feels. `roughness`: share of the friction that the player wants to
+/// feel, 0 to 1.
 Feel feel_of(const MatchData& data, double roughness) {
     const ProbeRules& probe = data.haptic_rules.probe;
     return {.stiffness = std::min(probe.stiffness, data.device.max_stiffness),
@@ -42,9 +45,9 @@ bool can_probe(const MatchContext& context, ecs::Entity wizard, const HandState&
            !at_station(context.world, wizard);
 }
 
-/// Pushes a touched prop. Its later hits count for the player who pushed it, unless the other player moved
-/// the prop within the blame time: a wizard hit by a thrown thing has usually touched that thing with the
-/// wand, too.
+/// Pushes a touched prop. Its later hits are credited to the player who pushed it, unless the other player
+/// moved the prop within the blame time: a wizard hit by a thrown thing has usually touched that thing with
+/// the wand, too.
 void push(MatchContext& context, const haptics::SurfaceContact& contact, vec3 impulse, vec3 place,
           const Prop& deed) {
     const auto thing = context.world.entity(contact.key);

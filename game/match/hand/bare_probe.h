@@ -12,8 +12,9 @@
 
 namespace thaum::game::inline match {
 
-/// Writes surface patch, frame motion, start and patch number of the model, and the frame in HandState. The
-/// patch is empty if no surface is within reach. Reads resource::Physics.
+/// Fills in those parts of the model that concern the wand's tip: surface patch, frame motion, start and
+/// patch number. Stores the device frame in HandState. The patch is empty if no surface is within reach.
+/// Reads resource::Physics.
 void fill_probe_model(const MatchContext& context, ecs::Entity wizard, HandState& hand_state,
                       haptics::HapticModel& model);
 

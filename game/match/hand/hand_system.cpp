@@ -17,8 +17,8 @@ using input::Button;
 
 constexpr double metres_per_micrometre = 1e-6;
 
-/// Handles the panic key of one player. Returns true for a press that switches off the forces of all players.
-/// The next press switches this player's own forces on again.
+/// Handles the panic button of one player. Returns true for a press that switches off the forces of all
+/// players. The player's next press switches this player's own forces on again.
 bool note_panic_key(const Controls& controls, HandState& hand_state) {
     const bool held = (controls.held & bit(Button::panic)) != 0;
     const bool pressed = held && hand_state.panic_held == 0;
@@ -48,7 +48,8 @@ double feel(MatchContext& context, const BrewResource& brew, ecs::Entity wizard,
     const auto& model = next_model(context, brew, wizard, hand_state, panic);
     const vec3 measured = haptics::measured_position(device, hand_state.device);
     const vec3 force = haptics::servo_step(setup.servos[player], hand_state.servo, model, {measured, 0});
-    // While the clutch is held, the hand does not resist the device, so a ladle drifts with the brew.
+    // While the clutch is held at a station, the hand does not resist the device, so a ladle drifts with the
+    // brew.
     const bool relaxed = (controls.held & bit(Button::clutch)) != 0 && at_station(context.world, wizard);
     const vec3 wanted = hand_state.home + moved;
     hand_state.home = relaxed ? hand_state.device.position : glm::clamp(wanted, -device.reach, device.reach);

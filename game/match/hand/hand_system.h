@@ -10,7 +10,8 @@ namespace thaum::game::inline match {
 const haptics::HapticModel& next_model(MatchContext& context, const BrewResource& brew, ecs::Entity wizard,
                                        HandState& hand_state, bool panic);
 
-/// Adds the system that runs every tick: the hand's target, the servo step, the simulated device.
+/// Adds the system that moves the hand every tick: it sets the hand's target, makes the servo step and moves
+/// the simulated device.
 void add_hand_system(MatchContext& context, const BrewResource& brew, ecs::Schedule& schedule);
 
 /// Hash of the forces of this tick, chained to the hash of the ticks before.

@@ -63,13 +63,13 @@ void move_hand(const input::DeviceSample& sample, const HapticRules& rules, Cont
     controls.hand_up = moved(hand::look_up, hand::turn_up);
 }
 
-/// Share of its full deflection at which a stick begins to draw.
+/// Share of its full deflection from which on a stick draws.
 constexpr double stick_begins = 0.8;
 
 /// Moves a hand that draws a stroke. Mouse counts move the hand in proportion to how they turn the view, so
 /// the player's sensitivity applies to both. A stick sets the hand's position, so turning the stick draws a
-/// circle. All gestures begin away from their middle, so the stick's first motion to its rim is not part of
-/// the stroke.
+/// circle. The stick's first motion, from its middle to its rim, is left out of the stroke, because all
+/// gestures begin away from their middle.
 void move_tracing_hand(const input::DeviceSample& sample, const input::DeviceSpec& spec,
                        const HapticRules& rules, double stick_reach, Controls& controls) {
     const auto& counts = sample.counts;
@@ -158,7 +158,7 @@ void take(const input::DeviceSample& sample, bool has_spells, Controls& controls
     controls.wheel = std::clamp(controls.wheel + std::clamp(counts[hand::wheel], -100, 100), -100, 100);
 }
 
-/// The player whose controls are applied.
+/// The wizard whose controls are applied, and the number of its player.
 struct Player {
     ecs::Entity wizard;
     std::uint32_t number{};

@@ -1,5 +1,5 @@
-// game/match/player/controls.h: decodes a device's integer counts into what a wizard does with hands, feet
-// and view.
+// game/match/player/controls.h: decodes the integer counts of a device's sample into what a wizard does with
+// hands, feet and view.
 #pragma once
 #include "game/context/match_context.h"
 
@@ -9,7 +9,7 @@ namespace thaum::game::inline match {
 /// pause.
 void add_controls_system(MatchContext& context, ecs::Schedule& schedule);
 
-/// Adds the system that clears pressed buttons and wheel steps. It must be the last gameplay system.
+/// Adds the system that clears button presses and wheel steps after use. It must be the last gameplay system.
 void add_controls_used_system(MatchContext& context, ecs::Schedule& schedule);
 
 /// Adds the system with which either player can pause the match at once.

@@ -9,7 +9,8 @@
 namespace thaum::game::inline match {
 namespace {
 
-/// Sideways speed that the player asks for, -127 to 127; 0 at a crystal, which these keys turn instead.
+/// Sideways speed that the player asks for, -127 to 127; 0 at a crystal, where the same keys turn the crystal
+/// instead.
 std::int32_t strafe_of(const Controls& controls, const Chisel* chisel) {
     return chisel == nullptr ? controls.strafe : 0;
 }
@@ -21,11 +22,11 @@ vec3 wish_of(const Controls& controls, std::int32_t strafe, const Gaze& gaze, do
     return rotation({0, 1, 0}, gaze.yaw) * wish * speed;
 }
 
-/// `pace`: factor on the wizard's walking speed.
+/// Settings of physics::Mover for this wizard in this tick. `pace`: factor on the wizard's walking speed.
 physics::MoverSettings abilities_of(const WizardRules& rules, const Stance& stance, double pace, Tick tick) {
     auto abilities = rules.walk;
     if (tick < stance.loose_until) abilities.ground_acceleration *= rules.loose_grip;
-    abilities.walk_speed *= std::max(1.0, pace);  // the mover limits the requested speed to this one
+    abilities.walk_speed *= std::max(1.0, pace);  // the mover limits the requested speed to walk_speed
     return abilities;
 }
 
