@@ -19,7 +19,8 @@ bool near(const MatchData& data, const Cauldron& cauldron, vec3 place) {
 
 // ---- ingredients ------------------------------------------------------------------------------------------
 
-/// Players who have picked up an ingredient in this tick. Their Pouch enters the World only after the tick.
+/// true for each player who has picked up an ingredient in this tick. The player's Pouch enters the World
+/// only after the tick.
 using Takers = std::array<bool, players>;
 
 /// Gives the ingredient to the nearest wizard in reach with empty hands.
@@ -49,7 +50,7 @@ void pick_up(MatchContext& context, Niche& niche, vec3 place, Tick tick, Takers&
                      .place = place});
 }
 
-/// An ingredient in a niche within a wizard's reach, other than the carried one; no_ingredient: none.
+/// Ingredient of another kind than the carried one, in a niche within a wizard's reach; no_ingredient: none.
 std::uint32_t other_in_reach(const MatchContext& context, vec3 body, std::uint32_t carried, Tick tick) {
     std::uint32_t other = no_ingredient;
     double nearest = context.data.cauldron->niche_radius;
@@ -65,7 +66,7 @@ std::uint32_t other_in_reach(const MatchContext& context, vec3 body, std::uint32
     return other;
 }
 
-/// Tells wizards who come to a niche with an ingredient in hand that they can carry only one.
+/// Tells each wizard who comes to a niche while carrying an ingredient that a wizard can carry only one.
 void refuse_second(MatchContext& context, Tick tick) {
     context.world.view<const Wizard, const Motion, Pouch, ecs::Without<Dead>>().each(
         [&](const Wizard& wizard, const Motion& motion, Pouch& pouch) {
@@ -81,9 +82,9 @@ void refuse_second(MatchContext& context, Tick tick) {
         });
 }
 
-/// Returns the carried ingredient to the nearest of its niches, where it reappears later. So a wizard at that
-/// niche does not pick it up again at once, and a wizard at another niche has free hands for the ingredient
-/// there.
+/// Returns the carried ingredient to the nearest of its niches, where it becomes available only later. So a
+/// wizard who stands at that niche does not pick it up again at once, and one who stands at another niche can
+/// pick up that niche's ingredient.
 void put_away(MatchContext& context, ecs::Entity e, std::uint32_t player, vec3 body, const Pouch& pouch,
               Tick tick) {
     Niche* home = nullptr;
@@ -104,7 +105,7 @@ void put_away(MatchContext& context, ecs::Entity e, std::uint32_t player, vec3 b
                      .place = body});
 }
 
-/// Whether a wand of the wizard holds a thing. If so, the button throws that thing.
+/// Whether a wand of the wizard holds a thing. If so, the Throw button throws that thing.
 bool holds_thing(const MatchContext& context, ecs::Entity wizard) {
     const auto& wands = context.data.wands;
     return std::any_of(wands.begin(), wands.end(), [&](const LoadedWand& wand) {
@@ -112,7 +113,8 @@ bool holds_thing(const MatchContext& context, ecs::Entity wizard) {
     });
 }
 
-/// Drops the carried ingredient. Does nothing if all substances hold other ingredients.
+/// Drops the carried ingredient into the brew. Does nothing if all substances of the fluid hold other
+/// ingredients.
 void drop_in(MatchContext& context, Cauldron& cauldron, ecs::Entity e, std::uint32_t player,
              const Ladle& ladle, const Pouch& pouch, Tick tick) {
     const auto& rules = *context.data.cauldron;
@@ -177,7 +179,7 @@ void wrest(MatchContext& context, Cauldron& cauldron, Tick tick) {
                      .place = cauldron.middle});
 }
 
-/// Refills every wand of a wizard who stirs with the flow.
+/// Refills every wand of a wizard who stirs in the direction of the flow.
 void refill(MatchContext& context, const BrewWork* work, Tick tick) {
     auto& world = context.world;
     const auto& aura = context.data.cauldron->aura;
@@ -212,7 +214,8 @@ void grant_boon(MatchContext& context, Cauldron& cauldron, Tick tick) {
                      .place = cauldron.middle});
 }
 
-/// Heals the player with the boon while near the bowl, at most up to the health of a new wizard.
+/// Heals the player who has the boon while that player's wizard is near the bowl, at most up to the health of
+/// a new wizard.
 void heal_by_boon(MatchContext& context, const Cauldron& cauldron, Tick tick) {
     if (tick >= cauldron.boon_until) return;
     const double full = context.data.wizard.health;
@@ -325,7 +328,7 @@ void add_put_away_system(MatchContext& context, ecs::Schedule& schedule) {
                  [&](ecs::Entity e, const Wizard& wizard, const Controls& controls, const Motion& motion,
                      const Pouch& pouch) {
                      const bool asks = (controls.pressed & bit(Button::throw_)) != 0;
-                     // Over the brew, fire drops the ingredient instead.
+                     // Over the brew, the fire button drops the ingredient instead.
                      const bool drops = (controls.pressed & bit(Button::fire)) != 0 &&
                                         std::as_const(context.world).has<Ladle>(e);
                      if (asks && !drops && !holds_thing(context, e))

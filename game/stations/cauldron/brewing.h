@@ -6,15 +6,15 @@
 
 namespace thaum::game::inline stations {
 
-/// Creates the ingredient niches at the arena's places.
+/// Creates the ingredient niches at the places that the arena names.
 void spawn_niches(MatchContext& context);
 
 /// Share of the full walking speed that a wizard has at a position; below 1 near a thick brew.
 double pace_at(const MatchData& data, const ecs::World& world, vec3 place);
 
-/// Adds the brewing systems. Every gameplay tick: pick-up and drop of ingredients, ownership, energy for
-/// stirring with the flow, the boon (healing) for a well-mixed brew, and boiling over. Every tick: reduced
-/// weight of wizards near a light brew.
+/// Adds the brewing systems. In every gameplay tick they handle pick-up and drop of ingredients, ownership,
+/// energy for stirring with the flow, the boon (healing by a well-mixed brew), and boiling over. In every
+/// tick they reduce the weight of wizards near a light brew.
 void add_brewing_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule);
 
 /// Adds the system that returns a carried ingredient to a niche when its wizard presses Throw and no wand

@@ -34,7 +34,7 @@ double mean_speed(const BrewWork& work) {
     return sum / static_cast<double>(work.wet.size());
 }
 
-/// Share of the wet cells in which a substance has at least a quarter of its mean density.
+/// Share of the cells inside the basin in which a substance has at least a quarter of its mean density.
 double reached_share(const BrewWork& work, const fluid::Samples& samples) {
     constexpr double quarter = 0.25;
     const double least = quarter * mean_of(work, samples);
@@ -84,7 +84,7 @@ void apply(const CauldronRules& rules, const ChangedBrew& changes, const Strokes
     }
 }
 
-/// Gives the solver the properties of a brew that a potion has changed.
+/// Gives the solver the properties of the pure brew, with the factors of a potion that has changed it.
 void apply_changes(const CauldronRules& rules, const ChangedBrew& changes, Brew& brew) {
     brew.fluid.settings.viscosity = rules.viscosity * changes.viscosity;
     brew.surface.settings.tension = rules.surface.tension * changes.elasticity;
@@ -146,7 +146,7 @@ void step_surface(MatchContext& context, Brew& brew, Cauldron& cauldron) {
     auto& surface = brew.surface;
     std::array<fluid::SurfaceProbe, players> probes;
     bool any = false;
-    // NaN marks probes that are absent.
+    // A place of NaN marks a probe as absent.
     probes.fill({.place = vec2(std::numeric_limits<double>::quiet_NaN())});
     context.world.view<const Wizard, const Ladle>().each([&](const Wizard& wizard, const Ladle& ladle) {
         const vec3 at = ladle.place - cauldron.middle;

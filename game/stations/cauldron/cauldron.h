@@ -28,7 +28,7 @@ struct BrewFigures {
     double mixing{}, reached{}, viscosity{1}, density{1}, speed{};
 };
 
-/// Solver memory of a match's brew.
+/// Solver of a match's brew: fluid, surface and basin, with their memory.
 struct BrewWork {
     Brew brew;
     Basin basin;
@@ -74,20 +74,21 @@ void add_brew_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& 
 void touch_brew(MatchContext& context, BrewSolver& solver);
 
 /// Queues a stroke for the next fluid step. A stroke is merged with an earlier one that has the same non-zero
-/// `by`. If the queue is full, momentum is added to the last stroke, and an ingredient is rejected (false).
+/// `by`. If the queue is full, momentum is added to the last stroke, but an ingredient is rejected and the
+/// result is false.
 bool add_stroke(Cauldron& cauldron, const Stroke& stroke);
-/// Adds a ladle's impulse to its player's stroke of the next step. All impulses of one step act at the latest
-/// place.
+/// Adds a ladle's impulse to its player's stroke for the next step. All impulses that one step merges act at
+/// the place of the latest.
 void add_ladle_stroke(Cauldron& cauldron, std::uint32_t player, vec3 place, vec3 impulse, double radius);
 
 /// Height of the brew's surface at a place (m, world). Returns the level at rest if `work` is null.
 double surface_at(const BrewWork* work, const Cauldron& cauldron, vec3 place);
 
-/// Interpolation weight between the two newest fluid states: 0 is the older one; 1, the newer one, is reached
-/// one step after that was stored.
+/// Weight of the newer of the two newest fluid states in an interpolation between them: 0 when the newer
+/// state was stored, 1 one fluid step later.
 double share_of_step(const Cauldron& cauldron, Tick tick);
 
-/// Changes of the pure brew's properties that apply in the present fluid step.
+/// Factors by which a potion changes the pure brew in the present fluid step.
 const ChangedBrew& changes_of(const MatchData& data, const Cauldron& cauldron);
 
 /// Velocity of the brew at a place and tick (m/s, world). Zero outside the brew.

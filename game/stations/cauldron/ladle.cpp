@@ -43,7 +43,7 @@ void note_work(Ladle& ladle, double joules, Tick tick) {
     ladle.work[span] += joules;
 }
 
-/// Position of the ladle's tip (m, brew's frame): the probe, kept inside the wall.
+/// Position of the ladle's tip (m, brew's frame). The tip is the probe, which is kept inside the bowl's wall.
 vec3 tip_of(const HandState& hand_state) { return hand_state.servo.fluid.place; }
 
 vec3 velocity_of(const HandFrame& frame, const HandState& hand_state) {
@@ -73,9 +73,9 @@ haptics::FlowSource source_of(const MatchContext& context, const Brew& brew, std
     return source;
 }
 
-/// Samples the flow around the ladle from the two newest fluid states. Done again after each fluid step, and
-/// when the ladle has left the middle of the patch. The patch is centred ahead of the ladle, since later
-/// ticks use it, too.
+/// Samples the flow around the ladle from the two newest fluid states. This is done again after each fluid
+/// step, and when the ladle has left the middle of the sampled patch. The patch is centred ahead of the
+/// ladle, since the ladle moves on in the ticks that use it.
 void read_flow(const MatchContext& context, const Brew& brew, const Cauldron& cauldron, vec3 place,
                vec3 velocity, Ladle& ladle, haptics::FluidTouch& touch) {
     const double spacing = brew.fluid.lattice.h;
@@ -165,8 +165,8 @@ void feel_brew(const MatchContext& context, const BrewWork& work, ecs::Entity wi
                      .cling = surface.settings.cling,
                      .inside = cauldron.inside[player],
                      .present = 1};
-    // The surface knows of a new ladle only one tick later. A ladle that starts below the surface counts as
-    // already inside.
+    // The surface knows of a new ladle only one tick later. So a ladle that starts deep below the surface is
+    // marked as having broken through already.
     const double depth = touch.surface.height - place.y;
     if (begins && depth * touch.surface.stiffness >= touch.surface.pop_through) touch.surface.inside = 1;
 }

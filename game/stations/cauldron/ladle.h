@@ -14,7 +14,7 @@
 
 namespace thaum::game::inline stations {
 
-/// Pose of a stirring hand's device frame (world). `yaw`: AtStation::yaw.
+/// Pose of the device frame of a hand that stirs (world). `yaw`: AtStation::yaw.
 HandFrame ladle_frame(const CauldronRules& rules, const Cauldron& cauldron, double yaw);
 
 /// Prepares the fluid model of the stirring hand for one tick of play. Samples the flow around the ladle

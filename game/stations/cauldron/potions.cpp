@@ -8,9 +8,9 @@
 namespace thaum::game::inline stations {
 namespace {
 
-/// Time between two injuries by poison.
+/// Time between two losses of health by poison.
 constexpr Tick poison_period = ticks(1.0);
-/// Time after the beginning of a round at which recipes with a drawn order are shown to the players.
+/// Time after the beginning of a round at which players are shown the recipes whose order is drawn at random.
 constexpr Tick told_after = ticks(1.0);
 
 void note_step(MatchContext& context, const Cauldron& cauldron, std::uint32_t player, Tick tick) {
@@ -68,7 +68,7 @@ BrewFault fault_of_drop(const MatchContext& context, const Cauldron& cauldron, s
 
 // ---- strokes ----------------------------------------------------------------------------------------------
 
-/// The recipe whose ingredients are all in the brew; null if there is none.
+/// The recipe whose ingredients are all in the brew, so that strokes are next; null if there is none.
 const Recipe* finished_mix(const MatchContext& context, const Cauldron& cauldron, std::uint32_t player) {
     const auto open = recipes_open_to(context.data, context.world, cauldron, player);
     for (std::size_t i = 0; i < open.count; ++i) {
@@ -78,7 +78,8 @@ const Recipe* finished_mix(const MatchContext& context, const Cauldron& cauldron
     return nullptr;
 }
 
-/// Fault of a stroke that is due to the contents of the brew; none if a recipe waits for a stroke.
+/// Fault of a stroke for which the brew has a reason, such as another owner; none if a recipe waits for a
+/// stroke.
 BrewFault fault_of_brew(const Cauldron& cauldron, const Recipe* recipe, std::uint32_t player) {
     if (cauldron.begun == 0) return BrewFault::unfinished;
     if (cauldron.owner != player) return BrewFault::foreign;
@@ -98,7 +99,8 @@ std::string_view gesture_name(const MatchContext& context, std::uint32_t player,
     return gestures == nullptr ? std::string_view() : gestures->name(number);
 }
 
-/// Fault of a stroke itself. `gesture`: name of the recognised gesture.
+/// Fault in the drawing of a stroke: its gesture, sense of rotation or force. `gesture`: name of the
+/// recognised gesture.
 BrewFault fault_of_stroke(const RecipeStroke& wanted, std::string_view gesture,
                           const StrokeReading& reading) {
     if (gesture != wanted.gesture) return BrewFault::gesture;
@@ -166,7 +168,7 @@ double product_of(const MatchData& data, const Potions* potions, Tick tick, doub
     return product;
 }
 
-/// Forgets and records the potions whose time is up.
+/// Ends the potions whose time is up, and records that.
 void end_potions(MatchContext& context, ecs::Entity e, const Wizard& wizard, vec3 place, Potions& potions,
                  Tick tick) {
     for (std::uint32_t i = 0; i < potions.until.size(); ++i) {
@@ -178,7 +180,7 @@ void end_potions(MatchContext& context, ecs::Entity e, const Wizard& wizard, vec
                          .by = wizard.player,
                          .detail = i,
                          .place = place});
-        // The recipe may be gone from edited data.
+        // If data files were edited during the match, the recipe may no longer exist.
         if (i >= context.data.recipes.size()) continue;
         const auto& recipe = context.data.recipes[i];
         for (const auto& effect : recipe.effects) effect->over({context, e, i, recipe.gift.lasts, tick});
@@ -206,7 +208,8 @@ void run_potions(MatchContext& context, Tick tick) {
         });
 }
 
-/// Event::detail of a revealed recipe: its number, then its ingredients.
+/// Event::detail of a recipe whose order is revealed: the recipe's number, then those of its ingredients, 8
+/// bits each.
 std::uint32_t packed_recipe(std::uint32_t number, const RecipeOrder& order) {
     std::uint32_t packed = number;
     for (std::size_t i = 0; i < order.steps.size(); ++i) {
@@ -318,7 +321,7 @@ void brew_by_stroke(MatchContext& context, ecs::Entity wizard, const BrewStroke&
     const auto moment = fault_of_moment(cauldron, stroke.begun_at, order.steps[order.count - 1]);
     if (moment == BrewFault::late) return spoil_recipe(context, cauldron, player, moment, tick);
     const auto* next = next_stroke(*recipe, cauldron.strokes_done);
-    // Edited data may require fewer strokes than were already drawn.
+    // Edited data files may require fewer strokes than the wizard has already drawn.
     if (next == nullptr) return succeed(context, cauldron, wizard, *recipe, tick);
     const auto fault = moment != BrewFault::none
                            ? moment
@@ -405,7 +408,7 @@ void forget_filling(Cauldron& cauldron) {
 
 void change_brew(const MatchData& data, Cauldron& cauldron, Tick tick) {
     if (cauldron.potion == no_potion) return;
-    // Edited data may lack the recipe.
+    // Edited data files may no longer have the recipe.
     if (tick >= cauldron.potion_until || cauldron.potion >= data.recipes.size()) {
         cauldron.potion = no_potion;
         return;
@@ -415,7 +418,7 @@ void change_brew(const MatchData& data, Cauldron& cauldron, Tick tick) {
     if (!(lack > 0)) return;
     const auto& rules = *data.cauldron;
     constexpr double gain = 0.1;                   // share of the missing speed that one push adds
-    constexpr std::uint32_t pusher = 0xFFFF'0000;  // value of Stroke::by for the first push
+    constexpr std::uint32_t pusher = 0xFFFF'0000;  // value of Stroke::by for the first of the pushes
     const double radius = 1.5 * rules.ladle.radius, out = data.arena.bowl->size.radius / 2;
     const double push = gain * lack * rules.density * fluid.density * fluid::pushed_volume(radius);
     const vec3 rise{0, fluid.rise > 0 ? push : 0, 0};

@@ -26,7 +26,8 @@ struct RecipeList {
     std::array<std::uint32_t, max_potions> numbers{};
     std::size_t count{};
 };
-/// Recipes that the brew can still become for this player: all recipes for an empty brew, none after a fault.
+/// Recipes that the brew can still become for this player: all recipes if the brew is empty, none after a
+/// fault.
 RecipeList recipes_open_to(const MatchData& data, const ecs::World& world, const Cauldron& cauldron,
                            std::uint32_t player);
 
@@ -45,15 +46,16 @@ void drop_for_recipe(MatchContext& context, Cauldron& cauldron, std::uint32_t pl
 /// Records that a fourth ingredient has no room in the brew.
 void refuse_fourth(MatchContext& context, const Cauldron& cauldron, std::uint32_t player, Tick tick);
 
-/// A stroke on the brew. Drawing it also mixes the brew, so a window's end is compared with the share reached
-/// when the stroke began, and the window's beginning with the share when it was finished.
+/// A stroke drawn on the brew. Drawing also mixes the brew. So the end of a recipe's window is compared with
+/// the share (Cauldron::reached) when the stroke began, and the beginning of the window with the share when
+/// it was finished.
 struct BrewStroke {
     StrokeReading reading{};
-    double begun_at{};  ///< Cauldron::reached when the stroke began
+    double begun_at{};  ///< value of Cauldron::reached when the stroke began, 0 to 1
 };
 
-/// Judges a stroke that a wizard with a Ladle has drawn, in a gameplay tick. A reading without a gesture is
-/// ignored. The calling system must have declared brew_by_stroke_reads() and brew_by_stroke_writes().
+/// Judges a stroke that a wizard with a Ladle has drawn, in a gameplay tick. A stroke that was not recognised
+/// is ignored. The calling system must have declared brew_by_stroke_reads() and brew_by_stroke_writes().
 void brew_by_stroke(MatchContext& context, ecs::Entity wizard, const BrewStroke& stroke, Tick tick);
 ecs::Mask brew_by_stroke_reads(const ecs::World& world);
 ecs::Mask brew_by_stroke_writes(const MatchContext& context);
@@ -64,26 +66,27 @@ ecs::Mask potion_writes(const MatchContext& context);
 /// Takes all potions from a wizard who dies. Writes potion_writes(), reads Wizard and Motion.
 void lose_potions(MatchContext& context, ecs::Entity wizard, Tick tick);
 
-/// Factor on a wizard's walking speed by potions. `potions` may be null.
+/// Factor by which potions change a wizard's walking speed. `potions` may be null.
 double pace_of(const MatchData& data, const Potions* potions, Tick tick);
-/// Factor on a wizard's weight by potions. `potions` may be null.
+/// Factor by which potions change a wizard's weight. `potions` may be null.
 double weight_of(const MatchData& data, const Potions* potions, Tick tick);
 
-/// Draws the orders of recipes from the match's seed.
+/// Draws the random orders of recipes' ingredients from the match's seed.
 void draw_orders(MatchContext& context, std::uint64_t seed);
 
-/// Shows a player the order of each recipe with a drawn order. Reads DrawnOrders, writes EventLog and
-/// resource::Journal.
+/// Shows a player the orders of all recipes whose order is drawn at random. Reads DrawnOrders, writes
+/// EventLog and resource::Journal.
 void tell_order(MatchContext& context, std::uint32_t player, Tick tick);
 
-/// Ends the change of a brew when its time is up, and drives a brew that swirls or rises. Writes Cauldron.
+/// Ends the change of a brew by a potion when its time is up, and drives a brew that swirls or rises. Writes
+/// Cauldron.
 void change_brew(const MatchData& data, Cauldron& cauldron, Tick tick);
 
 /// Clears the data about one filling of the cauldron: owner, times, recipe and strokes.
 void forget_filling(Cauldron& cauldron);
 
-/// Adds the systems that end potions, hurt by poison and show recipes with a drawn order, every gameplay
-/// tick. In an arena with an orb, the orb shows those recipes instead (game/stations/orb/scrying.h).
+/// Adds the systems that end potions, hurt by poison and show the drawn orders of recipes, every gameplay
+/// tick. In an arena with an orb, the orb shows those orders instead (game/stations/orb/scrying.h).
 void add_potion_systems(MatchContext& context, ecs::Schedule& schedule);
 
 }  // namespace thaum::game::inline stations

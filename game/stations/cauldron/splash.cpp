@@ -6,12 +6,12 @@
 namespace thaum::game::inline stations {
 namespace {
 
-/// Speed that is added to the slip in the law of drag (m/s). Well below it, drag is proportional to the slip;
-/// well above it, drag grows with the square of the slip.
+/// Speed that is added to the slip (the speed of a thing relative to the brew) in the law of drag (m/s). Well
+/// below it, drag is proportional to the slip; well above it, drag grows with the square of the slip.
 constexpr double slow = 1.5;
 constexpr std::size_t max_dips = 8;
 
-/// A thing in the brew or at its surface (brew frame).
+/// A thing in the brew or at its surface; vectors are in the brew frame.
 struct Dip {
     ecs::Entity thing{};
     vec3 place{}, velocity{};
@@ -84,8 +84,8 @@ void splash(MatchContext& context, const BrewWork* work, Cauldron& cauldron, con
 /// Greatest height above the level surface at which a burst still pushes the brew (m).
 constexpr double burst_reach = 0.6;
 
-/// Queues the bursts of this tick that are near the brew. If the queue is full, the last entry counts once
-/// more.
+/// Queues the missile bursts of this tick that are near the brew. If the queue is full, a further burst
+/// counts as a repetition of the last one.
 void note_bursts(MatchContext& context, BrewSolver& solver, const Basin& basin) {
     const auto& journal = context.output.journal.read();
     if (solver.bursts_seen == journal.count()) return;

@@ -15,10 +15,10 @@ namespace {
 
 using input::Button;
 
-/// HapticModel::set_number of the first crystal's primitives.
+/// Value of HapticModel::set_number for the primitives of the first crystal.
 constexpr std::uint32_t crystal_set = 0x4000'0000;
-/// Difference between the set numbers of one crystal before and after an edit: larger than the number of any
-/// crystal, so that numbers stay unique.
+/// Difference between the set numbers of one crystal before and after an edit. It is larger than the number
+/// of any crystal, so that set numbers stay unique.
 constexpr std::uint32_t crystals_apart = 64;
 
 bool is_down(std::uint32_t buttons, Button button) { return (buttons & bit(button)) != 0; }
@@ -42,8 +42,8 @@ bool is_carved(const ecs::World& world, std::uint32_t number) {
     return carved;
 }
 
-/// Turns a crystal whose narrow side faces a wizard who begins to carve, so that the flat side with the key
-/// is in front. Otherwise the hand would begin inside the narrow side and could not get out.
+/// Turns a crystal that shows its narrow side to a wizard who begins to carve, so that the flat side with the
+/// key is in front. Otherwise the hand would begin inside the crystal and could not get out.
 void show_flat_side(const ecs::World& world, const AtStation& station, Crystal& crystal) {
     // Angle up to which a crystal is left as its last carver turned it (rad)
     constexpr double as_left = pi / 6;
@@ -64,7 +64,7 @@ void begin(MatchContext& context, CrystalBodies& bodies, ecs::Entity wizard, vec
     world.commands().add(wizard, Chisel{});
 }
 
-/// Adds a Chisel to each wizard who begins to work at a crystal and removes it when that ends.
+/// Adds a Chisel to each wizard who begins to work at a crystal, and removes it when the work ends.
 void note_carvers(MatchContext& context, CrystalBodies& bodies) {
     auto& world = context.world;
     world
@@ -86,7 +86,7 @@ void note_carvers(MatchContext& context, CrystalBodies& bodies) {
 
 // ---- tools ------------------------------------------------------------------------------------------------
 
-/// A wizard who carves, with what is needed in one gameplay tick.
+/// A wizard who carves, with the data that one gameplay tick needs.
 struct Carver {
     ecs::Entity wizard{};
     std::uint32_t player{};
@@ -111,7 +111,7 @@ void choose_tool(MatchContext& context, const Carver& carver, Lens& lens) {
     const auto& controls = carver.controls;
     const auto before = lens.tool;
     lens.tool = std::min(lens.tool, count - 1);  // edited data may have fewer tools
-    // While a stroke is drawn, the keys of wands cast spells by key chords.
+    // While a wizard draws a stroke, the keys of wands cast spells (key chords).
     const bool draws = is_down(controls.held, Button::trace);
     if (!draws && controls.wand_pressed != 0 && controls.wand_pressed <= count)
         lens.tool = controls.wand_pressed - 1;
@@ -120,7 +120,7 @@ void choose_tool(MatchContext& context, const Carver& carver, Lens& lens) {
     if (lens.tool != before) tell(context, carver, EventKind::tool_taken, lens.tool, carver.station.middle);
 }
 
-/// Position of the hand in its device: that of the proxy, which the surface stops (m).
+/// Position of the hand, in its device frame: that of the proxy, which the crystal's surface stops (m).
 vec3 felt_place(const HandState& hand_state) {
     const auto& servo = hand_state.servo;
     return servo.primitives == 0 ? hand_state.device.position : servo.proxy;
@@ -132,7 +132,7 @@ void give_lens(MatchContext& context, CrystalBodies& bodies, const Carver& carve
     renew_crystal(context, bodies, crystal);
 }
 
-/// Takes the focus for one use of the tool; false if there is too little.
+/// Takes the focus for one gameplay tick of the tool. Returns false if there is too little.
 bool pay(MatchContext& context, const Carver& carver, Chisel& chisel) {
     const double cost = context.data.crystal->focus_per_second * gameplay_dt;
     auto* focus = context.world.find<Focus>(carver.wizard);
@@ -183,8 +183,8 @@ void carve(MatchContext& context, CrystalBodies& bodies, Tick tick) {
 
 // ---- turn -------------------------------------------------------------------------------------------------
 
-/// Deflection up to which a stick does not turn the crystal, because the player is only moving the hand in or
-/// out.
+/// Stick deflection (of 127) up to which the crystal does not turn, because the player only means to move the
+/// hand in or out.
 constexpr std::int32_t straight = 40;
 
 /// Turns the crystals by the keys or sticks that walk sideways, for one tick. With the control for the right,
@@ -241,7 +241,7 @@ void feel_crystal(const MatchContext& context, ecs::Entity wizard, const HandSta
                      .strength = rules.surface.strength,
                      .friction = rules.surface.friction,
                      .reach = rules.surface.depth * spacing_of(crystal) / frame.metres_per_metre};
-    // After each edit, whoever made it, the set has a new number, so that the servo fades to the new force.
+    // After each edit, by either player, the set has a new number, so that the servo fades to the new force.
     model.set_number = crystal_set + crystal.number + crystals_apart * crystal.edits;
     model.coupling = {.stiffness = std::min(rules.hand.stiffness, context.data.device.max_stiffness),
                       .damping = std::min(rules.hand.damping, context.data.device.max_damping)};

@@ -1,6 +1,6 @@
-// game/stations/crystal/chisel.h: a wizard who holds Stir at a crystal. The hand feels the crystal's surface,
-// and while fire is held the chosen tool carves at the hand's position. The controls for walking sideways
-// turn the crystal, so that every side can be reached.
+// game/stations/crystal/chisel.h: carving, by a wizard who holds the Stir button at a crystal. The hand feels
+// the crystal's surface, and while fire is held the chosen tool carves at the hand's position. The controls
+// for walking sideways turn the crystal, so that every side can be reached.
 //
 //     begin and end (stir) -> turn (every tick) -> tool and dab (fire, every gameplay tick)
 //                          -> feel of the hand (every tick) -> Chisel
@@ -18,7 +18,7 @@ namespace thaum::game::inline stations {
 /// Whether a wizard can work at the crystal, given the position of the body's middle.
 bool within_reach_of_crystal(const MatchData& data, const Crystal& crystal, vec3 body);
 
-/// Pose of a carving hand's device frame (world).
+/// Pose of the device frame of a hand that carves (world).
 HandFrame chisel_frame(const CrystalRules& rules, const AtStation& station);
 
 /// Sets the haptic primitives of the crystal in a wizard's haptic model, for one tick. The wizard must have a
@@ -26,10 +26,10 @@ HandFrame chisel_frame(const CrystalRules& rules, const AtStation& station);
 void feel_crystal(const MatchContext& context, ecs::Entity wizard, const HandState& hand_state,
                   haptics::HapticModel& model);
 
-/// Adds the systems that run before the haptics: in every tick, turning crystals; in every gameplay tick,
-/// beginning and ending work, choosing tools and carving.
+/// Adds the systems that run before the haptics. In every tick they turn crystals; in every gameplay tick
+/// they begin and end work, choose tools and carve.
 void add_carving_systems(MatchContext& context, CrystalResource& crystals, ecs::Schedule& schedule);
-/// Adds the system that moves the tools, every tick. It runs after the haptics.
+/// Adds the system that moves the wizards' tools to their hands, every tick. It runs after the haptics.
 void add_chisel_system(MatchContext& context, ecs::Schedule& schedule);
 
 /// Takes the Lens from a wizard who dies. Writes Lens, EventLog and resource::Journal, reads Wizard and

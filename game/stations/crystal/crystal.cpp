@@ -12,10 +12,10 @@ namespace {
 
 /// Colour of a crystal that no one has painted.
 constexpr field::Rgb8 clear_colour{150, 200, 230};
-/// Number of the random stream of the match that gives the seeds of crystals.
+/// Number of the match's random stream from which the seeds of crystals are drawn.
 constexpr std::uint64_t seed_stream = 4;
 
-/// Number of hits in one tick for which memory is reserved, so that the first hit need not allocate.
+/// Number of hits in one tick for which memory is reserved in advance, so that a first hit need not allocate.
 constexpr std::uint32_t usual_strikes = 8;
 
 std::uint64_t next_seed(std::uint64_t seed) { return hash_combine(seed, 0x6b6579); }
@@ -29,14 +29,14 @@ void mark_all_changed(field::Bricks& bricks) {
     std::fill(bricks.version.begin(), bricks.version.end(), bricks.newest);
 }
 
-/// Prepares the cached body for voxels that were created or restored.
+/// Prepares the cached data of a crystal whose voxels were just created or restored.
 void note_voxels(ecs::World& world, CrystalBodies& bodies, const Crystal& crystal) {
     auto& body = body_of(bodies, crystal);
     mark_all_changed(body.bricks);
     body.overlap = field::overlap_with(voxels_of(world, bodies, crystal), body.key, crystal_surface);
 }
 
-/// Fills the voxels with the rough body of the crystal's seed.
+/// Fills the crystal's voxels with the rough body of its seed.
 void make_rough(MatchContext& context, CrystalBodies& bodies, Crystal& crystal) {
     auto& body = body_of(bodies, crystal);
     body.key = key_density(crystal.seed, crystal_side);
@@ -70,7 +70,7 @@ vec3 bisected(const field::Grid& grid, vec3 from, vec3 to) {
     return to;
 }
 
-/// Part of a ray inside a box around the origin; empty if high < low.
+/// Range of the parameter of a ray inside a box around the origin; empty if high < low.
 struct Stretch {
     double low{}, high{};
 };

@@ -28,10 +28,10 @@ struct CrystalBody {
     field::Bricks bricks = field::make_bricks({crystal_side, crystal_side, crystal_side});
     field::VoxelOverlap overlap{};
     std::vector<float> key{};  ///< density of the ghost key; empty for an untouched crystal
-    std::vector<float> old{};  ///< memory for the densities that an edit is about to change
+    std::vector<float> old{};  ///< scratch memory for the densities that an edit is about to change
 };
 
-/// Bodies of all crystals, by Crystal::number. The simulation owns it.
+/// Cached data of all crystals, indexed by Crystal::number. The simulation owns it.
 struct CrystalBodies {
     std::vector<CrystalBody> list{};
 };
@@ -51,7 +51,7 @@ namespace thaum::game::inline stations {
 
 using CrystalResource = ecs::Resource<resource::Crystals>;
 
-/// Seeds of the crystals, by their numbers.
+/// Seeds of the crystals, indexed by their numbers.
 using CrystalSeeds = std::vector<std::uint64_t>;
 
 /// Seeds for a new round, which follow those of the present crystals. Empty without crystals.
@@ -59,28 +59,29 @@ CrystalSeeds next_seeds(const ecs::World& world);
 /// Turns the solids of a new round that have the surface "crystal" into untouched crystals. Missing seeds are
 /// 0.
 void spawn_crystals(MatchContext& context, CrystalBodies& bodies, const CrystalSeeds& seeds);
-/// Gives the crystals of the first round their seeds from the match's seed.
+/// Derives the seeds of the first round's crystals from the match's seed.
 void draw_crystals(MatchContext& context, std::uint64_t seed);
-/// Rebuilds the bodies from the World after a restore.
+/// Rebuilds the cached data of crystals from the World after a restore.
 void rebuild_crystals(MatchContext& context, CrystalBodies& bodies);
 
 /// Puts the voxels of an untouched crystal into the World. Writes Crystal, CrystalDensity, CrystalColour and
 /// resource::Crystals.
 void touch_crystal(MatchContext& context, CrystalBodies& bodies, Crystal& crystal);
-/// Replaces a carved crystal by a rough body with another key. Writes the same as touch_crystal.
+/// Replaces a carved crystal by a rough body with another key. Writes the same components and resource as
+/// touch_crystal.
 void renew_crystal(MatchContext& context, CrystalBodies& bodies, Crystal& crystal);
-/// Applies a tool to a touched crystal and updates its overlap. `dab`: use of the tool, in the crystal frame.
-/// Writes the same as touch_crystal.
+/// Applies a tool to a touched crystal and updates the crystal's overlap with the key. `dab`: one use of the
+/// tool, in the crystal frame. Writes the same components and resource as touch_crystal.
 field::Edit cut_crystal(MatchContext& context, CrystalBodies& bodies, Crystal& crystal,
                         const field::Tool& tool, const field::Dab& dab);
 
-/// Updates the overlap after an edit of the voxels in a box.
+/// Updates the crystal's overlap with its key after an edit of the voxels in the box `changed`.
 void count_again(CrystalBodies& bodies, Crystal& crystal, const field::VoxelView& view,
                  const field::VoxelBox& changed);
 
 /// Placement of the crystal frame in the world.
 field::Placement placement_of(const Crystal& crystal);
-/// Distance between voxels (m).
+/// Distance between neighbouring voxels (m).
 inline double spacing_of(const Crystal& crystal) { return crystal.size / crystal_side; }
 /// Densities of a touched crystal in the crystal frame. Valid until the World's blob is resized.
 field::Grid density_grid(const ecs::World& world, const Crystal& crystal, field::Kernel kernel);

@@ -19,20 +19,22 @@ constexpr float solid = 0.5F;
 /// Minimum share of the key's volume that bites remove, and overlap below which no more lumps are added.
 constexpr double bitten = 0.2, rough_overlap = 0.52;
 
-/// A box, relative to the body's middle. Its unit is a voxel of a body with `usual_voxels` along each edge.
+/// A box, relative to the body's middle, in voxels of a body with `usual_voxels` along each edge.
 struct Bounds {
     vec3 low{}, high{};
 };
 
 double length_of(double x, double y) { return std::sqrt(x * x + y * y); }
 
-/// Adds parts to densities, or subtracts them, each within its bounds.
+/// Adds solid parts to a body of densities, or subtracts them. Only voxels within a part's bounds are
+/// visited.
 class Sculptor {
 public:
     Sculptor(std::vector<float>& density, int voxels)
         : density_(density), count_(voxels), scale_(usual_voxels / voxels) {}
 
-    /// Calls change(density, share) for each voxel near the part. The share is 0 outside of it and 1 inside.
+    /// Calls change(density, share) for each voxel near a part. The share is 0 outside of the part and 1
+    /// inside.
     template <class Depth, class Change>
     void visit(const Bounds& bounds, Depth depth, Change change) {
         const auto low = first_voxel(bounds.low - scale_), high = first_voxel(bounds.high + 2 * scale_);
@@ -68,7 +70,8 @@ private:
 
     std::vector<float>& density_;
     int count_;
-    double scale_;  ///< number of usual_voxels voxels per voxel of this body
+    double scale_;  ///< edge length of this body's voxels, in voxels of a body with `usual_voxels` along each
+                    ///< edge
 };
 
 void add_ring(const KeyShape& key, Sculptor& sculptor) {
@@ -101,13 +104,14 @@ void add_bit(const KeyShape& key, const KeyBit& bit, Sculptor& sculptor) {
     });
 }
 
-/// A ball that is added to, or removed from, the rough body.
+/// A ball of material that is added to, or removed from, the rough body.
 struct Ball {
     vec3 middle{};
     double radius{};
 };
 
-/// A ball near a random point of the key's middle lines, displaced by up to `off` voxels along each axis.
+/// A ball near a random point of the key: on the middle line of ring, shaft or bits, then displaced by up to
+/// `off` voxels along each axis.
 Ball ball_at(const KeyShape& key, Random& random, double off) {
     vec3 on;
     const double which = random.uniform();
@@ -128,7 +132,7 @@ Ball ball_at(const KeyShape& key, Random& random, double off) {
     return {on + away, random.uniform(3.0, 4.4)};
 }
 
-/// The rough body while it is being made, with its overlap so far.
+/// The rough body while it is being made, with its present overlap with the key.
 class RoughBody {
 public:
     RoughBody(const std::vector<float>& key, int voxels)

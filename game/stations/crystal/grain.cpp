@@ -5,7 +5,8 @@
 namespace thaum::game::inline stations {
 namespace {
 
-/// Density after an edit, of which the grain (grain.h) may suppress a part.
+/// Density after an edit. If the edit leads away from the key (`wanted`: the key is solid here), only the
+/// share `against` of it remains.
 float along_grain(float before, float after, bool wanted, double against) {
     if (after == before || (after > before) == wanted) return after;
     return before + static_cast<float>(against) * (after - before);
@@ -20,7 +21,7 @@ void for_each_voxel(const field::VoxelView& crystal, const field::VoxelBox& box,
             for (int i = box.low[0]; i < box.high[0]; ++i) visit(crystal.at(i, j, k), number++);
 }
 
-/// The voxels of a box as a body of their own. Colours are left white, since they do not matter here.
+/// The voxels of a box as a body of their own. Its colours are white, since a trial does not read them.
 field::Voxels cutout_of(const field::VoxelView& crystal, std::span<const float> density,
                         const field::VoxelBox& box) {
     const auto length = [&](std::size_t axis) { return box.high.at(axis) - box.low.at(axis); };
@@ -36,7 +37,7 @@ vec3 middle_of(const field::VoxelBox& box, double spacing) {
     return 0.5 * spacing * (low + high - static_cast<double>(crystal_side));
 }
 
-/// Numbers of voxels in the crystal and its key after a trial edit.
+/// Numbers of voxels after a trial edit: those solid in both crystal and key, and those solid in either.
 struct Counts {
     std::size_t both{}, either{};
 
@@ -47,7 +48,7 @@ struct Counts {
         auto& count = wanted ? both : either;
         is ? ++count : --count;
     }
-    /// Positive if the overlap is greater than `now`, negative if it is less.
+    /// Compares the overlap after the trial with `now`: positive if it is greater, negative if it is less.
     double against(const field::VoxelOverlap& now) const {
         return static_cast<double>(both) * static_cast<double>(now.either) -
                static_cast<double>(now.both) * static_cast<double>(either);
@@ -96,7 +97,7 @@ DabWorth worth_of_dab(const MatchContext& context, const CrystalBodies& bodies, 
         plain.note(before, after, wanted);
     });
     if (slowed.against(overlap) > 0) return DabWorth::helps;
-    // Without the grain the tool would do harm; the grain would only delay it.
+    // Without the grain, the tool would reduce the overlap. The grain would only slow that down.
     return plain.against(overlap) < 0 ? DabWorth::spoils : DabWorth::nothing;
 }
 

@@ -8,11 +8,11 @@
 namespace thaum::game::inline stations {
 namespace {
 
-/// Least and greatest distance of the core from the orb's middle, as a share of the extent. A probe at rest
-/// in the middle must not find the core.
+/// Least and greatest distance of the core from the orb's middle, as a share of the extent. The least is not
+/// 0, because a probe at rest in the middle must not find the core.
 constexpr double min_off_middle = 0.1, max_off_middle = 0.22;
-/// Half of the length of the part of the core that a hand can reach, as a share of the extent, for a device
-/// whose workspace is shallow. The conditions below hold along this part.
+/// Half the length of the part of the core that a hand can reach on a device with a shallow workspace, as a
+/// share of the extent. The conditions for a core hold along this part.
 constexpr double searched_half = 0.2;
 /// Maximum distance between the core and the point around which the flow turns, as a share of the extent.
 constexpr double max_shift = 0.03;
@@ -25,14 +25,14 @@ double curl_of(const field::RankineVortex& vortex) { return 2 * std::abs(vortex.
 
 vec3 across(vec3 way, vec3 axis) { return way - glm::dot(way, axis) * axis; }
 
-/// Distance from the core's axis at which the whole flow perpendicular to the axis is zero, at one point of
-/// the axis (m).
+/// Distance between the core's axis and the point beside it around which the whole flow turns, estimated at
+/// one point of the axis (m).
 double shift_at(const field::VortexFlow& flow, vec3 place) {
     const auto& core = flow.vortices[0];
     return glm::length(across(flow(place).value, core.axis)) * core.radius / std::abs(core.speed);
 }
 
-/// Seed of a flow whose core can be found. If all tries fail, the last seed tried.
+/// Seed of a flow whose core can be found by hand. If all tries fail, the last seed tried.
 std::uint64_t seed_of_flow(double extent, std::uint64_t seed) {
     constexpr std::uint64_t stream = 3;
     Random random = random_stream(seed, stream);

@@ -14,22 +14,23 @@ namespace thaum::game::inline stations {
 /// The orb's flow around its middle, with the axes of the world.
 field::VortexFlow flow_of(const Orb& orb);
 
-/// The hidden core: the part of the first vortex's axis that lies in the orb (m, world).
+/// The hidden core: that part of the axis of the flow's first vortex which lies in the orb (m, world).
 struct HiddenCore {
     vec3 middle{};  ///< point of the axis nearest to the orb's middle (m, world)
-    vec3 axis{};    ///< unit
+    vec3 axis{};    ///< direction of the axis (unit, world)
     double half{};  ///< half of the core's length (m)
 };
 HiddenCore core_of(const Orb& orb);
-/// The part of the first vortex's axis that lies in a ball around `middle`, which is the origin of the flow.
+/// The part of the first vortex's axis that lies in a ball of the given radius around `middle`, which is the
+/// origin of the flow (m).
 HiddenCore core_within(const field::VortexFlow& flow, vec3 middle, double radius);
 
 /// Distance of a position from the core (m, world).
 double distance_from(const HiddenCore& core, vec3 place);
 
 /// Whether a hand can find the core of a flow that fills a box of this extent (m). From every side the device
-/// must reach a long part of the core, but not with the hand at rest. The core must turn faster than the
-/// other vortices, and these must hardly displace the point around which the flow turns.
+/// must reach a long part of the core, but not with the hand at rest. The curl of the core must exceed that
+/// of every other vortex, and those must hardly displace the point around which the flow turns.
 bool can_be_found(const field::VortexFlow& flow, double extent);
 
 /// Creates the orb of a new match and gives each wizard the strength curves of the rules. `seed` determines
@@ -41,12 +42,12 @@ struct OrbMemory {
     std::uint64_t seed{};
     std::array<WornModes, players> modes{};
 };
-/// This data of the present orb; std::nullopt if there is no orb.
+/// Data of the present orb for the next round; std::nullopt if there is no orb.
 std::optional<OrbMemory> orb_memory(const ecs::World& world);
 /// Creates the orb of the next round, with another flow. Wizards keep their active modes and curves.
 void spawn_next_orb(MatchContext& context, const OrbMemory& memory);
 
-/// Pose of a scrying hand's device frame (world). `yaw`: AtStation::yaw.
+/// Pose of the device frame of a hand that scries (world). `yaw`: AtStation::yaw.
 HandFrame probe_frame(const OrbRules& rules, const Orb& orb, double yaw);
 
 }  // namespace thaum::game::inline stations

@@ -33,7 +33,7 @@ void tell(MatchContext& context, const Scryer& scryer, EventKind kind, vec3 plac
 
 // ---- modes ------------------------------------------------------------------------------------------------
 
-/// Switches a mode on or off and records this, and also the mode that it replaces.
+/// Switches a mode on or off. Records this, and also that an older mode went off to make room.
 void change_mode(MatchContext& context, const Scryer& scryer, vec3 place, std::uint32_t mode,
                  WornModes& modes) {
     const auto before = modes.worn;
@@ -142,7 +142,7 @@ void follow(MatchContext& context, const Scryer& scryer, const Controls& control
 
 // ---- the probe --------------------------------------------------------------------------------------------
 
-/// Gives the orb's reward: the wizard learns the orders of recipes and gains health.
+/// Gives the orb's reward: the wizard learns the drawn orders of recipes and gains health.
 void scry(MatchContext& context, const Scryer& scryer, vec3 place, WornModes& modes) {
     auto& health = context.world.get<Health>(scryer.wizard);
     const double cap = context.data.wizard.health_cap;

@@ -1,5 +1,5 @@
-// game/stations/orb/scrying.h: wizards who scry (MANUAL.md, "The orb"): who begins and ends, the cost, the
-// active haptic modes, and the orb's reward.
+// game/stations/orb/scrying.h: wizards who scry (MANUAL.md, "The orb"): when they begin and end, what it
+// costs, the active haptic modes, and the orb's reward.
 //
 //     Stir held at the orb -> AtStation, Scrying; focus decreases, and none comes back
 //     key of a wand        -> its mode is switched on or off; next and previous wand change the newest mode

@@ -10,7 +10,7 @@
 namespace thaum::game::inline stations {
 namespace {
 
-/// Source of the filters of a mode: the flow about the orb's middle. `spacing` in it is the step of finite
+/// Input of a mode's filters: the flow about the orb's middle. Its `spacing` is the step of the finite
 /// differences that some filters use.
 field::FilterSource source_of(const field::VortexFlow& flow, double radius) {
     constexpr int samples = 64;
@@ -121,7 +121,7 @@ void feel_orb(const MatchContext& context, ecs::Entity wizard, const HandState& 
                                    .tip = tip,
                                    .stiffness = model.coupling.stiffness};
     for (const auto mode : modes.worn) {
-        // Edited data may have fewer modes.
+        // Edited data files may have fewer modes.
         if (mode >= rules.modes.size()) continue;
         add_mode(rules.modes[mode], modes.strength[mode], source, placement, input, model.primitives);
     }

@@ -14,18 +14,18 @@ bool wears(const WornModes& modes, std::uint32_t mode);
 /// whether the mode is on now.
 bool put_on_or_off(WornModes& modes, std::uint32_t mode);
 
-/// The newest mode; no_mode: none is on.
+/// The mode that was switched on last; no_mode: none is on.
 std::uint32_t last_worn(const WornModes& modes);
 
-/// The mode that replaces the newest one when the player asks for the next (step 1) or the previous (step
-/// -1), out of `count`. It is a mode that is off. no_mode: every mode is on.
+/// The mode that replaces the newest one when the player asks for the next (step 1) or the previous one (step
+/// -1). `count`: number of all modes. It is a mode that is off; no_mode if every mode is on.
 std::uint32_t neighbour_of_last(const WornModes& modes, std::size_t count, int step);
 
 /// Point on the plane on which a wizard draws a mode's curve: the property, and the strength (N). `hand`:
 /// position of the tip; `reach`: half of the workspace (m, device frame).
 vec2 on_sheet(const OrbRules& rules, const OrbMode& mode, vec3 hand, vec3 reach);
 
-/// Draws a curve's columns between two points of the drawing plane.
+/// Draws those columns of a strength curve that lie between two points of the drawing plane.
 void draw_curve(const OrbRules& rules, const OrbMode& mode, vec2 from, vec2 to,
                 field::TransferFunction& strength);
 
@@ -33,8 +33,8 @@ void draw_curve(const OrbRules& rules, const OrbMode& mode, vec2 from, vec2 to,
 /// list of modes has changed, all modes start anew.
 void refit_modes(const OrbRules& before, const OrbRules& now, WornModes& modes);
 
-/// Prepares the haptic primitives of a scrying hand's model, for one tick of play: those of the active modes
-/// at the proxy of the last tick. The wizard must scry. A hand that draws a curve gets none. Reads Scrying,
+/// Fills in the haptic primitives of a hand that scries, for one tick of play: those of the active modes at
+/// the proxy of the last tick. The wizard must scry. A hand that draws a curve gets none. Reads Scrying,
 /// AtStation, WornModes and Orb.
 void feel_orb(const MatchContext& context, ecs::Entity wizard, const HandState& hand_state,
               haptics::HapticModel& model);

@@ -1,4 +1,4 @@
-// Ironhide: the wizard takes a share of every harm.
+// Ironhide: a potion after which the wizard takes only a share of every harm.
 #include "game/context/match_context.h"
 #include "game/data/potion_effect.h"
 

@@ -1,4 +1,4 @@
-// Venom: the wizard's next lob poisons those whom it hits.
+// Venom: a potion that lets the wizard's next lob poison those whom it hits.
 #include "game/context/match_context.h"
 #include "game/data/potion_effect.h"
 
@@ -19,8 +19,8 @@ public:
     ecs::Mask writes(const ecs::World& world) const override { return world.mask<WandBelt>(); }
 
 private:
-    double strength_;  ///< harm to those whom the lob hits (HP/s)
-    Tick poisons_;     ///< time for which that harm goes on
+    double strength_;  ///< poison of those whom the lob hits (HP/s)
+    Tick poisons_;     ///< duration of that poison (ticks)
 };
 
 const PotionEffectRegistration registration({
