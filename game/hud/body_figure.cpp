@@ -29,7 +29,7 @@ void add_figure(render::Overlay& out, const Panel& panel, const std::array<float
             out.items.emplace_back(ArcItem{middle, 0, most * (0.45F + 0.55F * std::min(1.0F, felt.at(i))), 0,
                                            whole_turn, paints.white});
     }
-    if (8 * u < 6) return;  // too small to be readable
+    if (8 * u < 6) return;  // the words "front" and "back" would be too small to be readable
     for (const bool back : {false, true}) {
         const fvec2 low =
             panel.low + u * fvec2(inset + (back ? torso + inset : 0), figure_high - inset - label);

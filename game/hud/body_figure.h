@@ -1,5 +1,5 @@
-// game/hud/body_figure.h: a picture of what the body feels: the cells of the body's front and back as white
-// dots on dark, larger for stronger effects. So it needs no colours.
+// game/hud/body_figure.h: a picture of the vibrations that a player feels on the body: the cells of front and
+// back as white dots on a dark ground, larger for stronger vibration. So the picture needs no colours.
 #pragma once
 #include <array>
 
@@ -9,10 +9,11 @@
 
 namespace thaum::game::inline hud {
 
-/// Size of the figure if there is room (HUD units): front and back with a gap between them.
+/// Usual size of the figure (HUD units): front and back with a gap between them.
 inline constexpr float figure_wide = 90, figure_high = 62;
 
-/// Adds the figure. `felt` has a strength of 0 to 1 for each cell. Nothing is added to an empty panel.
+/// Adds the figure. `felt` has the strength of the vibration in each cell, 0 to 1. Nothing is added to an
+/// empty panel.
 void add_figure(render::Overlay& out, const Panel& panel, const std::array<float, figure_cells>& felt);
 
 }  // namespace thaum::game::inline hud

@@ -28,12 +28,13 @@ const fvec4 grey_paint = colour(0xA8A4B0, 1.0F);
 
 // ---- The stroke -------------------------------------------------------------------------------------------
 
-/// Share of the view's shorter edge that a stroke of usual size fills, and the maximum share of any stroke.
+/// Share of the view's shorter edge that a stroke of usual size fills, and largest share that any stroke
+/// fills.
 constexpr float usual_share = 0.34F, max_share = 0.66F;
-constexpr float usual_size = 0.08F;  // m
+constexpr float usual_size = 0.08F;  // usual size of a stroke (m)
 constexpr std::size_t max_stroke_pieces = 160;
 
-/// Maps points of a stroke to the view. A stroke begins at the crosshair, and is moved and scaled down as far
+/// Maps points of a stroke to the view. A stroke begins at the crosshair. It is moved and scaled down as far
 /// as the panel of strokes requires.
 struct Drawing {
     fvec2 centre{}, shift{};
@@ -69,7 +70,7 @@ float share_of(const CastingPicture& casting, float force) {
     return static_cast<float>(std::clamp(static_cast<double>(force) / harsh, 0.0, 1.5));
 }
 
-/// Colour of a piece of the stroke.
+/// Colour of a piece of the stroke. `share`: force at that piece (share_of).
 fvec4 paint_of(const StrokePicture& stroke, std::uint32_t player, float share) {
     if (!stroke.drawing && !stroke.read) return grey_paint;
     if (!stroke.drawing) return read_paint;
@@ -77,7 +78,7 @@ fvec4 paint_of(const StrokePicture& stroke, std::uint32_t player, float share) {
     return opaque(glm::mix(team, fvec3(1), std::min(0.85F, 0.5F * share)));
 }
 
-/// Whether a piece of an unrecognised stroke is no longer drawn. The gaps grow with the stroke's age.
+/// Whether a piece of an unrecognised stroke has vanished already. The gaps grow with the stroke's age.
 bool is_broken(const StrokePicture& stroke, std::uint32_t piece, float age) {
     constexpr std::uint32_t length = 6;
     return !stroke.drawing && !stroke.read && static_cast<float>(piece % length) < 2 + 4 * age;
@@ -103,7 +104,7 @@ void add_gesture_icon(Overlay& out, const gesture::Gesture& gesture, fvec2 middl
     out.items.emplace_back(ArcItem{at(0), 0, 1.4F * width, 0, whole_turn, paint});
 }
 
-/// Adds the gesture and name of the likely spell on a plate in their panel.
+/// Adds gesture and name of the spell that the stroke will probably cast, on a plate in the panel for them.
 void add_likely(Overlay& out, const CastingPicture& casting, const SpellPresentation& spell,
                 const ViewLayout& l) {
     const auto number = casting.gestures->number(spell.gesture);
@@ -233,7 +234,8 @@ void add_ward(Overlay& out, const CastingPicture& casting, const ViewLayout& l) 
 // ---- Focus and spells -------------------------------------------------------------------------------------
 
 void add_focus(Overlay& out, const CastingPicture& casting, fvec2 centre, float u) {
-    constexpr float start = -2.3561945F, sweep = 4.712389F;  // same angles as the arc of the health (rad)
+    constexpr float start = -2.3561945F, sweep = 4.712389F;  // the same angles as the arc for the health
+                                                             // (rad)
     const double cap = std::max(casting.focus_cap, 1e-6);
     const auto share = static_cast<float>(std::clamp(casting.focus / cap, 0.0, 1.0));
     out.items.emplace_back(ArcItem{centre, 21.5F * u, 26 * u, start, sweep, paints.track});
@@ -253,7 +255,7 @@ void add_focus(Overlay& out, const CastingPicture& casting, fvec2 centre, float 
 
 namespace {
 
-/// One cell of the strip of spells. All sizes are in units of `u` px.
+/// One cell of the strip of spells.
 struct SpellCell {
     Panel box;
     float u{};
@@ -276,7 +278,7 @@ void add_shapes(Overlay& out, const SpellCell& cell, const GestureSet& gestures)
                                         paints.light_red});
 }
 
-/// Adds the chord's key, the cost, and below the gesture the spell's name.
+/// Adds the words of a cell: the key of the chord, the cost, and the spell's name below the gesture.
 void add_words(Overlay& out, const SpellCell& cell, std::string_view key) {
     const fvec2 low = cell.box.low, high = cell.box.high;
     const float u = cell.u, side = 13 * u;
@@ -289,9 +291,9 @@ void add_words(Overlay& out, const SpellCell& cell, std::string_view key) {
                 cell.paint(), Align::centre);
 }
 
-/// The cells of the spells, in as many rows as the wands' strip, and as wide as the room allows.
+/// Cells for the spells, in as many rows as the strip of wands has, and as wide as the room allows.
 std::vector<SpellCell> cells_of(const Picture& picture, std::uint32_t player, const ViewLayout& l, float u) {
-    constexpr float widest = 56;  // units
+    constexpr float widest = 56;  // largest width of a cell (HUD units)
     std::vector<const SpellPresentation*> spells;
     for (const auto& spell : picture.shown->spells) spells.push_back(&spell);
     std::sort(spells.begin(), spells.end(), [](const auto* a, const auto* b) { return a->slot < b->slot; });

@@ -21,7 +21,7 @@ struct WallLayout {
     Panel box;
     fvec2 cell{};  ///< size of a cell (px)
     Panel stroke{};
-    float lines_top{};  ///< (px)
+    float lines_top{};  ///< top of the text lines (px)
 
     Panel cell_at(std::size_t i) const {
         const auto column = i % wall_columns, row = i / wall_columns;
@@ -76,7 +76,7 @@ void add_cell(render::Overlay& out, const GestureWallPicture& wall, std::size_t 
         add_stroke(out, wall.stroke, fit_stroke(wall.stroke, ghost), {.width = 3.5F * u, .by_force = true});
 }
 
-/// Adds the newest stroke in its own panel.
+/// Adds the newest stroke in the panel for it.
 void add_own_panel(render::Overlay& out, const GestureWallPicture& wall, const Panel& box, float u) {
     constexpr double min_drawn = 0.1;  // strokes smaller than this are not enlarged while they are drawn (m)
     out.items.emplace_back(render::RectItem{box.low, box.high, opaque(fvec3(paints.white), 0.06F), 8 * u});

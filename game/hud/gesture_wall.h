@@ -1,6 +1,6 @@
-// game/hud/gesture_wall.h: the gesture wall of the range on the screen: each gesture with its ghost (a faint
-// picture of its recorded strokes), the newest stroke in a panel of its own and over the gesture as which it
-// was recognised, and advice.
+// game/hud/gesture_wall.h: the gesture wall of the practice range on the screen. It shows each gesture with
+// its ghost (a faint picture of its recorded strokes), the newest stroke in a panel of its own and over the
+// gesture as which it was recognised, and advice.
 //
 //     Circle 97 %   S            Your stroke
 //     Shield        Fog           the stroke, while it is drawn and afterwards

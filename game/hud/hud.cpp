@@ -7,8 +7,7 @@ namespace thaum::game::inline hud {
 namespace {
 
 /// Zooms a view in while its player carves, and out afterwards, within some tenths of a second. If the
-/// picture does not follow directly on the last one, as after a jump in a replay, the zoom is at its end at
-/// once.
+/// picture does not directly follow the last one, as after a jump in a replay, the zoom is completed at once.
 void come_nearer(NearView& view, const Picture& picture, bool carves) {
     constexpr double whole_way_s = 0.35, max_gap_s = 1;
     const double gone_s = picture.tick >= view.tick ? seconds(picture.tick - view.tick) : max_gap_s;
@@ -91,7 +90,8 @@ double field_of_player(const Picture& picture, std::uint32_t player, double usua
 }
 
 double field_of_view(double fov_degrees, double aspect) {
-    // Views of every aspect ratio show the same area: tan(width / 2) tan(height / 2) is constant.
+    // Views of every aspect ratio show an equally large area: tan(width / 2) tan(height / 2) is constant,
+    // where width and height are the angles of the view.
     const double wide = std::tan(fov_degrees * radians_per_degree / 2);
     const double area = wide * wide * 9 / 16;
     return 2 * std::atan(std::sqrt(area / aspect));

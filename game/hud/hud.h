@@ -19,7 +19,8 @@ enum class Watch : std::uint8_t { both, first, second };
 struct HudSettings {
     render::Split split = render::Split::top_bottom;  ///< how two views share the window
     Watch watch = Watch::both;
-    /// Horizontal field of view of a 16:9 view (degrees); other aspect ratios show the same area.
+    /// Horizontal field of view of a view of 16:9 (degrees); views of other aspect ratios show an equally
+    /// large area.
     double fov = 90;
     double text_scale = 1;  ///< text size, 1 to 2.5
     render::Quality quality = render::Quality::medium;
@@ -28,14 +29,14 @@ struct HudSettings {
     bool has_menu = true;  ///< true: leaving a match leads to the start screen; false: it ends the program
     bool forces = false;   ///< true: shows the force on the hand as a curve, and the brew's flow
     bool menu = false;     ///< true: a menu will cover the views, so the HUD is left out
-    /// Message about a fault of each player's device, in its driver's words. The session sets it.
+    /// Message about a fault of each player's device, in the words of its driver. The session sets it.
     std::array<std::string, players> device_messages{};
     PlayerNames names{};
     /// for each player, true: the view has captions of what happens to the player
     std::array<bool, players> captions{true, true};
-    /// For each player, which sounds and effects are also shown in words.
+    /// For each player, which sounds and effects on the body are also shown in words.
     std::array<HeardWish, players> heard{};
-    /// For each player, true: the view shows the figure of what the body feels.
+    /// For each player, true: the view shows the figure of what the player feels on the body.
     std::array<bool, players> figure{true, true};
     std::array<ControlNames, players> controls{};  ///< names of each player's controls
     std::array<PromptWish, players> prompts{};     ///< when each player's prompts are shown
@@ -44,18 +45,18 @@ struct HudSettings {
     bool operator==(const HudSettings&) const = default;
 };
 
-/// Zoom of a player's view towards the crystal that the player carves.
+/// How far a player's view has zoomed in on the crystal that the player carves.
 struct NearView {
     /// Tick of the last picture; initially later than any tick.
     Tick tick = std::numeric_limits<Tick>::max();
-    double share{};    ///< progress of the zoom; 0: usual view, 1: nearest view
-    double nearest{};  ///< field of view of the nearest view (rad)
+    double share{};    ///< progress of the zoom: 0 is the usual view, 1 the nearest one
+    double nearest{};  ///< vertical field of view of the nearest view (rad)
 };
 
-/// Memory for building frames. The spans of a Frame point into it.
+/// Memory for building frames. The spans of a Frame point into this memory.
 struct FrameMemory {
     std::array<std::vector<render::Instance>, players> instances;
-    /// Each player's `mists` plus those of spells; empty if the match has no spells.
+    /// For each player, the `mists` together with those of spells; empty if the match has no spells.
     std::array<std::vector<render::Instance>, players> spell_mists;
     std::vector<render::Instance> shades, mists, fixed_casters, moving_casters;
     std::array<std::vector<render::PointLight>, players> lights;
@@ -78,7 +79,7 @@ const render::Frame& make_frame(const ArenaScene& arena_scene, const Picture& pi
 void make_overlay(const Picture& picture, const HudSettings& settings, render::Size size,
                   render::Overlay& out);
 
-/// All texts of the HUD over both players' views.
+/// All texts that the HUD shows at present, in both players' views and over them.
 std::vector<std::string> words_over_views(const Simulation& match);
 
 /// Size of the area for all views: the window without the bar of a replay.

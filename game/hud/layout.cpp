@@ -16,24 +16,26 @@ constexpr float left_column = edge + health_wide + edge;
 constexpr float score_half_wide = 96, score_half_high = 27;
 constexpr float title_half_wide = 124,
                 title_view_wide = 440;  // title of a lesson, and the width of a view with room for it
-// Height down to the panels below a score at the top of the window.
+// Distance from the top of the window to the panels below a score that stands there.
 constexpr float under_score = 7 + 2 * score_half_high + 2;
 constexpr float line = 20;  // height of a line of messages, notices or feed
-// Height down to the panels below notices that are below the score.
+// Distance from the top of the window to the panels below the notices, which stand below the score.
 constexpr float under_notices = under_score + 2 * line + edge;
 constexpr float lesson_words = 14;  // text size of a lesson (em)
 constexpr float min_ring = 26, max_ring = 66;
 constexpr float min_likely = 14;  // height of the likely spell above the ring
 
-// A tall view has its messages above the corner panels, a flat view between them.
+// Minimum sizes of views (HUD units). A tall view has its messages above the corner panels, a flat view
+// between them.
 constexpr float tall_least_high = 400, tall_least_wide = 236;
 constexpr float flat_least_wide = 410;
-// Heights of a flat view with room for a sound in words and for the figure: below the score, below the
-// notices under the score, and below the feed.
+// Minimum heights of a flat view that has room for a sound in words and for the body figure: where these
+// stand below the score, below the notices under the score, or below the feed.
 constexpr float flat_alone_high = 220, flat_beside_high = 284, flat_stacked_high = 224;
 constexpr float flat_messages_wide = 220;
 constexpr float messages_high = 8 * line;  // maximum height of the messages in a tall view
-constexpr float ring_gap = 16;  // distance of the corner panels from the smallest ring or from the score
+constexpr float ring_gap = 16;  // distance of the corner panels from the smallest ring around the crosshair,
+                                // or from the score
 
 struct Strip {
     float columns{}, wide{}, high{};
@@ -44,7 +46,8 @@ Strip strip_of(std::size_t wands, float rows) {
     return {columns, columns * strip_cell_width + 2 * strip_margin, strip_head + rows * strip_cell_height};
 }
 
-/// Arrangement of the views in the window.
+/// How the views share the window: one alone, two stacked or two beside each other; and whose view is laid
+/// out.
 struct Arrangement {
     bool alone{}, stacked{}, lesson{}, cards{};
     std::uint32_t player{};
@@ -53,22 +56,22 @@ struct Arrangement {
     bool beside() const { return !alone && !stacked; }
 };
 
-/// Minimum width of a flat view in which the corner panels do not touch the ring or a score between two
-/// views.
+/// Minimum width of a flat view (HUD units) in which the corner panels do not touch the ring around the
+/// crosshair, nor a score between two views.
 float min_flat_width(const Arrangement& how, std::size_t wands) {
     const float middle = how.stacked ? score_half_wide : min_ring + edge;
     return std::max(flat_least_wide, 2 * (middle + ring_gap + strip_of(wands, 2).wide));
 }
 
-/// Length of a HUD unit that the settings ask for (px).
+/// Length of a HUD unit that the settings ask for (px), if the panels have room.
 float wanted_unit(const Arrangement& how, const render::Rect& view, render::Size window, double text_scale) {
     const float high = static_cast<float>(window.height) / 720 * (how.alone ? 1.35F : 1.05F);
     const float wide = static_cast<float>(view.width) / 420;
     return std::clamp(std::min(wide, high), 0.4F, 6.0F) * static_cast<float>(text_scale);
 }
 
-/// Length of a HUD unit (px): the one that the settings ask for, or smaller if the panels need it. A lesson
-/// needs a tall view.
+/// Length of a HUD unit (px): the one that the settings ask for, or a smaller one if the panels need that. A
+/// lesson needs a tall view.
 float unit_of(const Arrangement& how, const render::Rect& view, float wanted, std::size_t wands) {
     const auto w = static_cast<float>(view.width), h = static_cast<float>(view.height);
     const float tall = std::min(w / tall_least_wide, h / tall_least_high);
@@ -77,7 +80,7 @@ float unit_of(const Arrangement& how, const render::Rect& view, float wanted, st
     return std::min(wanted, how.alone && how.lesson ? tall : std::max(tall, flat));
 }
 
-/// Lays out one view in units, with the origin at its top left.
+/// Layout of one view in HUD units, with the origin at its top left.
 struct InUnits {
     float wide{}, high{};
     bool tall{};
@@ -87,7 +90,8 @@ struct InUnits {
     float ring{}, columns{};
 };
 
-/// Health and name at the lower left, wands at the lower right, in two rows if one row would meet the health.
+/// Places the health and the name at the lower left and the wands at the lower right, in two rows if one row
+/// would touch the health.
 void place_corners(const Arrangement& how, std::size_t wands, InUnits& out) {
     const float w = out.wide, h = out.high;
     out.health = {{edge, h - edge - health_high}, {edge + health_wide, h - edge}};
@@ -102,22 +106,22 @@ void place_corners(const Arrangement& how, std::size_t wands, InUnits& out) {
     out.columns = strip.columns;
 }
 
-/// Bottom of the panels in the middle at the top of a view.
+/// Lower end of the panels that stand in the middle at the top of a view (HUD units).
 float bottom_of_head(const Arrangement& how) {
     return how.beside() ? under_notices : how.alone ? under_score : edge + 2 * line;
 }
 
-/// Places the ring, and the messages below it.
+/// Places the ring around the crosshair, and the messages below it.
 void place_middle(const Arrangement& how, InUnits& out) {
     const float w = out.wide, h = out.high;
-    // Height of the score's part that reaches into the bottom of an upper view.
+    // How far a score between two stacked views reaches into the bottom of the upper view.
     const float floor = how.upper() ? score_half_high + 3 : 0;
     const float corners = std::min(out.name.low.y, out.strip.low.y);
     const float bottom = (out.tall ? corners : h - floor) - edge / 2;
     const float above = bottom_of_head(how);
     const float aside =
         out.tall ? w / 2 - edge : std::min(w / 2 - left_column, out.strip.low.x - edge - w / 2);
-    const float least = (how.cards && out.tall ? 6 : 2) * line;  // height of the messages
+    const float least = (how.cards && out.tall ? 6 : 2) * line;  // minimum height of the messages
     out.ring =
         std::clamp(std::min({h / 2 - above - edge / 2 - min_likely, bottom - h / 2 - edge - least, aside}),
                    min_ring, max_ring);
@@ -126,7 +130,8 @@ void place_middle(const Arrangement& how, InUnits& out) {
                             : Panel{{left_column, top}, {out.strip.low.x - edge, bottom}};
 }
 
-/// The name uses the free room to its right. In a flat view it is above the messages, beside the ring.
+/// Places the name, with the free room to its right. In a flat view it stands above the messages, beside the
+/// ring.
 void place_name(InUnits& out) {
     if (!out.tall) {
         out.name.high.y = std::min(out.name.high.y, out.messages.low.y);
@@ -138,12 +143,12 @@ void place_name(InUnits& out) {
     }
 }
 
-/// Half the width of the score, or of a lesson's title in the score's place.
+/// Half the width of the score, or of a lesson's title that stands in its place (HUD units).
 float half_width_of_score(const Arrangement& how, float view_wide) {
     return how.alone && how.lesson && view_wide >= title_view_wide ? title_half_wide : score_half_wide;
 }
 
-/// Places the feed: beside the score, and in an upper view below the notices.
+/// Places the feed beside the score. In the upper one of two views it is also below the notices.
 void place_feed(const Arrangement& how, InUnits& out) {
     const float w = out.wide;
     const float wide = how.upper()    ? w / 2 - out.ring - 2 * edge
@@ -156,7 +161,7 @@ void place_feed(const Arrangement& how, InUnits& out) {
     out.feed = {{from, top}, {from + wide, bottom}};
 }
 
-/// Places the curve of the forces, as large as the left side allows, or only the name of the strongest force.
+/// Places the curve of the force, as large as the left side allows, or only the name of the strongest force.
 void place_forces(const Arrangement& how, bool curve, InUnits& out) {
     const float top = how.beside()  ? under_notices
                       : how.lower() ? edge
@@ -169,7 +174,7 @@ void place_forces(const Arrangement& how, bool curve, InUnits& out) {
     out.forces = {{edge, top}, fvec2(edge, top) + scale * size};
 }
 
-/// Places the words for what is heard and felt: below the forces, left of the ring.
+/// Places the words about sounds and effects: below the force, left of the ring around the crosshair.
 void place_heard(const Arrangement& how, InUnits& out) {
     const float top = out.forces.high.y + edge / 2;
     const float bottom = std::min(out.name.low.y, out.messages.low.y) - edge / 2;
@@ -178,8 +183,7 @@ void place_heard(const Arrangement& how, InUnits& out) {
     out.heard = {{edge, top}, {edge + (room ? wide : 0), room ? bottom : top}};
 }
 
-/// Places the figure of the body: above the wands at the right, as large as the room below feed and notices
-/// allows.
+/// Places the body figure: above the wands at the right, as large as the room below feed and notices allows.
 void place_figure(const Arrangement& how, InUnits& out) {
     if (how.alone && how.lesson) return;
     const float least = how.beside() ? under_notices : how.alone ? under_score : 0;
@@ -192,8 +196,8 @@ void place_figure(const Arrangement& how, InUnits& out) {
     out.figure = {high - scale * fvec2(figure_wide, figure_high), high};
 }
 
-/// Places the likely spell above the ring, and the panel of strokes around the ring, which ends above two
-/// lines of messages.
+/// Places the name of the likely spell above the ring around the crosshair, and the panel of strokes around
+/// that ring. The panel ends above two lines of messages.
 void place_strokes(const Arrangement& how, InUnits& out) {
     constexpr float max_high = 24, captions = 2 * 1.4F * 15;
     const fvec2 middle(out.wide / 2, out.high / 2);
@@ -204,7 +208,8 @@ void place_strokes(const Arrangement& how, InUnits& out) {
                    {out.wide - edge, std::max(out.messages.high.y - captions, middle.y + out.ring)}};
 }
 
-/// Places the free room right of the ring, left of the figure and the strip of wands.
+/// Places the panel for cards in the free room right of the ring around the crosshair, left of figure and
+/// strip of wands.
 void place_aside(const Arrangement& how, InUnits& out) {
     constexpr float min_wide = 180, min_high = 48;
     if (how.alone && how.lesson) return;
@@ -276,8 +281,8 @@ void place_shared(const Arrangement& how, render::Size window, HudLayout& out) {
     }
 }
 
-/// The panel of the lesson in a window with one view: right of the ring, below feed and score, above the
-/// lower panels.
+/// The panel for a lesson in a window with one view: right of the ring around the crosshair, below feed and
+/// score, above the panels at the bottom.
 Panel lesson_of(const ViewLayout& view) {
     const float u = view.unit;
     const float top = std::max(view.feed.high.y, u * under_score) + u * edge / 2;
@@ -285,7 +290,7 @@ Panel lesson_of(const ViewLayout& view) {
     return {{view.centre.x + view.ring + u * edge, top}, {view.feed.high.x, bottom}};
 }
 
-/// Text size of the countdown to the start, limited by the smallest ring.
+/// Text size of the countdown to the start of play, limited by the smallest ring around the crosshair (px).
 float count_size_of(const std::array<std::optional<ViewLayout>, players>& views) {
     float ring = 0;
     for (const auto& view : views) {
@@ -300,13 +305,13 @@ constexpr float widest_character = 1.12F;  // em
 /// Upper estimate of a character's width in the typeface (em).
 float character_width(char c) {
     constexpr std::string_view narrow = "iljftrI.,:;'|!()[] ", wide = "mwMWQ%@";
-    // Not the first byte of a character in UTF-8.
+    // Only the first byte of a character in UTF-8 counts.
     if ((static_cast<unsigned char>(c) & 0xC0U) == 0x80U) return 0;
     if (narrow.find(c) != std::string_view::npos) return 0.48F;
     return wide.find(c) != std::string_view::npos ? widest_character : 0.74F;
 }
 
-/// Number of bytes of whole characters that fit a line; at least one character.
+/// Number of bytes of the whole characters that surely fit in a line; at least one character.
 std::size_t longest_part(std::string_view words, float size, float wide) {
     const auto most = static_cast<std::size_t>(std::max(1.0F, wide / (widest_character * size)));
     std::size_t bytes = 0;
@@ -318,15 +323,15 @@ std::size_t longest_part(std::string_view words, float size, float wide) {
     return bytes;
 }
 
-/// Whether a text begins with a unit that belongs to the number before it: "%" or "s".
+/// Whether a text begins with the unit of the number before it: "%" or "s".
 bool begin_with_unit(std::string_view words) {
     if (words.empty()) return false;
     const bool alone = words.size() == 1 || words[1] == ' ' || words[1] == ',';
     return words[0] == '%' || (words[0] == 's' && alone);
 }
 
-/// Number of bytes up to the first space at which a line may be broken. Controls in brackets, "100 %" and "20
-/// s" are not broken.
+/// Number of bytes up to the first space at which a line may be broken. Names of controls in brackets, "100
+/// %" and "20 s" are not broken.
 std::size_t unbroken_part(std::string_view words) {
     const auto last = words.rfind(']');
     bool inside = false;
@@ -340,7 +345,8 @@ std::size_t unbroken_part(std::string_view words) {
 
 constexpr std::string_view group_gap = "   ";
 
-/// Breaks a text between groups, which are separated by three spaces, such as the keys of a replay.
+/// Breaks a text between its groups. Groups are separated by three spaces, such as the help on each key of a
+/// replay.
 std::vector<std::string> broken_between_groups(std::string_view words, float size, float wide) {
     std::vector<std::string> lines;
     while (!words.empty()) {
@@ -356,8 +362,8 @@ std::vector<std::string> broken_between_groups(std::string_view words, float siz
     return lines;
 }
 
-/// Breaks a text at spaces, or between groups if it has groups. At the smallest size a word that is longer
-/// than a line is broken, too.
+/// Breaks a text at spaces, or between its groups if it has groups. At the smallest text size, a word that is
+/// longer than a line is broken, too.
 std::vector<std::string> broken(std::string_view words, float size, float wide) {
     if (size > min_words && words.find(group_gap) != std::string_view::npos)
         return broken_between_groups(words, size, wide);

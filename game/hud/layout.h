@@ -24,22 +24,27 @@ struct ViewLayout {
     render::Rect view;
     float unit{};    ///< length of a HUD unit (px)
     fvec2 centre{};  ///< position of the crosshair (px)
-    float ring{};    ///< largest radius around the crosshair (px): charge, marks of hurts, words of a warning
+    float ring{};    ///< largest radius of the ring around the crosshair, in which charge, marks of hurts and
+                     ///< warnings are shown (px)
     Panel health, name;
     Panel strip;
     float strip_columns{};  ///< number of wands in one row of the strip
     Panel feed;
     Panel messages;
-    Panel forces;  ///< curve of the forces, or only the name of the strongest force
+    Panel forces;  ///< panel for the curve of the force on the hand, or only for the name of the strongest
+                   ///< force
     /// Panel for the front and the back of the body (body_figure.h): figure_wide x figure_high units, or
     /// smaller if there is less room. Empty while a lesson's text is shown in a window with one view.
     Panel figure;
-    /// Panel for the card at the cauldron (rim_card.h), right of the ring; empty if there is too little
-    /// room, and while a lesson's text is shown in a window with one view.
+    /// Panel for the card at the cauldron (rim_card.h), right of the ring around the crosshair; empty if
+    /// there is too little room, and while a lesson's text is shown in a window with one view.
     Panel aside;
-    Panel heard;    ///< words for sounds and effects; empty if the curve of the forces leaves no room
-    Panel likely;   ///< panel for the likely spell of a stroke, above the ring; empty if there is no room
-    Panel strokes;  ///< panel for strokes: around the crosshair, clear of the score and of two captions
+    Panel heard;    ///< panel for words about sounds and effects; empty if the curve of the forces leaves no
+                    ///< room
+    Panel likely;   ///< panel for the spell that a stroke will probably cast, above the ring; empty if there
+                    ///< is no room
+    Panel strokes;  ///< panel for the stroke that is drawn: around the crosshair, clear of the score and of
+                    ///< two captions
 };
 
 /// All panels of a window.
@@ -48,10 +53,11 @@ struct HudLayout {
     float unit{};  ///< length of a HUD unit in panels of the whole window (px)
     Panel score;
     Panel notices;  ///< notices for both players
-    /// Panel for the Apprentice's instructions; std::nullopt: none now, or there are two views.
+    /// Panel for the instructions of a lesson (the Apprentice); std::nullopt: no lesson now, or there are two
+    /// views.
     std::optional<Panel> lesson;
-    float count_size{};   ///< text size of the countdown to the start, the same in all views (px)
-    float lesson_size{};  ///< text size of the lesson if there is room (px)
+    float count_size{};   ///< text size of the countdown to the start of play, the same in all views (px)
+    float lesson_size{};  ///< largest text size of the lesson (px)
     std::optional<ReplayBarLayout> replay{};
 };
 
@@ -68,13 +74,13 @@ inline constexpr float force_word_wide = 96, force_word_high = 27;
 /// Height of a text line about a sound or effect (HUD units).
 inline constexpr float heard_line_high = 20;
 
-/// Optional panels that the layout must make room for.
+/// What is shown at present and needs room in the layout.
 struct LayoutWishes {
-    /// true: a lesson's text is shown. With only one view, the other panels are then no larger than the text
-    /// allows.
+    /// true: the text of a lesson is shown. In a window with one view, the other panels are then no larger
+    /// than that text allows.
     bool lesson = false;
-    /// For each player, true at a station. In a tall view the ring then leaves room below it for the card
-    /// (rim_card.h).
+    /// For each player, true if the player is at a station. In a tall view, the ring around the crosshair
+    /// then leaves room below it for the card (rim_card.h).
     std::array<bool, players> cards{};
 };
 HudLayout lay_out(const HudSettings& settings, render::Size window, std::size_t wands,
@@ -83,7 +89,7 @@ HudLayout lay_out(const HudSettings& settings, render::Size window, std::size_t 
 /// A text broken into lines that fit a box.
 struct FittedWords {
     std::vector<std::string> lines;
-    float size{};  ///< em (px)
+    float size{};  ///< text size: length of an em (px)
     /// Distance from the top of one line to the top of the next (px).
     float line_height() const { return line_spacing * size; }
     float height() const { return static_cast<float>(lines.size()) * line_height(); }
@@ -91,7 +97,7 @@ struct FittedWords {
     static constexpr float line_spacing = 1.4F;
 };
 
-/// Width of a line of text, for laying it out (px). Real lines are seldom wider.
+/// Estimated width of a line of text, for laying it out (px). Real lines are seldom wider.
 float width_of(std::string_view line, float size);
 
 /// Breaks a text at spaces, or between groups separated by three spaces, into lines for a box of the size

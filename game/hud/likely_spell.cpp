@@ -15,7 +15,7 @@ bool is_same(const DrawnPoint& a, const DrawnPoint& b) {
     return a.x == b.x && a.y == b.y && a.z == b.z && a.force == b.force;
 }
 
-/// Recognitions of one unfinished stroke so far.
+/// What was recognised in one unfinished stroke so far.
 struct Answers {
     const GestureSet* gestures = nullptr;
     double apart_s{};
@@ -32,7 +32,7 @@ struct Answers {
     }
 };
 
-/// Working memory. Results kept from earlier pictures save time and do not change the answer.
+/// Working memory of the search. Results kept from earlier pictures save time and do not change the answer.
 struct LikelySpace {
     gesture::PrefixSpace prefix{};
     std::array<gesture::StrokePoint, StrokePicture::max_points> points{};
@@ -62,8 +62,8 @@ bool is_long_enough(gesture::Points stroke, double least) {
     return length >= least;
 }
 
-/// The gesture shown now. It is computed from all recognitions since the start of the stroke, so it depends
-/// only on the stroke.
+/// The gesture that is shown for the present picture. It is computed from all recognitions since the start of
+/// the stroke, so it depends only on the stroke.
 std::uint32_t told_gesture(const CastingPicture& casting, LikelySpace& space) {
     const auto& stroke = casting.stroke;
     auto& answers = space.answers_of(casting);

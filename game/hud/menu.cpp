@@ -48,8 +48,8 @@ float head_units(const MenuPicture& menu) {
 /// Text sizes of help and key hint (HUD units), and the maximum number of lines of each.
 constexpr float help_size = 16, hint_size = 14, max_lines = 3;
 
-/// Widths of the texts at the foot of the menu (em). Room for the longest help is always kept, so that the
-/// rows do not move when another row is chosen.
+/// Widths of the texts at the foot of the menu (em). `help` is that of the longest help of all rows, so that
+/// the rows do not move when another row is chosen.
 struct FootWords {
     float help{}, hint{};
 };
@@ -60,13 +60,13 @@ FootWords foot_of(const MenuPicture& menu) {
     return out;
 }
 
-/// Height of a text of the given width in em, broken into lines (px). Assumes that lines are rarely full.
+/// Height of a text that is `ems` em wide, broken into lines (px). Assumes that lines are rarely full.
 float height_of_lines(float ems, float size, float width) {
     const float lines = std::clamp(std::ceil(ems * size / (0.88F * width)), 1.0F, max_lines);
     return lines * FittedWords::line_spacing * size + 1;
 }
 
-/// Height of note, help and hint (px).
+/// Height of note, help and key hint at the foot of the menu (px).
 float foot_height(const FootWords& foot, float width, float unit) {
     const float words = height_of_lines(foot.help, help_size * unit, width) +
                         height_of_lines(foot.hint, hint_size * unit, width);
@@ -98,12 +98,12 @@ MenuLayout lay_out(const MenuPicture& menu, render::Size size, double text_scale
     l.seats_height = seat_units * u;
     l.visible = std::min(rows, std::max<std::size_t>(rows_that_fit(menu, words, l.width, height, u), 1));
     l.first = menu.middle < l.visible / 2 ? 0 : std::min(menu.middle - l.visible / 2, rows - l.visible);
-    // The chosen row stays visible even after the window was made smaller.
+    // The chosen row must stay visible, even after the window was made smaller.
     l.first = std::clamp(l.first, menu.cursor + 1 - std::min(menu.cursor + 1, l.visible), menu.cursor);
-    // The arrows that show that there are more rows are beside the rows, inside the window.
+    // The arrows that say that there are more rows stand beside the rows, inside the window.
     l.row_width = std::min({l.width, 700 * u, width - 32 * u});
     l.row_height = row_units * u;
-    // The rows are in the lower part of the window, so that the scene behind them stays visible.
+    // The rows stand in the lower part of the window, so that the scene behind them stays visible.
     const float head = head_units(menu) * u, foot = height - foot_height(words, l.width, u);
     const float spare = foot - head - static_cast<float>(l.visible) * l.row_height;
     l.rows_low = {(width - l.row_width) / 2, head + std::max(0.85F * spare, 0.0F)};
@@ -115,8 +115,8 @@ MenuLayout lay_out(const MenuPicture& menu, render::Size size, double text_scale
     return l;
 }
 
-/// Width of a text: one part grows with the text size, the other comes from rounding each character's width
-/// to whole pixels.
+/// Width of a text in two parts: one that grows with the text size, and one that comes from rounding each
+/// character's width to whole pixels.
 struct Width {
     float ems{}, rounding{};  ///< the growing part (em) and the rounding part (px)
 
@@ -135,7 +135,7 @@ void add_fitted(Overlay& out, const std::string& words, fvec2 position, float si
                 Align align) {
     if (words.empty()) return;
     const float small = fitted(words, size, room);
-    // Smaller text keeps the baseline of full-size text.
+    // Text that was made smaller keeps the baseline of text of full size.
     add_text(out, words, position + fvec2(0, 0.6F * (size - small)), small, paint, align);
 }
 
@@ -175,14 +175,14 @@ constexpr float row_words = 18, label_gap = 12;
 /// A label narrower than this share of the row counts as short.
 constexpr float short_label = 0.25F;
 
-/// Width of the arrows beside a value, or of the gap without arrows (px).
+/// Width of the arrows beside a value, or of the gap in their place (px).
 float beside_value(const MenuRow& row, const MenuLayout& l) {
     return row.adjustable ? 2 * arrow_width(l) : 16 * l.unit;
 }
 
-/// Width of the value and its arrows, at the right of the row (px). Usually half of the row. If label or
-/// value needs more, the other gets less. If both need more, a short label keeps its size; otherwise both
-/// shrink to the same text size.
+/// Width of the value and its arrows, at the right of the row (px). It is usually half of the row. If the
+/// label needs more than the other half, the value gets less room, and the reverse. If both need more, a
+/// short label keeps its size; otherwise both shrink to the same text size.
 float value_width(const MenuRow& row, const MenuLayout& l) {
     if (row.value.empty()) return 0;
     const float size = row_words * l.unit, beside = beside_value(row, l);
@@ -227,7 +227,7 @@ Panel foot_box(const MenuLayout& l, float window_width, float top, float height)
     return {{left, top}, {left + l.width, top + height}};
 }
 
-/// Adds marks if more rows follow above or below.
+/// Adds arrows as marks if more rows follow above or below.
 void add_scroll_marks(Overlay& out, const MenuPicture& menu, const MenuLayout& l) {
     const float x = l.rows_low.x + l.row_width + 9 * l.unit, r = 6 * l.unit;
     const float bottom = l.rows_low.y + static_cast<float>(l.visible) * l.row_height;

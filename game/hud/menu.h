@@ -1,6 +1,6 @@
-// game/hud/menu.h: menus as plain data, and how they are drawn: a title, two seats and a column of rows.
-// Label and value share a row as their lengths require, text shrinks to fit, and rows scroll, so every text
-// size fits every window.
+// game/hud/menu.h: menus as plain data, and how they are drawn: a title, a seat for each player, and a column
+// of rows. Label and value share a row as their lengths require, text shrinks to fit, and rows scroll, so
+// every text size fits every window.
 #pragma once
 #include <optional>
 #include <string>
@@ -15,14 +15,15 @@ struct MenuRow {
     std::string label{};
     std::string help{};  ///< what the row does, in one sentence; shown while the row is chosen
     std::string value{};
-    /// Longest value of the row, so that the arrows do not move when the value changes.
+    /// Longest value that the row may have, so that the arrows do not move when the value changes.
     std::string longest_value{};
     bool adjustable = false;  ///< true: arrows beside the value decrease and increase it
     bool dim = false;         ///< true: the row has no effect at present
     bool operator==(const MenuRow&) const = default;
 };
 
-/// A seat for one player, drawn with the team's mark.
+/// The place of one player on the start screen, drawn with the team's mark: the player and the player's
+/// device.
 struct MenuSeat {
     std::string head{}, device{};
     bool taken = false;
@@ -35,11 +36,11 @@ struct MenuPicture {
     std::vector<MenuSeat> seats;
     std::vector<MenuRow> rows;
     std::size_t cursor = 0;  ///< index of the chosen row
-    std::size_t middle = 0;  ///< row around which the visible rows are chosen if not all fit
+    std::size_t middle = 0;  ///< index of the row around which the visible rows are chosen if not all fit
     std::string note;        ///< message about the last action
     std::string hint;        ///< help about the keys
-    /// Cells of a figure of the body beside the title, 0 to 1 (game/picture/picture.h); std::nullopt: no
-    /// figure.
+    /// Strengths of the cells of a body figure beside the title, 0 to 1 (game/picture/picture.h);
+    /// std::nullopt: no figure.
     std::optional<std::array<float, figure_cells>> figure{};
     bool operator==(const MenuPicture&) const = default;
 };
@@ -56,9 +57,9 @@ std::optional<MenuPlace> place_at(const MenuPicture& menu, render::Size size, do
 
 void add_menu(render::Overlay& out, const MenuPicture& menu, render::Size size, double text_scale);
 
-/// Frame with the empty arena, the background of menus outside of a match, without an overlay. The camera
-/// looks from above and has turned by `angle` around the arena (rad). The frame stays valid in `memory` until
-/// the next call.
+/// Frame with the empty arena, which is the background of menus outside of a match. It has no overlay. The
+/// camera looks from above and has turned by `angle` around the arena (rad). The frame points into `memory`
+/// and is valid until the next call.
 const render::Frame& make_arena_frame(const ArenaScene& arena_scene, const Picture& picture, double angle,
                                       const HudSettings& settings, render::Size size, FrameMemory& memory);
 

@@ -9,7 +9,7 @@ struct Offer {
     PromptKind kind{};
     const std::string* control{};
     std::string what;
-    std::string before{};  ///< text for a step that must come before: "Hold [E], then "
+    std::string before{};  ///< text for what the player must do before: "Hold [E], then "
 };
 
 /// The spell with the lowest wand key, for a player who is hurt, has no shield and has enough
@@ -24,7 +24,7 @@ const SpellStats* spell_in_need(const PlayerPicture& p) {
     return casting.first_spell;
 }
 
-/// Whether the carried ingredient would spoil the recipe that is begun.
+/// Whether the carried ingredient would spoil the recipe that the brew follows.
 bool would_spoil(std::string_view carried, const RecipePicture& recipe) {
     return recipe.step == RecipeStep::stroke ||
            (recipe.step == RecipeStep::ingredient && recipe.next != carried);
@@ -35,8 +35,8 @@ bool is_too_soon(const RecipePicture& recipe) {
     return recipe.step == RecipeStep::ingredient && recipe.reached < recipe.least;
 }
 
-/// The prompt for a player who stands at the rim without holding the ladle. Since "use wand" shoots then, a
-/// player with an ingredient is shown both controls.
+/// The prompt for a player who stands at the cauldron's rim without holding the ladle. In that place fire
+/// shoots, so a player with an ingredient is shown the control for stirring as well.
 Offer offer_at_rim(const PlayerPicture& p, const ControlNames& controls) {
     const bool strays = p.stations.recipe.step == RecipeStep::ingredient && !p.stations.recipe.secret;
     if (!p.stations.carries.empty() && strays && would_spoil(p.stations.carries, p.stations.recipe))
@@ -98,8 +98,8 @@ void count_uses(const PlayerPicture& before, const PlayerPicture& now, std::uint
         done(PromptKind::throw_thing);
 }
 
-/// The station that the player has tried to use from too far away, or from which the player was just pushed
-/// away.
+/// The station that the player has just tried to use from too far away, or from which the player was just
+/// pushed away; std::nullopt if there is none.
 std::optional<StationKind> missed_station(const PlayerPicture& before, const PlayerPicture& now) {
     const bool lost_crystal = before.stations.carving.carves && !now.stations.carving.near;
     const bool lost_orb = before.stations.scrying.scries && !now.stations.scrying.near;

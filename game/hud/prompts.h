@@ -1,5 +1,5 @@
-// game/hud/prompts.h: what a player can do now, with the control that does it: "[E] Stir". A prompt becomes
-// fainter each time the player has done the action, and disappears after the third time.
+// game/hud/prompts.h: prompts, which tell a player what to do now and with which control: "[E] Stir". A
+// prompt becomes fainter each time the player has done what it says, and disappears after the third time.
 #pragma once
 #include <array>
 #include <optional>
@@ -59,7 +59,7 @@ struct Prompt {
 std::optional<Prompt> prompt_of(const PlayerPicture& player, const ControlNames& controls);
 
 /// Words for a player who has just pressed Stir too far from a station, or was pushed away from it; empty for
-/// other players. `now` is the picture's tick.
+/// other players. `now`: the picture's tick.
 std::string_view words_of_missed_station(Tick now, std::uint32_t player, const PromptUses& uses);
 
 /// Opacity of a prompt, 0 to 1.

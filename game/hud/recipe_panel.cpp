@@ -16,13 +16,14 @@ using render::RectItem;
 
 constexpr float min_row = 18, dot_wide = 14;  // units
 constexpr float min_band = 60;                // minimum width of the force scale (HUD units)
-// Text size of the words for the force (HUD units), and its minimum (px)
+// Text size of the words for the force (HUD units), and the smallest size that is used (px).
 constexpr float words_size = 13, min_words_px = 12;
 constexpr double max_shown_n = 2.5;  ///< force at the right end of the scale (N)
 
 std::string percent(double share) { return text(std::lround(100 * share), " %"); }
 
-/// Recipes with their ingredients, separated by three spaces. `before`: a word in front of each.
+/// Names of the possible recipes with their ingredients, separated by three spaces. `before`: a word in front
+/// of each.
 std::string words_of_choices(const RecipePicture& recipe, std::string_view before = {}) {
     std::string words;
     for (std::uint32_t i = 0; i < recipe.choices; ++i) {
@@ -54,7 +55,7 @@ std::string_view words_of_sense(CircleSense sense) {
 
 /// Words for the required force: " gently", " hard", or empty if any force is allowed.
 std::string_view words_of_force(const RecipePicture& recipe) {
-    constexpr double harsh = 1.2;  // N
+    constexpr double harsh = 1.2;  // required force from which on the words say "hard" (N)
     if (recipe.min_force >= harsh) return " hard";
     return recipe.max_force < max_shown_n ? " gently" : "";
 }
@@ -67,8 +68,8 @@ std::string words_of_stroke(const RecipePicture& recipe, bool stirs, const Contr
                 count);
 }
 
-/// How to drop the carried ingredient: "drop salt now with [Left mouse]". A player without the ladle must
-/// take it first, because "use wand" would shoot.
+/// How to drop the carried ingredient: "drop salt now with [Left mouse]". A player who does not hold the
+/// ladle must take it first, because otherwise the same control would shoot.
 std::string words_of_drop(const RecipePicture& recipe, bool stirs, const ControlNames& controls) {
     const auto fire = text("[", controls.fire.empty() ? "use wand" : controls.fire, "]");
     if (stirs) return text("drop ", recipe.next, " now with ", fire);
@@ -76,16 +77,16 @@ std::string words_of_drop(const RecipePicture& recipe, bool stirs, const Control
                 "], then drop ", recipe.next, " with ", fire);
 }
 
-/// The required force: "gently", "hard", "any force".
+/// The required force in words: "gently", "hard", "any force".
 std::string words_of_band(const RecipePicture& recipe) {
     const auto words = words_of_force(recipe);
     return words.empty() ? "any force" : std::string(words.substr(1));
 }
 
-/// Text size of the words for the force (px).
+/// Text size of the words for the force, at least min_words_px (px).
 float words_em(float u) { return std::max(min_words_px, std::floor(words_size * u)); }
 
-/// One dot for each required stroke; those already drawn are filled.
+/// Adds one dot for each required stroke; those already drawn are filled.
 void add_dots(Overlay& out, const RecipePicture& recipe, fvec2 low, float u) {
     for (std::uint32_t i = 0; i < recipe.times; ++i) {
         const fvec2 centre = low + u * fvec2(6 + dot_wide * static_cast<float>(i), 6);
@@ -95,7 +96,7 @@ void add_dots(Overlay& out, const RecipePicture& recipe, fvec2 low, float u) {
     }
 }
 
-/// Bar of the force with the allowed range, and a mark at the current force.
+/// Adds the bar of the force, with the allowed range and a mark at the current force.
 void add_force_band(Overlay& out, const RecipePicture& recipe, const Panel& bar, float u) {
     const auto x = [&](double force) {
         const auto share = static_cast<float>(std::clamp(force / max_shown_n, 0.0, 1.0));

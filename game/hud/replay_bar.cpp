@@ -19,8 +19,8 @@ constexpr float side_room = 10, row_high = 17, track_high = 18, key_words = 10.5
                 row_gap = 2;
 constexpr int max_keys_lines = 3;
 constexpr float line_high = 6, knob_wide = 5, mark_radius = 5.5F;
-constexpr float min_wide = 260;               // width that fits into every window (HUD units)
-constexpr float max_share_of_window = 0.22F;  // maximum share of the window's height
+constexpr float min_wide = 260;               // width of a bar that fits into every window (HUD units)
+constexpr float max_share_of_window = 0.22F;  // largest share of the window's height that the bar takes
 constexpr float usual_high = 600, usual_wide = 900;
 
 float share_of(Tick tick, Tick length) {
@@ -55,8 +55,8 @@ void add_line(Overlay& out, const ReplayBarLayout& l, float from, float to, fvec
     out.items.emplace_back(RectItem{{from, middle - half}, {to, middle + half}, paint, half / 2});
 }
 
-/// Marks a kill with the mark of the player who made it. A death that is no kill by the other player gets a
-/// cross.
+/// Marks a kill with the mark of the player who made it. A death that counts as no kill of the other player
+/// gets a cross.
 void add_kill(Overlay& out, const Kill& kill, fvec2 centre, float u) {
     if (kill.by < players && kill.by != kill.victim) return add_mark(out, kill.by, centre, mark_radius * u);
     const auto paint = opaque(team_colours(kill.victim).light);
@@ -84,7 +84,7 @@ void add_track(Overlay& out, const ReplayBar& bar, Tick now, const ReplayBarLayo
 
 namespace {
 
-/// Size of a replay bar whose key help has a certain number of lines.
+/// Size of the replay bar, for a certain number of lines of key help.
 struct BarSize {
     int lines{};
     float unit{};   ///< length of a HUD unit (px)
@@ -92,8 +92,8 @@ struct BarSize {
     float high() const { return 4 * row_gap + row_high + track_high + static_cast<float>(lines) * keys_high; }
 };
 
-/// Chooses the fewest lines that allow the largest text for the key help. Of several lines, none is expected
-/// to be full.
+/// Chooses the fewest lines that allow the largest text for the key help. Where there are several lines, they
+/// are assumed to be filled only in part.
 BarSize size_of_bar(float wanted, float wide, float high) {
     constexpr float full = 0.85F;
     BarSize best;

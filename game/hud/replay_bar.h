@@ -19,11 +19,11 @@ namespace thaum::game::inline hud {
 struct ReplayBar {
     Tick length{};                 ///< length of the log (ticks)
     Tick indexed{};                ///< tick up to which the index makes every jump quick
-    std::optional<Tick> target{};  ///< tick that a running jump is heading for
+    std::optional<Tick> target{};  ///< tick to which a running jump leads
     double speed = 1;
     bool paused = false;
-    std::string eyes;  ///< text: whose views are shown
-    std::string keys;  ///< text: what the keys do
+    std::string eyes;  ///< text that says whose views are shown
+    std::string keys;  ///< text that says what the keys do
     std::vector<Kill> kills;
     bool operator==(const ReplayBar&) const = default;
 };
@@ -33,13 +33,13 @@ struct ReplayBarLayout {
     float unit{};  ///< length of a HUD unit (px)
     Panel band;    ///< the whole bar, at the lower edge of the window
     Panel clock, state;
-    Panel track;  ///< the time line with its marks, on which the mouse acts
+    Panel track;  ///< the time line with its marks, which the mouse can click
     Panel keys;
 };
-/// Maximum width of the key help in one line (em).
+/// Largest width of the key help if it is written in one line (em).
 inline constexpr float replay_keys_wide = 80;
-/// Computes the layout. If one line of key help would be smaller than the other text of the bar, the help has
-/// up to three lines.
+/// Computes the layout for a window. If the key help in one line would be smaller than the other text of the
+/// bar, it gets up to three lines.
 ReplayBarLayout lay_out_replay_bar(double text_scale, render::Size window);
 
 /// The tick at a horizontal position on the time line, from 0 to `length`.

@@ -21,8 +21,8 @@ struct Announcement {
     fvec4 paint{paints.white};
 };
 
-// Sizes in HUD units. For the table of hits: distance of each player's side from the middle, space below a
-// row, text size.
+// Sizes in HUD units. Those of the table of hits are: distance of each player's side from the middle, space
+// below a row, and text size.
 constexpr float sheet_margin = 12, sheet_gap = 6, narrowest = 360, widest = 1000;
 constexpr float head_size = 34, line_size = 19, keys_size = 17;
 constexpr float table_aside = 42, table_gap = 3, table_size = 15, table_head = 17;
@@ -77,7 +77,8 @@ float unit_of(const Sheet& sheet, const Rect& window, float wanted) {
                      0.96F * static_cast<float>(window.height) / sheet.tall});
 }
 
-/// The layout with the largest text in the window. Among equals, the lowest, then the narrowest.
+/// Of all layouts of a panel, the one with the largest text that fits the window. Among equals, the one of
+/// least height, then of least width.
 Sheet best_sheet(const Announcement& a, const std::vector<ResultRow>& rows, const PlayerNames& names,
                  const Rect& window, float wanted) {
     std::optional<Sheet> best;
@@ -95,7 +96,7 @@ Sheet best_sheet(const Announcement& a, const std::vector<ResultRow>& rows, cons
     return std::move(*best);
 }
 
-/// All inputs that decide which layout is best.
+/// All values on which the choice of the layout depends.
 struct SheetKey {
     std::array<std::string, 3> words;
     std::vector<ResultRow> rows;
@@ -104,8 +105,8 @@ struct SheetKey {
     bool operator==(const SheetKey&) const = default;
 };
 
-/// Result of best_sheet, cached. best_sheet tries many widths, and a panel is drawn for seconds with the same
-/// texts.
+/// Result of best_sheet, which is kept from call to call. best_sheet tries many widths, and a panel shows the
+/// same texts for seconds.
 const Sheet& kept_sheet(const Announcement& a, const std::vector<ResultRow>& rows, const PlayerNames& names,
                         const Rect& window, float wanted) {
     thread_local std::optional<std::pair<SheetKey, Sheet>> kept;
@@ -141,7 +142,7 @@ void add_table(Overlay& out, const Sheet& sheet, const std::vector<ResultRow>& r
     }
 }
 
-/// Adds a panel in the middle of the window, on top of everything else.
+/// Adds a panel in the middle of the window, over everything else.
 void add_panel(Overlay& out, const Announcement& a, const std::vector<ResultRow>& rows,
                const PlayerNames& names, const Rect& window, float wanted) {
     const auto& sheet = kept_sheet(a, rows, names, window, wanted);

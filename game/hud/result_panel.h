@@ -1,11 +1,12 @@
-// game/hud/result_panel.h: the panel over the whole window at the end of a round or match, and in the pause
-// of a replay.
+// game/hud/result_panel.h: the panel over the whole window at the end of a round or match, and while a replay
+// is paused.
 #pragma once
 #include "game/hud/hud.h"
 
 namespace thaum::game::inline hud {
 
-/// Adds the panel, as large as the text size asks for and the window allows. It covers what is below it.
+/// Adds the panel for the end of a round or match, as large as the text size asks for and the window allows.
+/// It covers what is below it.
 void add_result_panel(render::Overlay& out, const Picture& picture, const HudSettings& settings,
                       render::Rect window);
 

@@ -15,7 +15,7 @@ using render::LineItem;
 using render::Overlay;
 using render::RectItem;
 
-// Sizes in units of the card. The card's unit is smaller than the HUD's if its text needs that.
+// Sizes in units of the card. The card's unit is smaller than a HUD unit if the card's text needs that.
 constexpr float card_pad = 4, card_gap = 2;
 constexpr float ghost_side = 52;
 constexpr float gauge_high = 11, gauge_wide = 150, min_gauge = 70;
@@ -26,15 +26,15 @@ constexpr float readable = 12;                   // text size below which text s
 
 std::string whole_seconds(double seconds) { return text(std::lround(std::ceil(seconds)), " s"); }
 
-/// Whether the brew has ingredients of a recipe. The text and the gauge then show the number that recipes
-/// use, even after the recipe has failed, because a change to another number would look as if the brew had
-/// separated.
+/// Whether the brew has ingredients of a recipe. Text and gauge then show the share of the brew that the
+/// newest ingredient has reached, which recipes use. They go on with it even after the recipe has failed,
+/// because a change to the other measure of mixing would look as if the brew had separated.
 bool has_recipe(const RecipePicture& recipe) {
     return recipe.step == RecipeStep::ingredient || recipe.step == RecipeStep::stroke ||
            recipe.step == RecipeStep::spoilt;
 }
 
-/// Text about a pure brew, with what a player must know before the first ingredient.
+/// Text about a pure brew: what a player must know before the first ingredient.
 std::string words_of_pure_brew(const CauldronPicture& cauldron, const RecipePicture& recipe) {
     if (recipe.step != RecipeStep::choose || cauldron.whole_time_s <= 0) return "Pure brew";
     return text("Pure brew: all within ", whole_seconds(cauldron.whole_time_s),
@@ -100,7 +100,8 @@ float widest_line(const FittedWords& words) {
     return wide;
 }
 
-/// Which optional parts a card has. The text of the next step, the gauge and the dots are always shown.
+/// Which of the optional parts a card has. The text of the next step, the gauge and the dots are always
+/// shown.
 struct Parts {
     bool ghost = true, potions = true, brew = true;
 };
@@ -117,7 +118,7 @@ void fit_state(const RimCard& card, const Parts& parts, float em, fvec2 room, Fi
     if (parts.potions) out.potions = fit(card.potions, em, room);
 }
 
-/// The card with text of this size (em, px) in a box of this width.
+/// The card fitted with text of the size `em` (px) to a box of the width `wide` (px).
 FittedCard sized_card(const RimCard& card, const Parts& parts, float em, float wide) {
     constexpr float any_height = 1e5F;  // px
     FittedCard out;
@@ -237,7 +238,7 @@ void add_gauge(Overlay& out, const BrewGauge& gauge, fvec2 corner, float wide, f
     if (gauge.fresh > 0) bar(7, 3, gauge.fresh, gauge.fresh < 0.25F ? paints.amber : paints.soft);
 }
 
-/// Plots heights at equal distances.
+/// Plots a curve through heights at equal distances.
 void add_curve(Overlay& out, std::span<const float> heights, const Panel& box, float u) {
     out.items.emplace_back(RectItem{box.low, box.high, paints.track, 3 * u});
     const fvec2 low = box.low + fvec2(3 * u), size = box.high - box.low - fvec2(6 * u);

@@ -16,15 +16,15 @@
 
 namespace thaum::game::inline hud {
 
-/// Bars at the bottom of the card: how well the brew is mixed, and the time until it boils over (shares of
-/// the whole).
+/// Bars at the bottom of the card. `mixed`: how well the brew is mixed, 0 to 1. `fresh`: share of the time
+/// until the brew boils over that is left, 0 to 1.
 struct BrewGauge {
     float mixed{}, fresh{};
-    float goal{};  ///< share from which on the brew counts as well mixed
+    float goal{};  ///< value of `mixed` from which on the brew counts as well mixed
     /// Range of `mixed` in which the next step of a recipe may come; std::nullopt: no step is waiting for its
     /// window.
     std::optional<fvec2> window{};
-    fvec4 paint{};  ///< colour of the owner
+    fvec4 paint{};  ///< colour of the brew's owner
 };
 
 /// The contents of a card. Empty texts are not shown.
@@ -32,8 +32,8 @@ struct RimCard {
     std::string step, brew, potions;
     BrewGauge gauge;
     const RecipePicture* stroke = nullptr;  ///< recipe whose next step is a stroke; null: none
-    /// Curve to plot instead of the ghost: heights (shares of the full height) at equal distances; empty:
-    /// none.
+    /// Curve to plot instead of the ghost of a stroke: heights at equal distances, as shares of the full
+    /// height; empty: no curve.
     std::span<const float> curve{};
 };
 
@@ -42,8 +42,8 @@ struct FittedCard {
     FittedWords step, brew, potions;
     float unit{};         ///< length of a unit on the card (px)
     bool ghost{};         ///< true: there is room for the ghost or the curve
-    bool gauge_in_row{};  ///< true: the gauge is beside the force scale, not below it
-    bool whole = true;    ///< true: no text is left out
+    bool gauge_in_row{};  ///< true: the gauge is beside the force scale, not below that
+    bool whole = true;    ///< true: no text of the card is left out
     fvec2 size{};         ///< size of the card (px); zero: the box is too small for any card
 };
 
@@ -58,7 +58,7 @@ std::string words_of_potions(const PlayerPicture& p);
 /// Fits a card to a box of the size `room` (px). `u`: length of a HUD unit (px).
 FittedCard fit_card(const RimCard& card, fvec2 room, float u);
 
-/// Whether the first of two fitted cards is the more readable one.
+/// Whether a card is more readable than another, both fitted.
 bool fits_better(const FittedCard& one, const FittedCard& other);
 
 /// Whether a fitted card shows everything, in text of a readable size.
@@ -67,7 +67,7 @@ bool says_all(const FittedCard& fitted);
 /// Whether a box has room for one readable line.
 bool holds_line(const Panel& box);
 
-/// Adds a card with its top left at `low`. `seconds`: time for its animation.
+/// Adds a card with its top left corner at `low` (px). `seconds`: time that moves the ghost's dot (s).
 void add_rim_card(render::Overlay& out, const RimCard& card, const FittedCard& fitted, fvec2 low,
                   double seconds);
 

@@ -20,7 +20,7 @@ float focus_share(const PlayerPicture& p) {
 
 // ---- Orb --------------------------------------------------------------------------------------------------
 
-/// The order of ingredients for the player: "Azoth: moss, salt, mist".
+/// The order of ingredients that the orb shows to the player: "Azoth: moss, salt, mist".
 std::string words_of_order(const ScryingPicture& orb) {
     std::string words = text(capitalised(orb.potion), ": ");
     for (std::size_t i = 0; i < orb.order.size() && !orb.order.at(i).empty(); ++i)
@@ -38,7 +38,8 @@ std::string words_of_search(const ScryingPicture& orb, const ControlNames& contr
     return text("Find the core, stay there for ", time);
 }
 
-/// The keys for choosing modes: "[1] to [6]", or the control for the next mode.
+/// The keys for choosing among the modes, up to number `last`: "[1] to [6]", or the control for the next
+/// mode.
 std::string keys_of(const ControlNames& controls, std::size_t last) {
     const auto& keys = controls.wands;
     if (last > keys.size() || keys[0].empty() || keys[last - 1].empty())
@@ -85,7 +86,7 @@ RimCard orb_card_of(const Picture& picture, const HudSettings& settings, std::ui
 
 // ---- Crystal ----------------------------------------------------------------------------------------------
 
-/// Words for the effect that the tool would have at its present position. On the crystal, a sign shows the
+/// Words for the effect that the tool would have at its present position. A sign on the crystal shows the
 /// same by shape and colour.
 std::string_view words_of_worth(const CarvingPicture& crystal) {
     switch (crystal.tip.worth) {
@@ -139,7 +140,7 @@ RimCard crystal_card_of(const Picture& picture, const HudSettings& settings, std
     return card;
 }
 
-/// Whether a wizard works at the station, or is near and looks at it.
+/// Whether a wizard scries, or is near the orb and looks at it.
 bool at_orb(const PlayerPicture& p) {
     return p.stations.scrying.scries || (p.stations.scrying.near && p.stations.scrying.faces);
 }

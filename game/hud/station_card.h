@@ -11,7 +11,7 @@
 
 namespace thaum::game::inline hud {
 
-/// Whether a player is at a station, so that a card is shown.
+/// Whether a player is at a station, so that a card is shown for that player.
 bool has_card(const PlayerPicture& p);
 
 /// The card of a player who is at a station.

@@ -1,14 +1,13 @@
-// game/hud/station_strip.h: the strip of wands while its keys choose something else: haptic modes at the orb,
-// tools at a crystal.
+// game/hud/station_strip.h: what a player at a station sees in place of the strip of wands, since the same
+// keys choose something else there: haptic modes at the orb, tools at a crystal.
 #pragma once
 #include "game/hud/layout.h"
 #include "render/scene.h"
 
 namespace thaum::game::inline hud {
 
-/// Adds the strip of a player who works at the orb or at a crystal, instead of the strip of wands: each mode
-/// or tool with the key that chooses it, on a plate if it is active. Returns false and adds nothing for other
-/// players.
+/// Adds the strip of a player who works at the orb or at a crystal: each mode or tool with the key that
+/// chooses it, on a plate if it is active. Returns false and adds nothing for other players.
 bool add_station_strip(render::Overlay& out, const Picture& picture, const ControlNames& controls,
                        std::uint32_t player, const ViewLayout& l);
 

@@ -16,7 +16,7 @@ std::string gesture_and_percent(const CastingPicture& casting, std::uint32_t ges
     return text(name.empty() ? "Own gesture" : name, " ", whole_percent(casting.reading.probability), " %");
 }
 
-/// Name of the spell that the gesture casts; empty if it casts none.
+/// Name of the spell that the recognised gesture casts; empty if it casts none.
 std::string spell_of(const CastingPicture& casting, const Presentation& shown) {
     const auto number = casting.reading.gesture;
     if (!casting.gestures || number >= casting.gestures->gestures().size()) return {};
@@ -33,8 +33,8 @@ std::string words_of_miss(const CastingPicture& casting) {
     const auto* why = is_too_fast(*casting.rules, reading.force) ? "too fast" : "not read";
     const bool is_like_none = whole_percent(reading.probability) == 0;
     if (is_like_none || shown_gesture(casting, reading.nearest).empty()) return why;
-    // No probability is shown, because it depends on how often the player scribbles without meaning a
-    // gesture.
+    // Players are not shown the probability here, because it depends on how often they scribble without
+    // meaning a gesture.
     return text(why, "; nearest: ", shown_gesture(casting, reading.nearest));
 }
 

@@ -27,9 +27,10 @@ using render::LineItem;
 using render::Overlay;
 using render::RectItem;
 
-constexpr float arc_start = -2.3561945F;  // start angle of the arc, which is open at the bottom (rad)
+constexpr float arc_start = -2.3561945F;  // start angle of the arc for the health, which is open at the
+                                          // bottom (rad)
 constexpr float arc_sweep = 4.712389F;
-constexpr double low_health = 25;    // HP
+constexpr double low_health = 25;    // health below which the health is drawn as low (HP)
 constexpr double hit_seconds = 0.3;  // time for which the hit mark is shown (s)
 constexpr double warning_seconds = 0.9;
 constexpr double gift_seconds = 2;
@@ -51,8 +52,7 @@ void add_heart(Overlay& out, fvec2 centre, float size) {
     heart(size, paints.white);
 }
 
-/// Radii of the arcs of the health (HUD units). The arc of the focus, if there is one, is inside that of the
-/// health.
+/// Radii of the arcs for the health (HUD units). The arc for the focus, if there is one, lies inside them.
 struct HealthArcs {
     float inner{27}, outer{35};
     float extra_inner{22}, extra_outer{25};  ///< arc of health above the initial value
@@ -113,7 +113,7 @@ void add_health(Overlay& out, const PlayerPicture& p, std::uint32_t team, const 
     add_halves(out, p, l);
 }
 
-/// Adds the strip of wands below the name and the energy of the one in hand.
+/// Adds the strip of wands, with the name of the wand in hand and its energy above.
 void add_wands(Overlay& out, const Picture& picture, const ControlNames& controls, std::uint32_t player,
                const ViewLayout& l) {
     const auto& p = picture.wizards[player];
@@ -187,7 +187,7 @@ void add_target(const Pen& pen, const PlayerPicture& p, std::uint32_t foe) {
     }
 }
 
-/// A warning that was given just now; empty if there is none.
+/// The warning that the player was given just now; empty if there is none.
 std::string_view warning_of(const Picture& picture, const PlayerPicture& p) {
     if (p.senses.since_warning_s >= warning_seconds) return {};
     return row_of(picture.shown->events, p.senses.warning).caption;
@@ -195,7 +195,8 @@ std::string_view warning_of(const Picture& picture, const PlayerPicture& p) {
 
 constexpr float warning_size = 14, warning_top = 16;  // units
 
-/// Whether there is room for a warning below the crosshair. If not, the warning becomes the first message.
+/// Whether there is room for a warning below the crosshair. If not, the warning becomes the first one of the
+/// messages.
 bool warns_at_crosshair(const ViewLayout& l) {
     return l.ring >= (warning_top + FittedWords::line_spacing * warning_size) * l.unit;
 }
@@ -218,7 +219,8 @@ std::string_view words_below(const Picture& picture, const PlayerPicture& p, con
 void add_crosshair(Overlay& out, const Picture& picture, std::uint32_t player, const ViewLayout& l) {
     const auto& p = picture.wizards[player];
     const Pen pen{out, l.centre, std::min(l.unit, l.ring / 24)};
-    // The eyes of a wizard at work turn to what the hand works at, and no wand aims.
+    // The view of a wizard at work is turned to the work of the hand, and no wand aims, so there is no
+    // crosshair.
     if (!p.stations.scrying.scries && !p.stations.carving.carves)
         for (const fvec2 way : {fvec2(1, 0), fvec2(-1, 0), fvec2(0, 1), fvec2(0, -1)})
             pen.edged(5.0F * way, 11.0F * way, paints.white);
@@ -249,14 +251,14 @@ float bearing(const PlayerPicture& p, vec3 towards) {
 /// Adds arcs towards what has hurt the player: red between a light and a dark edge, so that they stand out
 /// from any background, with a tip that points outwards.
 void add_hurt_marks(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
-    // At a station the view's middle shows the work of the hand, so the arcs are drawn around it.
+    // At a station the middle of the view shows the work of the hand, so the arcs are drawn around that.
     constexpr float round_work = 2.2F;
     const bool works = p.stations.works();
     const float u = l.ring / 66, outer = works ? round_work * l.ring : l.ring;
     for (std::uint32_t i = 0; i < p.senses.hurts; ++i) {
         const auto& mark = p.senses.marks[i];
         const auto left = static_cast<float>(0.9 * std::max(0.0, 1 - mark.age_s / mark_seconds));
-        // Arcs for a fall point downwards. Harm without a known direction is also shown there.
+        // Arcs for a fall point downwards. Harm without a known direction is shown there, too.
         const bool known = glm::dot(mark.towards, mark.towards) > 0.5;
         const float angle = known ? bearing(p, mark.towards) : whole_turn / 2;
         const auto arc = [&](float from, float to, float half, fvec3 paint) {
@@ -272,7 +274,7 @@ void add_hurt_marks(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
 // Messages --------------------------------------------------------------------------------------------------
 
 /// Message about a problem of the arm that the player must solve. Empty if there is none, and for a player
-/// without an arm, since such a player feels no forces. `told`: the driver has reported the fault itself.
+/// without an arm, since such a player feels no forces. `told`: true if the driver has reported the fault.
 std::string_view fault_of(const ForcePicture& force, bool told) {
     using haptics::SafetyCause;
     switch (force.arm) {
@@ -290,7 +292,8 @@ std::string_view fault_of(const ForcePicture& force, bool told) {
     }
 }
 
-/// Caption of what the hand feels, for a player with an arm; empty if there is none.
+/// Caption about the force on the hand, such as a limit that acts, for a player with an arm; empty if there
+/// is none.
 std::string_view caption_of(const ForcePicture& force) {
     using haptics::SafetyCause;
     if (force.arm == ArmCondition::none) return {};
@@ -344,7 +347,7 @@ std::vector<Message> messages_to(const Picture& picture, const HudSettings& sett
             add(text("Carrying the ", p.stations.carries, ": drop it in the cauldron"), paints.white);
         add(words_of_potions(p), paints.soft);
     }
-    // The card says it as well, with the time.
+    // At the orb, the card says the same, with the remaining time.
     const bool at_core = p.senses.gift.kind == EventKind::core_near && p.stations.scrying.core_near;
     if (!fault_of_brew && !at_core) add(gift, paints.white);
     return all;
@@ -366,8 +369,8 @@ void add_messages(Overlay& out, const std::vector<Message>& messages, const Pane
     }
 }
 
-/// Adds the card of a player at a station, beside the ring or below it, wherever it is more readable. Returns
-/// the box left for messages. `said`: there are messages.
+/// Adds the card of a player at a station, beside the ring around the crosshair or below it, wherever it is
+/// more readable. Returns the box that is left for messages. `said`: there are messages.
 Panel add_card(Overlay& out, const Picture& picture, const HudSettings& settings, std::uint32_t player,
                const ViewLayout& l, bool said) {
     const float gap = 3 * l.unit;
@@ -375,7 +378,7 @@ Panel add_card(Overlay& out, const Picture& picture, const HudSettings& settings
     const auto beside = fit_card(card, l.aside.high - l.aside.low, l.unit);
     auto below = fit_card(card, l.messages.high - l.messages.low, l.unit);
     if (fits_better(beside, below)) {
-        // The card is at the right, so that the foe beyond the bowl stays visible.
+        // The card stands at the right, so that the foe beyond the bowl stays visible.
         add_rim_card(out, card, beside, {l.aside.high.x - beside.size.x, l.aside.low.y}, picture.played_s);
         return l.messages;
     }
@@ -449,8 +452,8 @@ void add_felt(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
     if (p.senses.since_felt_s <= shown_s) add_figure(out, l.figure, p.senses.felt);
 }
 
-/// Adds text for sounds and effects, the newest at the bottom, as much as fits. In a narrow panel each text
-/// has up to two lines.
+/// Adds words about sounds and effects, the newest at the bottom, as many as fit. In a narrow panel each
+/// entry has up to two lines.
 void add_heard(Overlay& out, const PlayerPicture& p, HeardWish wish, const ViewLayout& l) {
     const float u = l.unit, inset = 6 * u, max_high = 2 * heard_line_high * u;
     const float room = l.heard.high.x - l.heard.low.x - 2 * inset;
@@ -461,7 +464,7 @@ void add_heard(Overlay& out, const PlayerPicture& p, HeardWish wish, const ViewL
         const float left = bottom - l.heard.low.y;
         if (left < heard_line_high * u - 0.5F) return;
         const auto fitted = fit(words_of(heard), 13 * u, {room, std::min(left, max_high)});
-        // Older lines are left out rather than drawn in tiny text.
+        // Older entries are left out rather than drawn in tiny text.
         if (bottom < l.heard.high.y && fitted.size < 10 * u) return;
         float wide = 0;
         for (const auto& line : fitted.lines)

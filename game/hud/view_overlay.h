@@ -1,4 +1,4 @@
-// game/hud/view_overlay.h: the flat part of one player's view: crosshair, health, wands, messages.
+// game/hud/view_overlay.h: the overlay of one player's view: crosshair, health, wands, messages.
 #pragma once
 #include "game/hud/layout.h"
 #include "render/scene.h"

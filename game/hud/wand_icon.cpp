@@ -62,8 +62,8 @@ void add_part(const Icon& icon, LookPart part) {
     }
 }
 
-/// Adds the bar of a wand's energy, amber below a fifth. `share` 0: too little for one use. A bar that is
-/// being refilled has a light edge.
+/// Adds the bar of a wand's energy, amber below a fifth. A `share` of 0 means too little energy for one use.
+/// A bar that is being refilled has a light edge.
 void add_charge(render::Overlay& out, const Panel& bar, double share, bool refilled, fvec4 full) {
     constexpr double low = 0.2;
     const float corner = (bar.high.y - bar.low.y) / 3,
@@ -89,7 +89,7 @@ std::size_t next_in_slots(const std::vector<WandPresentation>& wands, std::size_
     if (in_hand >= wands.size()) return wands.size();
     const auto ahead = [&](const WandPresentation& w) {
         return w.slot - wands[in_hand].slot - 1;
-    };  // continues from the last slot to the first
+    };  // unsigned, so it continues from the last slot to the first
     const auto next = std::min_element(wands.begin(), wands.end(),
                                        [&](const auto& a, const auto& b) { return ahead(a) < ahead(b); });
     return static_cast<std::size_t>(next - wands.begin());

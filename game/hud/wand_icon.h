@@ -29,8 +29,9 @@ struct WandStrip {
 };
 
 /// Adds the icons of all wands in the order of their slots, with the names of their keys and their energy. If
-/// wands have no keys of their own, as on a pad, the next wand shows the control that selects the next wand.
-/// The bar of a wand with less than a fifth of its energy is amber, and that of an empty one is a red line.
+/// wands have no keys of their own, as on a pad, the wand that comes next shows the control for the next
+/// wand. The bar of a wand with less than a fifth of its energy is amber, and that of an empty wand is a red
+/// line.
 void add_wand_strip(render::Overlay& out, const WandStrip& strip, fvec2 upper_left, float unit);
 
 }  // namespace thaum::game::inline hud

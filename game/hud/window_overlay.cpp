@@ -1,4 +1,4 @@
-// The flat part of a frame: the overlays of the views, and over them the panels of the whole window.
+// The overlay of a frame: the overlays of the views, and over them the panels of the whole window.
 #include <algorithm>
 #include <cmath>
 
@@ -110,8 +110,8 @@ struct LessonWords {
     float height(float gap) const { return words.height() + (hint.lines.empty() ? 0 : gap + hint.height()); }
 };
 
-/// Breaks the text of a lesson and its hint for a box, in the largest size in which both fit, up to `size`.
-/// If that would be tiny, the hint is left out.
+/// Breaks the text of a lesson and its hint into lines for a box, at the largest size, up to `size` (px), at
+/// which both fit. If that size would be tiny, the hint is left out.
 LessonWords fit_lesson(const std::string& words, const std::string& hint, float size, fvec2 room, float gap) {
     constexpr float any_height = 1e5F, least = 8;  // px
     const auto both = [&](float of) {
@@ -125,7 +125,7 @@ LessonWords fit_lesson(const std::string& words, const std::string& hint, float 
     return {fit(words, widest.words.size, room), {}};
 }
 
-/// The text of the Apprentice's current step.
+/// The text of the lesson's current step on the practice range, fitted to its panel.
 LessonWords lesson_of(const PracticePicture& practice, const ControlNames& controls,
                       const Presentation& shown, const HudLayout& layout) {
     const Panel& box = *layout.lesson;
@@ -151,7 +151,7 @@ void add_seam(Overlay& out, const HudSettings& settings, render::Size size) {
     out.items.emplace_back(render::LineItem{from, to, 4, paints.dark});
 }
 
-constexpr std::uint32_t wall_player = 0;  // the range has only one person, the first player
+constexpr std::uint32_t wall_player = 0;  // the practice range has only one person, the first player
 
 /// Box of the gesture wall: on the left, between the notices and the name.
 Panel wall_box(const HudLayout& layout) {
@@ -167,8 +167,8 @@ bool shows_wall(const Picture& picture, const HudLayout& layout) {
     return picture.practice.wall.on && layout.views[wall_player].has_value();
 }
 
-/// Moves the panels on the left to the right while the gesture wall is shown: forces, text for sounds,
-/// messages, and the panel of strokes.
+/// Moves the panels at the left to the right of the gesture wall while that is shown: forces, words about
+/// sounds, messages, and the panel of strokes.
 void make_room_for_wall(const Panel& wall, ViewLayout& view) {
     const float gap = 8 * view.unit;
     const fvec2 size = view.forces.high - view.forces.low;
@@ -207,8 +207,8 @@ void add_play(Overlay& out, const Picture& picture, const HudSettings& settings,
         add_score(out, picture, layout.score, layout.unit);
 }
 
-/// From an item on, moves text behind shapes in the list, because the renderer draws neighbouring items of
-/// one kind together. Only for shapes that cover no text.
+/// From item number `first` on, moves text behind the shapes in the list, because the renderer draws
+/// neighbouring items of one kind together. Must only be used where shapes cover no text.
 void gather(Overlay& out, std::size_t first) {
     std::stable_partition(out.items.begin() + static_cast<std::ptrdiff_t>(first), out.items.end(),
                           [](const auto& item) { return !std::holds_alternative<render::TextItem>(item); });
