@@ -25,17 +25,17 @@ enum class FeelKind : std::uint32_t { opacity, attract, shell, wall, gravity, pl
 
 inline constexpr std::size_t max_feel_numbers = 7;
 
-/// One part of a feel. Its kind uses the first `count` numbers.
+/// One part of a feel. Its kind uses the first `count` numbers of its FeelForm.
 struct FeelPart {
     FeelKind kind{};
     std::array<double, max_feel_numbers> numbers{};
     bool operator==(const FeelPart&) const = default;
 };
 
-/// Name of a kind of part, and names of its numbers.
+/// Form of one kind of part: its name, and how many numbers it has with which names.
 struct FeelForm {
     std::string_view name{};
-    std::size_t least{}, count{};  ///< how many numbers must be given, and how many there are
+    std::size_t least{}, count{};  ///< how many numbers must be given at least, and how many the part has
     std::size_t max_parts{};       ///< how many parts of this kind may act together
     std::array<std::string_view, max_feel_numbers> labels{};
 };
@@ -54,7 +54,8 @@ Expected<haptics::VolumeFeel> feel_of_parts(std::span<const FeelPart> parts,
 /// Haptic factors of each material, relative to the first material of the table.
 haptics::MaterialTable feel_of_materials(const field::Materials& materials);
 
-/// Material of the voxel nearest to a position in the parent frame; the first material outside of the body.
+/// Looks up the material of a body at a position in the parent frame: that of the nearest voxel; outside of
+/// the body the first material of the table.
 struct BodyMaterials {
     std::array<int, 3> count{};
     vec3 spacing{1};

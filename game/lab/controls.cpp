@@ -13,7 +13,7 @@ constexpr double root_of_ten = 3.1622776601683795;
 constexpr double thin = 1e-6;  // smallest viscosity other than 0 (m^2/s)
 constexpr double weight_step = 0.05, min_weight = -1, max_weight = 2;
 
-/// Next viscosity up or down, in steps of half a decade; below the smallest comes 0 (m^2/s).
+/// The next viscosity up or down, in steps of half a decade (m^2/s). The one below the smallest is 0.
 double other_viscosity(double now, int way) {
     if (way > 0) return now < thin ? thin : std::min(now * root_of_ten, fluid::max_viscosity);
     return now <= 1.01 * thin ? 0 : now / root_of_ten;
@@ -36,7 +36,7 @@ void turn_cells(LabHands& hands, const Rules&, int way) {
     hands.settings.cells = lab_cells[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(at + way, 0, last))];
 }
 
-/// Replaces the chosen substance by the rules' next ingredient that no other substance has.
+/// Replaces the chosen substance by the next ingredient in the rules that no other substance already is.
 void turn_ingredient(LabHands& hands, const Rules& rules, int) {
     Ingredient* now = chosen(hands);
     const auto& all = rules.ingredients;

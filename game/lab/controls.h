@@ -1,5 +1,5 @@
-// game/lab/controls.h: the lab's keys and the settings they change. One table defines both the keys and the
-// list on the screen.
+// game/lab/controls.h: the keys of the fluid lab, and the settings that they change. One table defines both
+// the keys and the list of keys on the screen.
 #pragma once
 #include <span>
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace thaum::game::inline lab {
 
-/// Settings and choices of the person who uses the lab.
+/// Settings that the person at the lab wants, and what that person has chosen to see.
 struct LabHands {
-    LabSettings settings{};  ///< wanted settings; the next step applies them
+    LabSettings settings{};  ///< settings as wanted; the next step applies them
     std::size_t chosen{};    ///< index of the substance that keys pour and change
     bool arrows = false, streamlines = false;
     bool paused = false;
@@ -22,13 +22,13 @@ struct LabControl {
     std::string_view less, more;  ///< names of the keys; `less` is empty if one key cycles through all values
     std::string_view label;
     std::string (*shown)(const LabHands&, const CauldronRules&){};
-    /// changes the setting; way -1: less, 1: more; at its limit a value stays unchanged
+    /// Changes the setting by one step down (`way` -1) or up (1). A value at its limit stays unchanged.
     void (*turn)(LabHands&, const CauldronRules&, int way){};
 };
 
 std::span<const LabControl> lab_controls();
 
-/// Changes the setting of this key. Returns false if no control has the key.
+/// Changes the setting that belongs to a key. Returns false if no control has the key.
 bool turn_control(std::string_view key, LabHands& hands, const CauldronRules& rules);
 
 }  // namespace thaum::game::inline lab

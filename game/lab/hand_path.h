@@ -9,9 +9,9 @@ namespace thaum::game::inline lab {
 
 enum class HandWay : std::uint8_t { rest, press, circle, file };
 
-/// Use of tool and undo by the hand in one step, as in a row of a trace.
+/// What the hand does with tool and undo in one step, as in a row of a trace.
 struct HandUse {
-    std::size_t tool{};  ///< index of the held tool in the sorted list, counted from 1; 0: none
+    std::size_t tool{};  ///< -1: undo, 1: redo, 0: neither
     int history{};       ///< undo and redo: -1: undo, 1: redo, 0: neither
 };
 
@@ -19,20 +19,20 @@ struct HandUse {
 struct HandPath {
     HandWay way{};
     StirPath file{};  ///< for HandWay::file: points of the path (lab frame)
-    /// Tool and undo for each point, if the file is a trace of the lab; otherwise empty.
+    /// For each point, tool and undo, if the file is a trace of the lab; otherwise empty.
     std::vector<HandUse> uses{};
 };
 
-/// Parses a word of the command line: rest, press, circle, or the path of a CSV file with the columns
-/// time_s,x_m,y_m,z_m, or of a trace that the lab wrote. The error says what is wrong, and for a file in
-/// which line.
+/// Parses a word of the command line: rest, press, circle, the path of a CSV file with the columns
+/// time_s,x_m,y_m,z_m, or the path of a trace that the lab wrote. The error says what is wrong, and for a
+/// file in which line.
 Expected<HandPath> hand_path(std::string_view word);
 
-/// Parses a trace of the lab (game/lab/volume_trace.h): the hand gets the same targets at the same ticks, and
-/// uses the same tools. `name`: file name for errors.
+/// Parses a trace of the lab (game/lab/volume_trace.h), so that the hand gets the same targets at the same
+/// ticks as before, and uses the same tools. `name`: file name for errors.
 Expected<HandPath> parse_hand_trace(std::string_view csv, std::string_view name);
 
-/// Use of tool and undo in the step that begins at this time; none without a trace.
+/// Tool and undo in the step that begins at this time; neither if the path has no trace.
 HandUse use_at(const HandPath& path, double seconds);
 
 /// Target position of the hand (m, lab frame). `workspace`: edge lengths of the workspace (m). A press

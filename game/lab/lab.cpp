@@ -12,8 +12,9 @@
 namespace thaum::game::inline lab {
 namespace {
 
-constexpr double max_gravity = 100;  // largest gravity (m/s^2)
-// largest speed of the ladle (m/s); the mouse may jump any distance in a step
+constexpr double max_gravity = 100;  // largest gravity that a person can set (m/s^2)
+// Largest speed at which the ladle acts on the fluid (m/s). Without it, a jump of the mouse would give any
+// speed.
 constexpr double max_ladle_speed = 8;
 constexpr double pour_radius = 0.25;  // radius of a poured cloud (m)
 
@@ -25,7 +26,7 @@ Expected<void> check(const LabSettings& s) {
     return {};
 }
 
-/// Copies the settings that a running fluid can adopt.
+/// Copies those settings that a running fluid can adopt.
 void put_numbers(const LabSettings& from, fluid::Settings& to) {
     to.viscosity = from.viscosity;
     to.gravity = {0, -from.gravity, 0};
@@ -54,7 +55,7 @@ Expected<Brew> brew_of(CauldronRules rules, const LabSettings& settings) {
     return brew;
 }
 
-/// Tests whether two settings need the same grid, tables and walls.
+/// Whether two settings can share a fluid: the same grid, tables and walls.
 bool same_grid(const LabSettings& a, const LabSettings& b) {
     return a.solver == b.solver && a.cells == b.cells && a.order == b.order && a.bowl == b.bowl &&
            a.no_slip == b.no_slip && a.room == b.room && a.substances.size() == b.substances.size();
@@ -99,7 +100,7 @@ fluid::SpringSurfaceStep step_surface(LabState& lab) {
     return fluid::advance(lab.brew.surface, lab.brew.scratch, probes, lab_dt);
 }
 
-/// Returns f's result and stores the computing time (us).
+/// Calls f, returns its result, and stores the computing time in `us` (us).
 template <class F>
 auto timed(F&& f, double& us) {
     const auto start = monotonic_ns();
@@ -155,7 +156,7 @@ Expected<void> change_lab(LabState& lab, const LabSettings& settings) {
         put_numbers(settings, wanted);
         if (auto sound = fluid::check(wanted); !sound) return sound;
         fluid.settings = wanted;
-        fluid::refresh_after_edit(fluid);  // a resting fluid whose density has changed must start to move
+        fluid::refresh_after_edit(fluid);  // a fluid at rest whose density has changed must start to move
     } else {
         auto brew = brew_of(lab.rules, settings);
         if (!brew) return brew.error();

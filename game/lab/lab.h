@@ -19,10 +19,10 @@
 namespace thaum::game::inline lab {
 
 inline constexpr double lab_dt = 0.016;  ///< duration of a step (s)
-/// Choices for the number of cells from wall to wall.
+/// Numbers of cells from wall to wall among which a person can choose.
 inline constexpr std::array lab_cells{15, 16, 24, 32, 48, 64};
 
-/// Bowl of the lab, from data files or from a saved session.
+/// Bowl of the lab, taken from data files or from a saved session.
 struct LabBowl {
     BowlSize size{};
     double filled{};  ///< level of the brew, as a share of the bowl's height
@@ -58,11 +58,12 @@ LabSettings lab_settings(const LabData& data);
 struct LabPour {
     std::size_t substance{};
     double amount{};  ///< volume poured (m^3)
-    vec3 place{};     ///< centre of the poured cloud (m, brew)
+    vec3 place{};     ///< centre of the poured cloud (m, brew's frame)
 };
 
 struct LabInput {
-    /// end of the ladle after this step (m, brew); std::nullopt: out of the brew
+    /// Position of the ladle's end after this step (m, brew's frame); std::nullopt: the ladle is out of the
+    /// brew.
     std::optional<vec3> ladle{};
     std::vector<LabPour> pours{};
     std::optional<LabSettings> change{};
@@ -75,7 +76,7 @@ struct LabState {
     Basin basin{};
     Brew brew{};                  ///< the fluid; its substances are those in `settings`
     std::int64_t steps{};         ///< number of steps since the start or the last reset
-    std::optional<vec3> ladle{};  ///< end of the ladle after the last step (m, brew)
+    std::optional<vec3> ladle{};  ///< end of the ladle after the last step (m, brew's frame)
     std::size_t last_poured{};    ///< index of the substance poured last
     double seconds() const { return lab_dt * static_cast<double>(steps); }
 };
@@ -103,7 +104,7 @@ Expected<void> change_lab(LabState& lab, const LabSettings& settings);
 /// Computes one step of lab_dt. With `jobs` the fluid step may run on another thread, with the same result.
 LabFigures step_lab(LabState& lab, const LabInput& input, Jobs& jobs);
 
-/// Figures of the present state; those of a step, such as forces, are zero.
+/// Figures of the present state. Those that only a step has, such as forces, are zero.
 LabFigures figures_of(const LabState& lab);
 
 }  // namespace thaum::game::inline lab

@@ -9,7 +9,8 @@
 namespace thaum::game::inline lab {
 namespace {
 
-// Maximum file size (bytes); a grid 64 cells wide needs 5 million.
+// Largest size of a saved session that is read (bytes). A session with 64 cells from wall to wall needs 5
+// million.
 constexpr std::size_t max_lab_file = 256U << 20U;
 constexpr std::size_t max_name = 32;  // longest name of a substance (characters)
 constexpr std::uint32_t kept_version = 1;
@@ -22,7 +23,7 @@ void each_number(Room& room, F&& f) {
 
 bool has_solids(const LabSettings& s) { return s.bowl && s.solver == fluid::Solver::thaum; }
 
-/// Walls of the fluid's grid; the bowl and the grid determine them.
+/// Walls of the fluid's grid. They follow from the bowl and the number of cells.
 fluid::NamedShape shape_of(const LabSettings& settings) {
     if (!has_solids(settings)) return {};
     fluid::NamedShape shape{.name = "bowl"};
@@ -92,7 +93,7 @@ Expected<Ingredient> get_ingredient(ByteReader& in, const fluid::Substance& subs
     return result;
 }
 
-/// Reads the whole state except the brew.
+/// Reads the whole state of the lab except the brew.
 Expected<LabState> get_kept(ByteReader& in, const fluid::Settings& fluid, const CauldronRules& rules) {
     LabState lab{.rules = rules};
     auto& s = lab.settings;
@@ -124,7 +125,7 @@ Expected<LabState> get_kept(ByteReader& in, const fluid::Settings& fluid, const 
     return lab;
 }
 
-/// Tests whether the saved fluid and surface fit the brew that these settings make.
+/// Whether the saved fluid and surface fit the brew that these settings make.
 bool fits_settings(const fluid::SavedFluid& saved, const LabState& lab, const Brew& made) {
     const auto &a = saved.fluid.settings, &b = made.fluid.settings;
     return saved.shape == shape_of(lab.settings) && a.cells == b.cells && a.h == b.h && a.edges == b.edges &&

@@ -10,11 +10,12 @@ namespace thaum::game::inline lab {
 
 Bytes save_lab(const LabState& lab);
 
-/// Reads a saved session. `rules` gives the parts that the file does not hold: the ladle and the brew's
-/// density. The error says what is wrong with the file.
+/// Reads a saved session from its bytes. `rules` gives what the bytes do not hold: the ladle and the brew's
+/// density. The error says what is wrong with the bytes.
 Expected<LabState> restore_lab(std::span<const std::byte> bytes, const CauldronRules& rules);
 
-/// Save and restore with a file. The error also names the file. A failed save leaves no partial file.
+/// Saves to a file, and restores from one. The error also names the file. A failed save leaves no partial
+/// file.
 Expected<void> save_lab(const LabState& lab, const std::filesystem::path& file);
 Expected<LabState> load_lab(const std::filesystem::path& file, const CauldronRules& rules);
 

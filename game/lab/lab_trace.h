@@ -1,5 +1,5 @@
-// game/lab/lab_trace.h: the lab's figures as CSV, one row per step. Without computing times the same run
-// gives the same bytes.
+// game/lab/lab_trace.h: the results of the lab's steps as CSV, one row per step. Without computing times, the
+// same run gives the same bytes.
 #pragma once
 #include <string>
 
@@ -7,8 +7,8 @@
 
 namespace thaum::game::inline lab {
 
-/// `times` adds columns with computing times (us). Columns use the index of a substance, because a session
-/// may replace the substance at that index.
+/// Line with the column titles. `times` adds columns with computing times (us). Titles number the substances,
+/// because a session may replace the ingredient of a substance.
 std::string lab_trace_header(bool times);
 void append_lab_row(const LabState& lab, const LabFigures& figures, bool times, std::string& rows);
 

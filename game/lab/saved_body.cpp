@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Name of a companion file: "head.nrrd" -> "head.colour.nrrd".
+/// Name of the file of another property of a body: "head.nrrd" -> "head.colour.nrrd".
 fs::path beside(const fs::path& file, const char* property) {
     fs::path name = file;
     return name.replace_extension(std::string(".") + property + file.extension().string());
@@ -28,8 +28,8 @@ bool is_there(const fs::path& file) {
     return fs::exists(file, ignored);
 }
 
-/// Identifier of a save: the same in all files of one body, and almost certainly different for any other
-/// body.
+/// Identifier of a saved body. It is the same in all files of that body, and almost certainly different in
+/// those of any other.
 std::string name_of(const field::Voxels& body) {
     std::uint64_t hash = hash_value(body.count);
     for (const auto bytes : {std::as_bytes(std::span(body.density)), std::as_bytes(std::span(body.colour)),
@@ -52,8 +52,8 @@ Expected<void> take_property(const fs::path& file, VolumeLab& lab, Take take) {
     return {};
 }
 
-/// Volumes of a body with their file paths. Colours or materials are written if they were changed, or if an
-/// older file would otherwise seem to belong to this body.
+/// The volumes that save a body, with their file paths. Colours or materials are among them if they were
+/// changed, or if an older file of them exists, which would otherwise seem to belong to this body.
 std::vector<std::pair<fs::path, field::Volume>> parts_of(const VolumeLab& lab, const fs::path& file) {
     const auto& body = lab.body;
     std::vector<std::pair<fs::path, field::Volume>> parts;

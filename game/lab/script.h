@@ -7,7 +7,7 @@ namespace thaum::game::inline lab {
 
 struct LabScript {
     struct Pour {
-        std::int64_t step{};  ///< the pour takes place just before this step
+        std::int64_t step{};  ///< number of the step just before which the substance is poured
         std::size_t substance{};
         double amount{};  ///< volume poured (m^3)
     };
@@ -15,7 +15,8 @@ struct LabScript {
     std::vector<Pour> pours{};
 };
 
-/// Input of the next step. Substances are poured at the ladle, or beside the middle if there is no ladle.
+/// Input of the next step. Substances are poured at the ladle, or beside the middle while the ladle is out of
+/// the brew.
 LabInput scripted_input(const LabScript& script, const LabState& lab);
 
 /// Position at which a substance is poured (m, brew frame).

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double turn_s = 2.5;
 constexpr double radius_share = 0.6, depth_share = 0.4;
-// The ladle's entry from above, to which the surface reacts: duration (s), and start height above the level
-// surface (m).
+// How the ladle enters from above, to which the surface reacts: duration (s), and start height above the
+// level surface (m).
 constexpr double dip_s = 0.5, dip_from = 0.1;
 constexpr std::size_t max_path_file = 16U << 20U;
 constexpr double max_time = 1e6, max_place = 100;  // largest time (s) and coordinate (m) in a file

@@ -14,8 +14,8 @@ enum class Stirring : std::uint8_t { none, circle, figure8, file };
 
 struct StirPath {
     Stirring kind{};
-    /// Point of a path from a file (s; m, brew frame). Points are sorted by time. Between two points the
-    /// ladle moves in a straight line.
+    /// Point of a path from a file: a time (s) and a position (m, brew's frame). Points are sorted by time.
+    /// Between two points the ladle moves in a straight line.
     struct Point {
         double time{};
         vec3 place{};
@@ -34,9 +34,9 @@ Expected<StirPath> parse_stir_path(std::string_view csv, std::string_view name);
 /// Reads all rows of a path file.
 Expected<StirPath> read_stir_path(TableReader& table);
 
-/// End of the ladle (m, brew); std::nullopt: out of the brew, as before and after a file's times. The circle
-/// and the figure of eight take 2.5 s a turn. They run at 0.6 of the basin's radius and 0.4 of its depth,
-/// after an entry from above of half a second.
+/// Position of the ladle's end (m, brew's frame); std::nullopt: the ladle is out of the brew, as before and
+/// after the times of a file. Circle and figure of eight take 2.5 s a turn. They run at 0.6 of the basin's
+/// radius and 0.4 of its depth, after half a second in which the ladle enters from above.
 std::optional<vec3> ladle_at(const StirPath& path, const Basin& basin, double seconds);
 
 }  // namespace thaum::game::inline lab

@@ -25,13 +25,14 @@ constexpr double usual_strength = 0.8;
 constexpr double reach_samples = 2;
 /// Largest distance of a volume's middle from that of the workspace, along each axis (m).
 constexpr double farthest_place = 1;
-/// Displacement of a volume in one change that counts as a jump of its feel (m).
+/// Displacement of a volume in one change of settings from which on the change counts as a jump of its feel
+/// (m).
 constexpr double jump = 0.001;
 constexpr std::int64_t device_file_version = 1;
 constexpr std::size_t max_file_bytes = std::size_t{1} << 20U;
 
-/// A volume in its present state as the source of filters. `version` differs for each volume and each of its
-/// changes.
+/// A volume in its present state as the input of filters. `version` is different for each volume and after
+/// each of its changes.
 field::FilterSource source_of(const field::Volume& volume, const LabSource& views, std::uint64_t version) {
     field::FilterSource source{.count = volume.count, .spacing = volume.spacing};
     if (volume.components == 1)
@@ -47,7 +48,7 @@ haptics::SmoothGrid density_of(const field::Grid& grid, const field::BlockAverag
     return {grid, averages.grid(grid), {range.low, range.high}};
 }
 
-/// Points the views of all volumes at their present samples.
+/// Lets the views of all volumes refer to their present samples.
 void refresh_views(VolumeLab& lab) {
     auto& views = *lab.views;
     if (lab.carvable()) {
@@ -68,7 +69,7 @@ void refresh_views(VolumeLab& lab) {
     }
 }
 
-/// Points all views and fields at the present volumes. Smoothed samples are recomputed only if something
+/// Lets all views and fields refer to the present volumes. Smoothed samples are recomputed only if something
 /// changed.
 void refresh(VolumeLab& lab) {
     refresh_views(lab);
@@ -86,8 +87,8 @@ void refresh(VolumeLab& lab) {
     }
 }
 
-/// Rotates a scan of a patient so that the patient stands upright and faces the user: from left, back, up
-/// (field/nrrd.h) to right, up, front.
+/// Turns a scan of a patient so that the patient stands upright and faces the user. The scan's axes point to
+/// the patient's left, to the back and up (field/nrrd.h); the lab's axes point right, up and to the front.
 const mat3 patient_stands{vec3(1, 0, 0), vec3(0, 0, -1), vec3(0, 1, 0)};
 
 field::Placement fitted(const field::Volume& volume, vec3 workspace) {
@@ -112,7 +113,7 @@ field::SampleRange lengths_of(const field::Volume& volume) {
     return range;
 }
 
-/// Names separated by commas. `name_of` gives the name of an element of `all`.
+/// Text with the names of all elements, separated by commas. `name_of` gives the name of an element of `all`.
 template <class All, class Name = std::identity>
 std::string listed(const All& all, Name name_of = {}) {
     std::string names;
@@ -143,8 +144,9 @@ field::Placement relative(const field::Placement& whole, const field::Placement&
             part.scale / whole.scale};
 }
 
-/// Placement in the workspace of a volume beside the first one, before its own LabPlace is applied. For a
-/// registered volume, both files must give a placement.
+/// Placement in the workspace of a volume in addition to the first one, before the volume's own LabPlace is
+/// applied. A registered volume keeps its place relative to the first one, for which both files must give a
+/// placement.
 field::Placement fitted_beside(const VolumeLab& lab, const field::Volume& volume, bool registered) {
     const auto whole = placement_in_file(lab.source), part = placement_in_file(volume);
     if (!registered || !whole || !part) return fitted(volume, lab.data.device.workspace);
@@ -164,7 +166,7 @@ Expected<void> check_places(const VolumeLab& lab, const std::vector<LabPlace>& p
     return {};
 }
 
-/// Moves all volumes to their places. Returns whether any volume has jumped.
+/// Moves all volumes to their places. Returns whether any of them has jumped.
 bool move_volumes(VolumeLab& lab, const std::vector<LabPlace>& places) {
     bool jumps = false;
     const auto place_of = [&](std::size_t n) { return n < places.size() ? places[n] : LabPlace{}; };
@@ -220,10 +222,11 @@ void fill_primitives(VolumeLab& lab, vec3 tip, vec3 motion) {
     lab.model.viscosity = haptics::add_volume_feel(lab.feel, input, lab.model.primitives).viscosity;
 }
 
-/// One servo step without the safety stage and the observer. Returns the force on the hand (N).
+/// Makes one servo step without the safety stage and the account of energy. Returns the force on the hand
+/// (N).
 vec3 pure_step(VolumeLab& lab, vec3 tip) {
-    // Displacement over the last whole tick. Over one short step, most of it would be the device's
-    // quantisation.
+    // Displacement of the tip over the last whole tick. Over one short step, most of it would be the
+    // quantisation of the device.
     const vec3 way = tip - lab.tips[static_cast<std::size_t>(lab.steps_per_tick) - 1];
     fill_primitives(lab, tip, way / static_cast<double>(lab.steps_per_tick));
     auto& state = lab.servo_state;
@@ -264,7 +267,7 @@ void feel_and_move(VolumeLab& lab, vec3 target, VolumeLabFigures& figures) {
     }
 }
 
-/// Uses the tool at the proxy if the tool is held and its next use is due.
+/// Applies the tool at the proxy if the tool is held and its next application is due.
 field::Edit use_tool(VolumeLab& lab, bool held, std::size_t tool) {
     if (!lab.carvable() || tool >= lab.data.tools.size()) return {};
     const vec3 place = field::to_own(lab.placement, lab.servo_state.proxy);
@@ -278,7 +281,7 @@ field::Edit use_tool(VolumeLab& lab, bool held, std::size_t tool) {
     return field::edit(lab.body.view(), lab.data.tools[tool], dab, lab.history);
 }
 
-/// Starts anew with the device of lab.data. The hand rests at the top of the workspace.
+/// Starts anew with the device in lab.data. The hand rests at the top of the workspace.
 void take_up_device(VolumeLab& lab) {
     const auto& spec = lab.data.device;
     lab.device = haptics::simulated_device(spec, haptics::Hand{}, tick_seconds / lab.steps_per_tick);
@@ -299,7 +302,7 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
     return files;
 }
 
-/// Reads a data file with its reader.
+/// Opens a data file and reads it by `read`.
 template <class Read>
 auto read_config(const std::filesystem::path& path, std::int64_t version, Read read)
     -> decltype(read(std::declval<const Config&>())) {
@@ -383,7 +386,7 @@ void change_device(VolumeLab& lab, haptics::DeviceSpec device) {
         mode.settings.reach *= grown[mode.volume];
         mode.settings.pitch *= grown[mode.volume];
     }
-    // These modes and places were valid before, so this cannot fail.
+    // These modes and places were valid with the old device, so this cannot fail.
     const auto changed = change_volume_lab(lab, settings);
     THAUM_ASSERT(changed.has_value(), "settings that were in use");
 }

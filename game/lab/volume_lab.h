@@ -35,10 +35,10 @@
 
 namespace thaum::game::inline lab {
 
-/// Largest number of servo steps in a tick: 0.2 ms each.
+/// Largest number of servo steps in a tick of 1 ms. A step then takes 0.2 ms.
 inline constexpr int max_steps_per_tick = 5;
 
-/// Ticks between two uses of a tool that is held.
+/// Ticks between two applications of a tool that is held.
 inline constexpr Tick ticks_of_a_dab = 8;
 
 struct LabMode {
@@ -50,7 +50,7 @@ struct LabMode {
     bool operator==(const LabMode&) const = default;
 };
 
-/// Placement of a volume, relative to one that fills the workspace around its middle.
+/// Placement of a volume, relative to a volume that fills the workspace around its middle.
 struct LabPlace {
     vec3 origin{};    ///< position of the volume's middle (m)
     double yaw{};     ///< rotation about the vertical axis (rad)
@@ -63,14 +63,15 @@ inline constexpr double min_place_scale = 0.05, max_place_scale = 20;
 /// Settings that can change during a session.
 struct VolumeLabSettings {
     std::vector<LabMode> modes{};  ///< modes that act together
-    std::vector<FeelPart> feel{};  ///< feel of the body as a whole; empty: only the modes are felt
+    std::vector<FeelPart> feel{};  ///< parts of the feel of the body as a whole; empty: only the modes are
+                                   ///< felt
     /// Opacity of the picture as a function of density; `feel` may use it.
     field::TransferFunction opacity{};
     std::vector<LabPlace>
         places{};  ///< places of the first volume and of the added ones; missing ones are in the middle
 };
 
-/// Data files that the lab uses.
+/// What the lab reads from data files.
 struct VolumeLabData {
     field::Materials materials;
     std::vector<field::Tool> tools;    ///< tools, sorted by name
@@ -84,12 +85,12 @@ Expected<VolumeLabData> load_volume_lab_data(const std::filesystem::path& assets
 /// Reads a device model. The error names file, line and key.
 Expected<haptics::DeviceSpec> load_lab_device(const std::filesystem::path& assets, const std::string& name);
 
-/// Views of a volume's samples.
+/// The samples of a volume in the forms in which modes, filters and the body's feel read them.
 struct LabSource {
     field::BlockAverages averages{};  ///< block averages of the densities
     haptics::SmoothGrid density{};
     field::StaggeredGrid flow{};
-    field::Placed<field::Scalar> placed_density{};  ///< density in the lab's frame; the next members likewise
+    field::Placed<field::Scalar> placed_density{};  ///< density in the lab's frame
     BodyMaterials materials{};
 };
 
@@ -100,12 +101,12 @@ struct LabField {
     field::PlacedField placed{};
 };
 
-/// A volume added to the first one.
+/// A volume in addition to the first one.
 struct VolumeBeside {
     field::Volume source{};
     field::SampleRange range{};  ///< range of the samples, as in VolumeLab::range
     double usual_level{};        ///< level of the surface, as in VolumeLab::usual_level
-    /// true: placed relative to the first volume as the files say, and moved together with it
+    /// true: placed relative to the first volume as both files say, and moved together with it
     bool registered = false;
     field::Placement fitted{}, placement{};
     LabSource views{};
@@ -117,13 +118,14 @@ struct VolumeLab {
     field::CarvingHistory history{};
     field::SampleRange range{};    ///< range of the samples as read; for vectors, of their lengths
     double usual_level{};          ///< density that separates the body from its surroundings (field/volume.h)
-    field::Placement fitted{};     ///< placement with which the volume fills the workspace
+    field::Placement fitted{};     ///< placement in which the volume fills the workspace
     field::Placement placement{};  ///< current placement
     std::vector<std::unique_ptr<VolumeBeside>> beside{};
     VolumeLabData data{};
     VolumeLabSettings settings{};
     std::unique_ptr<LabSource> views = std::make_unique<LabSource>();
-    std::vector<std::unique_ptr<LabField>> fields{};  ///< fields that the modes read, one for each mode
+    std::vector<std::unique_ptr<LabField>> fields{};  ///< fields that the modes read, one for each mode, in
+                                                      ///< the order of settings.modes
     haptics::VolumeFeel feel{};                       ///< the feel that settings.feel describes
     haptics::MaterialTable material_table{};
 
@@ -135,7 +137,7 @@ struct VolumeLab {
     int steps_per_tick = 1;  ///< servo steps in a tick; set by set_servo_rate
     /// Positions of the tip at the last steps, newest first, if a tick has several steps (m).
     std::array<vec3, max_steps_per_tick> tips{};
-    double moved{};  ///< longest displacement of a volume at the tip since the last step (m)
+    double moved{};  ///< longest displacement that any volume made at the tip since the last step (m)
     Tick tick{};
     vec3 last_dab{};       ///< position of the tool at its last use (m)
     bool carving = false;  ///< true: the tool is held
@@ -155,30 +157,30 @@ struct VolumeLabInput {
 
 /// Results of one step.
 struct VolumeLabFigures {
-    vec3 tip{}, proxy{}, force{};  ///< m, m, N
-    double value{};                ///< value at the proxy, without filters: density, or length of the vector
-    field::Edit edit{};            ///< changes by the tool in this step
-    std::string refused{};         ///< reason why a change of settings was rejected; empty: none
+    vec3 tip{}, proxy{}, force{};  ///< positions of tip and proxy (m), and force on the hand (N)
+    double value{};  ///< value of the volume at the proxy, without filters: density, or length of the vector
+    field::Edit edit{};     ///< changes by the tool in this step
+    std::string refused{};  ///< reason why a change of settings was rejected; empty: it was not
 };
 
 /// Makes a session. The error says what is wrong with the volume, such as too few samples along an axis.
 Expected<VolumeLab> make_volume_lab(field::Volume volume, VolumeLabData data);
 
-/// Makes the servo step more often than once per tick, 1 to max_steps_per_tick times. Several steps per tick
-/// are reduced to tip -> modes -> balance -> force, because the servo's safety stage and observer count in
-/// ticks of 1 ms. The force is then limited only by the device's peak. The motion is damped only by device,
-/// hand and the drag of the body's feel. So use this only for a simulated device.
+/// Makes the servo step `steps_per_tick` times in a tick, 1 to max_steps_per_tick. With several steps, a step
+/// is reduced to tip -> modes -> balance -> force, because the servo's safety stage and its account of energy
+/// count in ticks of 1 ms. The force is then limited only by the device's peak, and only the device, the hand
+/// and the drag of the body's feel damp the motion. So this must only be used with a simulated device.
 void set_servo_rate(VolumeLab& lab, int steps_per_tick);
 
 /// Puts the hand at rest at a position of the workspace.
 void rest_hand(VolumeLab& lab, vec3 place);
 
-/// Replaces the device in the hand, which then rests at the top of the workspace. Body, history, clock and
-/// settings are kept; the volumes fill the new workspace.
+/// Replaces the device in the hand. The hand then rests at the top of the new workspace, which the volumes
+/// fill. Body, history, clock and settings are kept.
 void change_device(VolumeLab& lab, haptics::DeviceSpec device);
 
-/// Adds a volume to the others. A registered one is placed relative to the first as their files say, at the
-/// same scale. Any other fills the workspace around its middle, as the first does. The error says what is
+/// Adds a volume to the others. A registered one is placed relative to the first as both files say, at the
+/// same scale. Any other fills the workspace around its middle, as the first one does. The error says what is
 /// wrong, such as a file without a placement.
 Expected<void> add_volume_beside(VolumeLab& lab, field::Volume volume, bool registered = false);
 
@@ -201,15 +203,15 @@ struct VolumeRef {
 /// Volume by its number, which must exist: 0 to beside.size().
 VolumeRef volume_of(const VolumeLab& lab, std::size_t number);
 
-/// Kind of field of the first volume itself.
+/// Kind of field (scalar or vector) of the first volume, without filters.
 haptics::FieldKind kind_of(const VolumeLab& lab);
 
-/// Density at a position in the lab, or length of the vector there, without filters.
+/// Density at a position in the lab's frame, or length of the vector there, without filters.
 double value_at(const VolumeLab& lab, vec3 place);
 
-/// Mode with strengths that suit the volume's range and the device. A mode that cannot read the volume
-/// directly gets the filter that it needs, if `filters` is empty: an isosurface of a flow is one of its
-/// speed. The error lists the existing modes.
+/// A mode with strengths that suit the volume's range and the device. If `filters` is empty, a mode that
+/// cannot read the volume directly gets the filter that it needs: an isosurface in a flow, for example, is
+/// one of the flow's speed. The error lists the existing modes.
 Expected<LabMode> lab_mode(const VolumeLab& lab, const std::string& name,
                            std::vector<field::Filter> filters = {}, std::size_t volume = 0);
 
@@ -220,10 +222,10 @@ Expected<void> change_volume_lab(VolumeLab& lab, const VolumeLabSettings& settin
 /// Computes one step of 1 ms.
 VolumeLabFigures step_volume_lab(VolumeLab& lab, const VolumeLabInput& input);
 
-/// The volume in its present state, for saving: densities as floats after an edit, otherwise as read.
+/// The volume in its present state, for saving: densities as floats if it was edited, otherwise as read.
 field::Volume volume_now(const VolumeLab& lab);
 
-/// Hash of the state: body, hand and servo.
+/// Hash of the state of body, hand and servo.
 std::uint64_t lab_hash(const VolumeLab& lab);
 
 }  // namespace thaum::game::inline lab

@@ -96,7 +96,8 @@ std::string view_text(const SessionView& v) {
                 v.aim.y, ", ", v.aim.z, "]\n");
 }
 
-/// Makes a path that was relative to the session's folder relative to the working directory.
+/// Changes a path that is relative to the session's folder into one that is relative to the working
+/// directory.
 void find_beside(const std::filesystem::path& folder, std::string& volume) {
     std::error_code ignored;
     const auto file = folder / volume;

@@ -2,30 +2,30 @@
 //
 //     version = 1
 //     volume = "head.nrrd"              as on the command line; a relative path is relative to this file
-//     count = 64                        of a volume that is made; seed too
-//     moment = 1                        of a file with time; may be left out
-//     place = [0, 0, 0, 1, 0]           of its middle (m), scale, turn about the upright axis (degrees)
-//     [[beside]]                        a volume beside it, with volume, count, seed and place; none or more
+//     count = 64                        samples along each axis of a generated volume; `seed` is its seed
+//     moment = 1                        time step of a file with several; may be left out
+//     place = [0, 0, 0, 1, 0]           middle (m), scale, turn about the vertical axis (degrees)
+//     [[beside]]                        an added volume, with volume, count, seed and place; none or more
 //     volume = "vortices"
-//     registered = false                those beside lie to the first one as their files say
+//     registered = false                true: added volumes lie relative to the first one as the files say
 //     device = "touch"
-//     look = "surface"                  or "translucent"
-//     level = 500.0
-//     opacity = [0, 0, 1000, 0.3]       x, y, x, y, ... of the picture's transfer function
-//     view = [29, 23, 1.6, 0, 0, 0]     turn and height of the eye (degrees), distance, middle of the picture (m)
+//     look = "surface"                  how the picture shows the volume; or "translucent"
+//     level = 500.0                     density at which the picture draws the surface
+//     opacity = [0, 0, 1000, 0.3]       points x, y, ... of the picture's opacity as a function of density
+//     view = [29, 23, 1.6, 0, 0, 0]     camera: azimuth, elevation (degrees), distance (diagonals), aim (m)
 //     [[feel]]                          a part of the body's feel (game/lab/body_feel.h); none or more
 //     kind = "wall"
 //     numbers = [500, 0.8, 0.2]
 //     [[mode]]
 //     name = "isosurface"
-//     reads = 0                         0: the volume; 1: the first one beside it
-//     strength = [0, 0.7]               x, y, ... of the transfer function; friction too
+//     reads = 0                         volume that the mode reads; 0: the first one, 1: the first added one
+//     strength = [0, 0.7]               points x, y, ... of the strength (N); `friction` is written likewise
 //     level = 500.0
 //     solid_below = false
-//     magnet = 0.0                      N
+//     magnet = 0.0                      strength that holds a tip near the surface (N)
 //     reach_m = 0.002
 //     pitch_m = 0.01
-//     [[mode.filter]]                   between the data and this mode; none or more
+//     [[mode.filter]]                   a filter between the volume and this mode; none or more
 //     kind = "smooth"                   a name of field::filter_names(); a and b are its parameters
 //     a = 1.0
 //     b = 0.0
@@ -40,7 +40,7 @@
 
 namespace thaum::game::inline lab {
 
-/// A volume and its placement.
+/// A volume of a session, and its placement.
 struct SessionVolume {
     std::string volume{};     ///< path of a file, or name of a generated volume
     std::int64_t count = 64;  ///< number of samples along each axis of a generated volume
@@ -59,13 +59,13 @@ struct SessionView {
 struct VolumeSession {
     SessionVolume first{};
     std::vector<SessionVolume> beside{};
-    /// True: the added volumes are placed relative to the first one as their files say.
+    /// true: the added volumes are placed relative to the first one as the files of both say.
     bool registered = false;
     std::string device = "touch";
     bool translucent = false;
     double level{};
     field::TransferFunction opacity{};
-    std::optional<SessionView> view{};  ///< camera; std::nullopt: the usual one
+    std::optional<SessionView> view{};  ///< position of the camera; std::nullopt: the usual one
     std::vector<FeelPart> feel{};
     std::vector<LabMode> modes{};
 };
@@ -75,7 +75,8 @@ std::string session_text(const VolumeSession& session);
 Expected<VolumeSession> read_session(const Config& file);
 
 Expected<void> save_session(const VolumeSession& session, const std::filesystem::path& file);
-/// Reads a session from a file; a relative path of a volume becomes relative to the working directory.
+/// Reads a session from a file. Relative paths of volumes, which are relative to that file, become relative
+/// to the working directory.
 Expected<VolumeSession> load_session(const std::filesystem::path& file);
 
 }  // namespace thaum::game::inline lab

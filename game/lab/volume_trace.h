@@ -7,11 +7,11 @@
 
 namespace thaum::game::inline lab {
 
-/// Column titles. The columns from hand_x_m on are the input of the step: target of the hand, tool and undo.
-/// hand_path reads them, so a trace can be played again. tool: index of the held tool in the sorted list,
-/// from 1; 0: none. history: -1 undo, 1 redo.
+/// Line with the column titles. The columns from hand_x_m on are the input of the step: target position of
+/// the hand, tool and undo. hand_path reads them, so a trace can be played again. Column `tool`: index of the
+/// held tool in the sorted list, from 1; 0: none. Column `history`: -1 undo, 1 redo, 0 neither.
 std::string volume_trace_header();
-/// Appends the row of the step that `input` has produced.
+/// Appends the row of the step that was made with `input`.
 void append_volume_row(const VolumeLab& lab, const VolumeLabInput& input, const VolumeLabFigures& figures,
                        std::string& rows);
 

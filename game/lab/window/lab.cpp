@@ -57,7 +57,7 @@ constexpr Option lab_options[] = {
     {"--times"},      {"--shots", 1},      {"--every", 1},     {"--size", 1},    {"--headless"},
     {"--seconds", 1}, {"--threads", 1}};
 
-/// Options that change settings of the lab.
+/// Options of the command line that change settings of the lab.
 constexpr std::array<std::string_view, 9> setting_words{"--solver",    "--cells",   "--order",
                                                         "--bowl",      "--box",     "--edges",
                                                         "--viscosity", "--gravity", "--substance"};
@@ -127,7 +127,7 @@ Expected<void> read_cells(const Arguments& arguments, LabSettings& settings) {
                      "': must be 15, 16, 24, 32, 48 or 64, the number from wall to wall; cells are cubes"));
 }
 
-/// Settings after the changes of the command line.
+/// The settings after the changes that the command line asks for.
 Expected<LabSettings> read_settings(const Arguments& arguments, const game::CauldronRules& rules,
                                     LabSettings settings) {
     const auto solver =
@@ -154,7 +154,7 @@ Expected<LabSettings> read_settings(const Arguments& arguments, const game::Caul
     return settings;
 }
 
-/// State of a new or loaded session after the changes of the command line.
+/// State of a new or loaded session, after the changes that the command line asks for.
 Expected<LabState> read_lab(const Arguments& arguments, const game::LabData& data) {
     const auto file = arguments.value("--load");
     if (!file) {

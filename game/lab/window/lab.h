@@ -11,11 +11,11 @@
 
 namespace thaum::game::inline lab {
 
-/// Options of one lab session: a new or loaded state with the command line's changes.
+/// Options of one session of the fluid lab: a new or loaded state, with the changes from the command line.
 struct LabPlan {
     game::LabState lab;
     game::LabScript script{};
-    /// length of the session in simulated time (s); std::nullopt: until the window is closed
+    /// Length of the session in simulated time (s); std::nullopt: until the window is closed.
     std::optional<double> seconds{};
     LabOutputs out{};
     bool times = false;  ///< true: the trace has columns with computing times
@@ -45,7 +45,7 @@ private:
 /// Runs the command `thaum lab`. It prints its help itself.
 int run_lab(const std::vector<std::string>& words);
 
-/// Runs the lab in a window until the window is closed. Returns an exit code.
+/// Runs the lab in a window until that is closed. Returns an exit code.
 int run_lab_window(LabPlan plan);
 
 }  // namespace thaum::game::inline lab

@@ -17,11 +17,11 @@ struct LabOutputs {
     render::Size size{1280, 720};
 };
 
-/// Reads the output options. `every` is the interval if --every is not given. The error names the unsuitable
-/// option.
+/// Reads the options about outputs. `every`: interval between pictures if --every is not given (steps). The
+/// error names the unsuitable option.
 Expected<LabOutputs> read_lab_outputs(const Arguments& arguments, std::int64_t every);
 
-/// Rows of a CSV file. Writes nothing if no file is named.
+/// A CSV file that is written row by row. Nothing is written if no file is named.
 class LabTrace {
 public:
     static Expected<LabTrace> open(const std::optional<std::filesystem::path>& file, std::string_view header);

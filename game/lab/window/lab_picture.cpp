@@ -12,9 +12,9 @@ namespace {
 constexpr double min_pitch = -0.1, max_pitch = 1.5, min_away = 1.5, max_away = 12;
 constexpr double eye_middle = -0.25;  // height of the camera's target above the level surface (m)
 constexpr double handle = 1.3;        // length of the ladle's handle (m)
-constexpr double hand_newtons = 3.3;  // peak force of the device that hands in a match hold (N)
+constexpr double hand_newtons = 3.3;  // peak force of the simulated device in a match (N)
 
-/// Picture of the ladle; its handle leans away from the middle of the bowl.
+/// Picture of the ladle. Its handle leans away from the middle of the bowl.
 game::LadlePicture ladle_picture(const game::LabState& lab, double newtons) {
     const vec3 at = *lab.ladle;
     const vec3 out =

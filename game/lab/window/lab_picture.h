@@ -8,18 +8,19 @@
 
 namespace thaum::game::inline lab {
 
-/// Camera that orbits the middle of the brew's surface.
+/// Camera that orbits the middle of the brew's surface and looks at it.
 struct LabEye {
-    double yaw = 0.5;     ///< angle from south towards east (rad)
+    double yaw = 0.5;     ///< angle about the vertical axis, from south towards east (rad)
     double pitch = 0.75;  ///< angle above the level surface (rad)
     double away = 4.2;    ///< distance from the middle of the surface (m)
 };
 
-/// Returns the camera after a rotation and a change of distance, limited to views that show the brew.
+/// Returns the camera after a rotation by yaw and pitch (rad) and with its distance multiplied by
+/// `away_times`. It is limited to views that show the brew.
 LabEye turned(const LabEye& eye, double yaw, double pitch, double away_times);
 render::Camera camera_of(const LabEye& eye);
 
-/// Everything on the screen besides the brew.
+/// What the screen shows besides the brew: keys, figures, messages.
 struct LabPage {
     game::LabHands hands{};
     LabEye eye{};
@@ -31,8 +32,8 @@ struct LabPage {
 
 class LabPicture {
 public:
-    /// The renderer's OpenGL context must be current during the whole lifetime of the picture. The bowl is
-    /// that of `lab` at this call.
+    /// The renderer's OpenGL context must be current during the whole lifetime of the picture. The picture
+    /// shows the bowl that `lab` has at this call.
     LabPicture(render::Renderer& renderer, const game::LabState& lab);
 
     /// Builds the frame. The reference stays valid until the next call.

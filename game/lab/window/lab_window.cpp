@@ -1,6 +1,6 @@
-// The lab in a window. One thread handles input, computes the steps of 16 ms that are due by the clock, and
-// draws a picture. If a step takes longer than 16 ms to compute, the brew flows more slowly and the screen
-// shows the speed. The lab has no real-time deadlines.
+// The fluid lab in a window. One thread handles input, computes the steps of 16 ms that are due by the clock,
+// and draws a picture. If a step takes longer than 16 ms to compute, the brew flows more slowly and the
+// screen shows the speed. The lab has no real-time deadlines.
 #include <algorithm>
 #include <cmath>
 
@@ -29,11 +29,12 @@ using game::LabState;
 // that the settings allow. Time beyond that is dropped.
 constexpr int steps_of_a_frame = 7;
 constexpr double note_s = 4, rate_s = 0.5;
-// volume poured in a step while the key is held, and for each press (m^3)
+// Volume poured in a step while the pour key is held, and for each press of that key (m^3)
 constexpr double pour_m3 = 2e-3;
 constexpr double above = 0.15;  // height of a lifted ladle above the level surface (m)
 constexpr double dip_m = 0.04;  // vertical speed of the ladle (m per step)
-// how a ladle follows the mouse: share of the distance per step, and maximum displacement (m)
+// How the ladle follows the mouse: share of the remaining distance in a step, and largest displacement in a
+// step (m)
 constexpr double follow = 0.5, max_way = 0.12;
 constexpr double depth_step = 0.08;  // change of the ladle's depth by one step of the wheel (m)
 // Largest distance of the ladle from the middle, as a share of the basin's width.
@@ -51,7 +52,7 @@ struct LabSession {
     std::optional<fvec2> cursor{};  ///< position of the mouse (px); std::nullopt: outside of the window
     bool stirring = false, turning = false, pouring = false;
     int pours_due = 0;  ///< presses of the pour key since the last step
-    /// bowl_changed: true if the picture must be built again
+    /// true: the bowl has changed, so the picture must be built again
     bool wants_reset = false, leaves = false, bowl_changed = false;
     double height{};  ///< height of a stirring ladle above the level surface (m), <= 0
     /// Position of the ladle, also while it is out of the brew (m, basin frame)
@@ -66,7 +67,7 @@ void note(LabSession& session, std::string_view words) {
 
 // ---- the ladle --------------------------------------------------------------------------------------------
 
-/// Nearest position inside the walls.
+/// The position inside the walls that is nearest to `place`.
 vec3 in_basin(const LabState& lab, vec3 place) {
     place.y = std::clamp(place.y, -0.95 * lab.basin.depth, above);
     const double width = within_walls * game::width_at(lab.basin, std::min(place.y, 0.0));
@@ -75,8 +76,8 @@ vec3 in_basin(const LabState& lab, vec3 place) {
     return place;
 }
 
-/// Position at which the mouse points, in the horizontal plane at the ladle's height, or in a nearly
-/// horizontal view in the vertical plane through the middle. std::nullopt if the mouse points at neither
+/// Position at which the mouse points in the horizontal plane at the ladle's height; in a nearly horizontal
+/// view, in the vertical plane through the middle. std::nullopt if the mouse points at no place of that
 /// plane.
 std::optional<vec3> pointed_at(const LabSession& session, render::Size size) {
     if (!session.cursor || size.height <= 0) return std::nullopt;
@@ -95,8 +96,8 @@ std::optional<vec3> pointed_at(const LabSession& session, render::Size size) {
     return in_basin(session.plan.lab, eye + way * ray);
 }
 
-/// Moves the ladle by one step: down to the mouse position, along with the mouse, and up again when stirring
-/// ends.
+/// Moves the ladle by one step: down to the position of the mouse while stirring, along with the mouse, and
+/// up again when stirring ends.
 void move_ladle(LabSession& session, render::Size size) {
     const auto target = session.stirring ? pointed_at(session, size) : std::nullopt;
     if (target && !session.ladle) session.ladle = vec3(target->x, above, target->z);
@@ -216,7 +217,7 @@ void step_session(LabSession& session, render::Size size, Jobs& jobs) {
     });
 }
 
-/// Clock of the lab: number of steps due now, and steps computed per second.
+/// Clock of the lab: tells how many steps are due now and how many are computed per second.
 struct LabClock {
     std::int64_t last_ns = monotonic_ns();
     double owed_s{}, counted_s{};

@@ -21,7 +21,7 @@ const fvec4 lab_gold = render::colour(0xE8C070, 1.0F);
 constexpr float row = 19;  // height of a line (1/720 of the picture's height)
 constexpr float key_width = 108, left_width = 350, right_width = 280, edge = 10;
 
-/// The character that this key has on the user's keyboard.
+/// The character on the user's keyboard for the key of this name.
 std::string sign_of(std::string_view key) { return render::key_sign(render::key_code(key).value_or(-1)); }
 
 struct Line {
@@ -49,7 +49,7 @@ std::vector<Line> keys_of(const game::LabState& lab, const game::LabHands& hands
     return lines;
 }
 
-/// A number of any magnitude with two digits: 2.3e-05.
+/// Text of a number of any magnitude with two digits: 2.3e-05.
 std::string short_number(double value) {
     char digits[32];
     std::snprintf(digits, sizeof digits, "%.1e", value);
@@ -78,8 +78,8 @@ std::vector<Line> figures_of(const game::LabState& lab, const game::LabFigures& 
     return lines;
 }
 
-/// Adds a panel of lines with its upper left corner at `low`. `keys` is the width of the column of keys; 0:
-/// no such column.
+/// Adds a panel of lines with its upper left corner at `low` (px). `keys`: width of the column of keys; 0:
+/// there is no such column.
 void add_lines(Overlay& out, const std::vector<Line>& lines, fvec2 low, float width, float keys, float u) {
     const float high = static_cast<float>(lines.size()) * row * u;
     out.items.emplace_back(render::RectItem{low, low + fvec2(width * u, high + 12 * u), lab_panel, 8 * u});
@@ -101,7 +101,7 @@ void add_lab_words(Overlay& out, const game::LabState& lab, const game::LabFigur
                    const LabPage& page, render::Size size) {
     const auto keys = keys_of(lab, page.hands);
     const auto tall = static_cast<float>(size.height), wide = static_cast<float>(size.width);
-    // Length of a text unit: as large as the settings ask for, but no larger than fits.
+    // Length of a unit of text (px): as large as the settings ask for, but no larger than fits.
     const float fits =
         std::min(tall / (static_cast<float>(keys.size()) * row + 60), wide / (left_width + right_width + 60));
     const float u = std::min(static_cast<float>(page.text_scale) * tall / 720, fits);

@@ -35,7 +35,7 @@ constexpr std::array<std::pair<std::string_view, ImGuiKey>, 18> edit_keys{{
 }};
 static_assert(mouse_buttons + edit_keys.size() == Panels::switches);
 
-/// Whether a mouse button or key is down, in the state of Dear ImGui.
+/// State of a mouse button or key in Dear ImGui: true while it is down.
 bool& is_down(std::size_t number) {
     auto& io = ImGui::GetIO();
     return number < mouse_buttons ? io.MouseDown[number]

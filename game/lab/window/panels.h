@@ -28,7 +28,7 @@ public:
 
     /// Event handlers for Window::poll, valid while this object exists. Events on a panel go only to the
     /// panels, and so do all keys while a text field, a list or a question is open (Esc closes these).
-    /// Releases of buttons and keys go to both.
+    /// Releases of buttons and keys go to panels and program.
     render::WindowEvents listening(const render::WindowEvents& program);
     void begin(render::Size size, double seconds);
     void draw();
@@ -37,7 +37,8 @@ private:
     /// Reports a press or release to Dear ImGui. Dear ImGui reads this state once per picture, so a press
     /// that has already ended is kept until then.
     void set(std::size_t number, bool down);
-    /// Returns whether the key is used by the panels alone.
+    /// Passes a key to the panels if they use it. Returns whether they alone use it, so that the program must
+    /// ignore it.
     bool take_key(std::string_view name, bool pressed);
     void add_mouse(const render::WindowEvents& program, render::WindowEvents& heard);
 

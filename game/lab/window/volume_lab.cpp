@@ -68,7 +68,7 @@ constexpr Option volume_options[] = {
 
 // ---- the volume -------------------------------------------------------------------------------------------
 
-/// Reads "X,Y,Z[,SCALE[,DEGREES]]".
+/// Reads a placement "X,Y,Z[,SCALE[,DEGREES]]".
 Expected<game::LabPlace> read_place(std::string_view option, std::span<const std::string> parts) {
     std::array<double, 5> n{0, 0, 0, 1, 0};
     if (parts.size() < 3 || parts.size() > n.size())
@@ -139,7 +139,7 @@ Expected<game::VolumeSession> read_session(const Arguments& arguments) {
     return session;
 }
 
-/// Opens a file, or generates a volume.
+/// Opens the file of a volume, or generates a volume.
 Expected<field::Volume> open_volume(const game::SessionVolume& one, std::vector<std::string>& notes) {
     if (is_made(one.volume))
         return field::make_volume(one.volume, static_cast<int>(one.count),
@@ -155,7 +155,7 @@ Expected<field::Volume> open_volume(const game::SessionVolume& one, std::vector<
 
 // ---- modes ------------------------------------------------------------------------------------------------
 
-/// Reads "NAME,A,B", the part of a --filter value after the mode.
+/// Reads a filter "NAME,A,B", the part of a --filter value that follows the mode.
 Expected<field::Filter> read_filter(const std::string& words, std::span<const std::string> parts) {
     const auto names = field::filter_names();
     const auto name = parts.empty() ? names.end() : std::ranges::find(names, parts[0]);
@@ -187,14 +187,15 @@ Expected<std::vector<field::Filter>> filters_of(const Arguments& arguments, cons
     return filters;
 }
 
-/// Volume and mode of "1:follow"; without a number, the first volume.
+/// Splits a word such as "1:follow" into the number of a volume and the name of a mode. Without a number, the
+/// first volume is meant.
 std::pair<std::size_t, std::string> volume_and_mode(const std::string& words) {
     const bool numbered = words.size() > 2 && words[1] == ':' && words[0] >= '0' && words[0] <= '9';
     if (!numbered) return {0, words};
     return {static_cast<std::size_t>(words[0] - '0'), words.substr(2)};
 }
 
-/// The chosen mode that words like "1:follow" name; modes.end(): there is none.
+/// The chosen mode that a word such as "1:follow" names; modes.end() if there is none.
 std::vector<LabMode>::iterator mode_named(std::vector<LabMode>& modes, const std::string& words) {
     const auto named = volume_and_mode(words);
     return std::ranges::find_if(
@@ -219,7 +220,7 @@ Expected<LabMode> read_mode(const Arguments& arguments, const std::string& words
     return mode;
 }
 
-/// Reads points as "X:Y".
+/// Reads the points "X:Y" of a transfer function.
 Expected<field::TransferFunction> read_points(std::string_view option, std::span<const std::string> parts,
                                               Range range_y) {
     std::vector<vec2> points;
@@ -237,7 +238,7 @@ Expected<field::TransferFunction> read_points(std::string_view option, std::span
     return *function;
 }
 
-/// Reads "M,X:Y,..." and assigns the function to mode M.
+/// Reads "M,X:Y,..." and assigns that transfer function to mode M.
 Expected<void> read_transfer(const std::string& words, std::vector<LabMode>& modes) {
     const auto parts = parts_of(words);
     const auto mode = mode_named(modes, parts[0]);
@@ -248,7 +249,7 @@ Expected<void> read_transfer(const std::string& words, std::vector<LabMode>& mod
     return {};
 }
 
-/// Reads "KIND,N,...", a part of the body's feel.
+/// Reads a part of the body's feel, "KIND,N,...".
 Expected<game::FeelPart> read_feel(const std::string& words) {
     const auto parts = parts_of(words);
     std::vector<double> numbers;
@@ -397,7 +398,7 @@ Expected<VolumeLabPlan> read_volume_plan(const Arguments& arguments) {
     protect_companions(plan);
     plan.session_file = arguments.path("--session");
     if (auto read = read_modes(arguments, plan); !read) return read.error();
-    // Taken again, because the level of the surface may have changed.
+    // The camera comes near once more, because the options may have changed the level of the surface.
     if (!session->view) come_near(plan.lab, plan.view);
     if (auto put = put_on_usual_mode(arguments, plan.lab); !put) return put.error();
     note_slow_filters(plan);
@@ -414,7 +415,7 @@ Expected<VolumeLabPlan> read_volume_plan(const Arguments& arguments) {
 // ---- without a window -------------------------------------------------------------------------------------
 
 void tell_end(const VolumeLab& lab, std::size_t changed, double max_n, double took_s) {
-    // Computed before any output, because the hash needs memory for a second body and may fail.
+    // The hash is computed before any output, because it needs memory for a second body and may fail.
     const auto state = hex(game::lab_hash(lab));
     const auto& n = lab.carvable() ? lab.body.count : lab.source.count;
     std::printf("lab: %s s with %d x %d x %d samples in %s s; force up to %s N; %zu voxels changed\n",

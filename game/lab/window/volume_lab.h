@@ -14,17 +14,18 @@
 
 namespace thaum::game::inline lab {
 
-/// A period in which a tool is held.
+/// A period of a session in which a tool is held.
 struct PlannedCarve {
     std::size_t tool{};   ///< index into VolumeLab::data.tools
     double from{}, to{};  ///< times at which the tool is taken up and put down (s)
 };
 
-/// Options of one session.
+/// Options of one session of the volume lab.
 struct VolumeLabPlan {
     game::SessionVolume first{};                ///< the volume that can be carved
     std::vector<game::SessionVolume> beside{};  ///< the added volumes
-    bool registered{};  ///< true: the added volumes are placed relative to the first one as their files say
+    bool registered{};  ///< true: the added volumes are placed relative to the first one as the files of both
+                        ///< say
     std::string device{};  ///< model of the simulated arm
     game::VolumeLab lab{};
     game::HandPath path{};
@@ -32,7 +33,7 @@ struct VolumeLabPlan {
     bool by_mouse{};
     std::vector<PlannedCarve> carves{};
     VolumeView view{};
-    /// length of the session in simulated time (s); std::nullopt: until the window is closed
+    /// Length of the session in simulated time (s); std::nullopt: until the window is closed.
     std::optional<double> seconds{};
     std::optional<std::filesystem::path> session_file{};  ///< file of the session's settings
     LabOutputs out{};
@@ -42,10 +43,10 @@ struct VolumeLabPlan {
 /// Opens the volumes of a session and applies its settings. The error says what is wrong with a file or a
 /// setting.
 Expected<VolumeLabPlan> plan_of(const game::VolumeSession& session);
-/// The session that would open the plan in its present state, with the volumes at their present places.
+/// The session that would open the plan in its present state, with all volumes where they are now.
 game::VolumeSession session_of(const VolumeLabPlan& plan);
 
-/// Input of the next step, from the plan's path and periods of carving.
+/// Input of the next step, from the plan's path of the hand and its periods of carving.
 game::VolumeLabInput planned_input(const VolumeLabPlan& plan);
 
 /// Pictures drawn without a window, saved as FOLDER/lab_TICK.png; none if the plan names no folder.
@@ -71,7 +72,7 @@ private:
 int run_volume_lab(const std::vector<std::string>& words);
 std::string_view volume_lab_help();
 
-/// Runs the lab in a window until the window is closed. Returns an exit code.
+/// Runs the lab in a window until that is closed. Returns an exit code.
 int run_volume_window(VolumeLabPlan plan);
 
 }  // namespace thaum::game::inline lab

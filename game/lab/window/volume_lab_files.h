@@ -1,5 +1,5 @@
-// game/lab/window/volume_lab_files.h: checks of the files of `thaum lab VOLUME`: no output may be a file that
-// the command reads, or another output.
+// game/lab/window/volume_lab_files.h: checks the files of `thaum lab VOLUME`: no output may be a file that
+// the command reads, or the same file as another output.
 #pragma once
 #include <string_view>
 
@@ -12,11 +12,11 @@ namespace thaum::game::inline lab {
 bool is_made(std::string_view name);
 
 /// Protects the files of colours and materials beside that of the first volume from being overwritten,
-/// whether or not they were read (core/write_rule.h).
+/// whether or not the command has read them (core/write_rule.h).
 void protect_companions(const VolumeLabPlan& plan);
 
-/// Checks that no two outputs use the same file, and that this command reads none of them. A saved body has
-/// three files.
+/// Checks that no two outputs are the same file, and that the command reads none of them. A saved body counts
+/// as its three files.
 Expected<void> check_outputs(const VolumeLabPlan& plan);
 
 }  // namespace thaum::game::inline lab

@@ -9,12 +9,14 @@
 namespace thaum::game::inline lab {
 namespace {
 
-constexpr float tip_radius = 0.0012F, proxy_radius = 0.0022F;  // m
+constexpr float tip_radius = 0.0012F, proxy_radius = 0.0022F;  // radii of the balls that show tip and proxy
+                                                               // (m)
 constexpr float newton_m = 0.012F;                             // length of the force arrow per newton (m/N)
 constexpr float view_angle = 0.7F;                             // vertical field of view (rad)
 constexpr double filled_height = 0.7;    // share of the picture's height that a volume fills initially
 constexpr float edge_radius = 0.00015F;  // radius of the lines that show the edges of the workspace (m)
-// Number of layers along the diagonal of a volume; each has the opacity of the transfer function.
+// Number of layers along the diagonal of a volume, each of which has the opacity that the transfer function
+// gives.
 constexpr float layers = 60;
 
 double diagonal(const game::VolumeLab& lab) { return lab.placement.scale * glm::length(lab.source.extent()); }
@@ -31,7 +33,7 @@ fmat4 model_of(const field::Placement& placement) {
     return model;
 }
 
-/// A rod from the proxy along the force.
+/// Transform of a rod of length 1 m that shows the force as an arrow from the proxy.
 fmat4 arrow(vec3 from, vec3 force) {
     const auto length = static_cast<float>(glm::length(force)) * newton_m;
     const fvec3 along = length > 0 ? fvec3(glm::normalize(force)) : fvec3(0, 1, 0);
@@ -69,14 +71,14 @@ void add_edges(vec3 workspace, render::MeshId rod, std::vector<render::Instance>
     }
 }
 
-/// Colours from cool and thin to warm and dense, by value.
+/// Colours of the haze, by the share of the value in its range: cool and thin to warm and dense.
 fvec3 ramp(float share) {
     const fvec3 low = render::colour(0x3E6FB0), middle = render::colour(0xE0A878),
                 high = render::colour(0xFFF4E2);
     return share < 0.5F ? glm::mix(low, middle, 2 * share) : glm::mix(middle, high, 2 * share - 1);
 }
 
-/// Colours of the ribbons by speed, which differ from those of the haze: blue, green, red.
+/// Colours of the ribbons by speed: blue, green, red, to differ from the colours of the haze.
 fvec3 speed_ramp(float share) {
     const fvec3 slow = render::colour(0x2060FF), middle = render::colour(0x40E060),
                 fast = render::colour(0xFF3B2E);
@@ -116,8 +118,8 @@ VolumeView view_of(const game::VolumeRef& volume) {
     return view;
 }
 
-/// Points that a picture should show (m, lab frame): those of the body within its surface, or the corners of
-/// a flow's box.
+/// Positions that a picture should show (m, lab frame): those of the body within its surface, or the corners
+/// of the box that a flow fills.
 std::vector<vec3> shown_places(const game::VolumeLab& lab, double level) {
     std::vector<vec3> places;
     const auto n = lab.carvable() ? lab.body.count : lab.source.count;
@@ -148,7 +150,7 @@ std::vector<float> lengths_of(const std::vector<float>& vectors) {
     return lengths;
 }
 
-/// Updates the scan of the first volume to the present body.
+/// Updates the drawn scan of the first volume to the present body.
 void show_body(const game::VolumeLab& lab, std::span<const render::ScanMaterial> materials,
                render::Scan& scan) {
     scan.version = lab.body.bricks.newest;
@@ -159,7 +161,7 @@ void show_body(const game::VolumeLab& lab, std::span<const render::ScanMaterial>
     scan.material_table = materials;
 }
 
-/// Text at the lower right: force, value, time, the reason why the hand stops, and the meaning of the
+/// Adds text at the lower right: force, value, time, the reason why the hand stops, and the meaning of the
 /// ribbons' colours.
 void show_words(const game::VolumeLab& lab, const game::VolumeLabFigures& figures, bool blocked,
                 render::Frame& frame) {
@@ -242,8 +244,7 @@ void VolumePicture::add_ribbons(const game::VolumeRef& volume, Drawn& drawn, vec
     seeds_.clear();
     seeds_.push_back(field::to_own(volume.placement, proxy));
     for (int i = 1; i <= count; ++i) {
-        // Points that fill a box evenly: multiples of the golden ratio and its generalisations (Roberts
-        // 2018).
+        // Positions that fill a box evenly: multiples of a generalised golden ratio (Roberts 2018).
         const vec3 share =
             glm::fract(static_cast<double>(i) * vec3(0.8191725134, 0.6710436067, 0.5497004779));
         seeds_.push_back(half * (2.0 * share - 1.0));

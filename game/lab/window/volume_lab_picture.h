@@ -16,7 +16,7 @@ namespace thaum::game::inline lab {
 struct VolumeEye {
     double yaw = 0.5;    ///< angle about the upright axis (rad)
     double pitch = 0.4;  ///< angle above the horizontal (rad)
-    double away = 1.6;   ///< distance from the camera, in lengths of the volume's diagonal
+    double away = 1.6;   ///< distance of the camera from `aim`, in lengths of the volume's diagonal
     vec3 aim{};          ///< point shown in the middle of the picture (m)
 };
 
@@ -27,16 +27,17 @@ struct VolumeView {
     /// Opacity as a function of the value, 0 to 1, for the translucent look.
     field::TransferFunction opacity{};
     int ribbons = 40;  ///< number of stream ribbons of a flow, besides the one through the proxy
-    /// True: draw quickly, because the hand, the view or the body moved a short time ago.
+    /// true: the picture is drawn quickly, because the hand, the view or the body moved a short time ago
     bool moving = false;
-    bool still = false;  ///< true: draw sharply, however long it takes
+    bool still = false;  ///< true: the picture is drawn sharply, however long that takes
     VolumeEye eye{};
 };
 
 /// A suitable view of a volume: a surface at its usual level, or a thin haze for a flow, seen from near.
 VolumeView usual_view(const game::VolumeLab& lab);
 
-/// Centres the picture on the visible part of the volume, at a distance where it fills 70 % of the height.
+/// Centres the view on the visible part of the volume, at a distance at which that part fills 70 % of the
+/// picture's height.
 void come_near(const game::VolumeLab& lab, VolumeView& view);
 
 class VolumePicture {
@@ -44,7 +45,8 @@ public:
     /// The renderer's OpenGL context must be current during the whole lifetime of the picture.
     VolumePicture(render::Renderer& renderer, const game::VolumeLab& lab);
 
-    /// Builds the frame. The reference is valid until the next call, and no longer than the lab's body.
+    /// Builds the frame. The reference is valid until the next call, and only as long as the lab's body
+    /// exists.
     const render::Frame& frame(const game::VolumeLab& lab, const game::VolumeLabFigures& figures,
                                const VolumeView& view, render::Size size);
 
@@ -61,7 +63,7 @@ private:
     void add_scan(const game::VolumeRef& volume, Drawn& drawn, const VolumeView& view);
 
     render::Renderer* renderer_;
-    std::vector<std::unique_ptr<Drawn>> drawn_;  ///< what is drawn of each volume
+    std::vector<std::unique_ptr<Drawn>> drawn_;  ///< for each volume, the form in which it is drawn
     render::SpeedColours colours_{};
     std::vector<vec3> seeds_;
     render::MeshId tip_{}, proxy_{}, rod_{}, edge_{};

@@ -7,7 +7,7 @@ namespace thaum::game::inline lab {
 struct VolumeShots::State {
     render::Offscreen context;
     render::Renderer renderer;  // must be destroyed before its OpenGL context
-    // Keeps a reference to the renderer, which therefore must not move in memory.
+    // The picture keeps a reference to the renderer, which therefore must not move in memory.
     std::optional<VolumePicture> picture;
     std::filesystem::path folder;
     Tick every;

@@ -27,13 +27,14 @@ namespace thaum::game::inline lab {
 namespace {
 
 constexpr Tick ticks_of_a_frame = 100;  // maximum number of ticks per picture; time beyond them is dropped
-constexpr double way_per_step = 0.003;  // displacement of the hand along the view per step of the wheel (m)
+constexpr double way_per_step = 0.003;  // displacement of the hand along the view, for one step of the mouse
+                                        // wheel (m)
 constexpr double min_way = 1e-4;        // minimum displacement for which the hand counts as moving (m)
 // Time without motion after which a sharp picture is drawn (ns)
 constexpr std::int64_t rest_ns = 400'000'000;
 constexpr float text_px = 14;
 
-/// State shown by the last picture, to detect motion.
+/// What the last picture showed, to find out whether anything has moved since.
 struct Seen {
     vec3 tip{}, aim{}, eye{};
     std::uint32_t body{};
@@ -55,14 +56,14 @@ struct Session {
     std::uint32_t saved = 1;  ///< value of Bricks::newest of the body when it was opened or saved
 };
 
-/// Whether the body was carved and not saved since.
+/// Whether the body was carved and has not been saved since.
 bool unsaved(const Session& session) {
     const auto& lab = session.plan.lab;
     return lab.carvable() && lab.edited && lab.body.bricks.newest != session.saved;
 }
 
-/// Ends the session at once, or asks first if a carved body would be lost. `--save` saves the body at the end
-/// anyway.
+/// Ends the session at once, or asks first if a carved body would be lost. With the option --save the body is
+/// saved at the end anyway, so nothing is asked.
 void leave(Session& session) {
     using Before = UnsavedQuestion::Before;
     if (session.plan.out.save || !unsaved(session))
@@ -84,7 +85,7 @@ vec3 pointed_at(const Session& session, render::Size size) {
     return glm::clamp(vec3(camera.position) + away * ray, -reach, reach);
 }
 
-/// Puts the hand in front of the volume, where it touches nothing and is visible.
+/// Places the hand in front of the volume, where it touches nothing and is visible.
 void put_hand_before(Session& session) {
     auto& lab = session.plan.lab;
     const quat turn(camera_of(session.plan.view.eye, lab).orientation);
@@ -103,7 +104,7 @@ void press(Session& session, std::string_view key) {
     if (key == "PageDown") session.depth -= way_per_step;
 }
 
-/// Moves the picture with the mouse by a displacement in px.
+/// Moves the picture by the mouse's displacement `way` (px).
 void pan(Session& session, fvec2 way) {
     auto& eye = session.plan.view.eye;
     const auto camera = camera_of(eye, session.plan.lab);
@@ -153,7 +154,7 @@ render::WindowEvents lab_events(Session& session) {
     return events;
 }
 
-/// Updates the panels from the current settings.
+/// Sets the panels to the current settings.
 void show_what_is_set(const game::VolumeLab& lab, VolumePanelState& panels) {
     panels.modes = lab.settings.modes;
     panels.feel = lab.settings.feel;
@@ -216,7 +217,7 @@ void obey(Session& session) {
     }
 }
 
-/// Puts the chosen device into the hand. The body is kept.
+/// Puts the device that was chosen in the panels into the hand. The body is kept.
 void take_chosen_device(Session& session) {
     auto& panels = session.panels;
     const auto name = std::exchange(panels.next_device, std::nullopt);
@@ -255,7 +256,7 @@ Expected<void> open_chosen(Session& session, std::optional<VolumePicture>& pictu
         return {};
     }
     if (!same) plan->view = usual_view(plan->lab);
-    plan->lab.tick = session.plan.lab.tick;  // the tick continues, because the times in a trace must increase
+    plan->lab.tick = session.plan.lab.tick;  // the clock goes on, because the times in a trace must increase
     session.saved = 1;
     session.plan.lab = std::move(plan->lab);
     session.plan.view = plan->view;
@@ -284,14 +285,15 @@ bool is_moving(Session& session, std::int64_t now) {
     return now - session.moved < rest_ns;
 }
 
-/// Saves the picture if one became due after the tick `before`.
+/// Saves the picture if one has become due since the tick `before`.
 Expected<void> save_due_shot(const VolumeLabPlan& plan, Tick before, render::Renderer& renderer) {
     const auto every = static_cast<Tick>(plan.out.every);
     if (!plan.out.shots || before / every == plan.lab.tick / every) return {};
     return write_lab_shot(*plan.out.shots, static_cast<std::int64_t>(plan.lab.tick), renderer.read_pixels());
 }
 
-/// Asks about an unsaved body when the window is closed. Closing it a second time leaves without saving.
+/// Handles a request to close the window: asks about an unsaved body. A second request leaves without saving.
+/// Returns whether the window stays open.
 bool stays_open(Session& session, render::Window& window) {
     if (!window.should_close()) return true;
     if (session.panels.question.before != UnsavedQuestion::Before::nothing) return false;

@@ -18,8 +18,8 @@ constexpr float curve_height = 60;
 constexpr int columns = 31;  // number of columns of a freehand curve
 constexpr float wide = 330, tall = 700;
 
-/// Number of decimals that shows about four digits of a number in this range: none for a CT scan, 0.1 mm for
-/// a workspace.
+/// Number of decimals with which numbers in this range have about four digits: none for the values of a CT
+/// scan, four for a workspace in m.
 int digits_for(double low, double high) {
     const double range = std::max(high - low, 1e-9);
     return std::clamp(4 - static_cast<int>(std::ceil(std::log10(range))), 0, 6);
@@ -27,7 +27,7 @@ int digits_for(double low, double high) {
 
 std::string number(double value, double low, double high) { return fixed(value, digits_for(low, high)); }
 
-/// Labels the axes of a curve with their meaning and their ends.
+/// Labels both axes of a curve: what they mean, and the values at their ends.
 void show_axes(const char* name, ImVec2 from, ImVec2 to, std::array<double, 3> low_high_top) {
     const auto [low, high, top] = low_high_top;
     const auto grey = IM_COL32(150, 155, 170, 255);
@@ -88,7 +88,8 @@ std::string with_key(std::string_view label, std::string_view name) {
 
 // ---- volume and device ------------------------------------------------------------------------------------
 
-/// A slider for the time step of a file with several. The file is read again when the slider is released.
+/// Adds a slider for the time step, if the file has several. The file is read again when the slider is
+/// released.
 void show_moment(const VolumeLabPlan& plan, VolumePanelState& state) {
     const int frames = plan.lab.source.frames;
     if (frames == 1) return;
@@ -100,7 +101,7 @@ void show_moment(const VolumeLabPlan& plan, VolumePanelState& state) {
     if (!ImGui::IsItemActive()) state.moment.reset();
 }
 
-/// Shows notes on the volumes' files, and what was not read from them.
+/// Shows notes on the volumes' files, such as what could not be read from them.
 void show_notes(const VolumeLabPlan& plan) {
     ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(255, 200, 120, 255));
     for (const auto& note : plan.notes) ImGui::TextWrapped("%s", note.c_str());
@@ -151,8 +152,8 @@ double highest_property(const game::VolumeRef& volume, const haptics::Mode& mode
     return range / volume.finest_spacing();
 }
 
-/// The filter that converts the volume to a kind of field that the mode can read; none if the mode reads the
-/// volume directly.
+/// The filter that converts the volume into a kind of field that the mode can read; std::nullopt if the mode
+/// reads the volume directly.
 std::optional<field::FilterKind> leads(const LabMode& mode) {
     using enum field::FilterKind;
     if (mode.filters.empty()) return std::nullopt;
@@ -161,7 +162,7 @@ std::optional<field::FilterKind> leads(const LabMode& mode) {
     return kind;
 }
 
-/// Shows the filters of a mode, except those that the mode needs to read such a volume.
+/// Shows the filters of a mode, and buttons that add one or remove the last one.
 bool show_filters(LabMode& chosen) {
     bool changed = false;
     for (std::size_t i = 0; i < chosen.filters.size(); ++i) {
@@ -186,7 +187,8 @@ bool show_filters(LabMode& chosen) {
     add("smooth", field::FilterKind::smooth);
     ImGui::SameLine();
     add("scale", field::FilterKind::scale);
-    // The remaining filters convert between vector and scalar, and without them the mode could read nothing.
+    // The other filters convert between vector and scalar. Without them the mode could read nothing, so they
+    // cannot be removed.
     if (chosen.filters.empty() || leads({.filters = {chosen.filters.back()}})) return changed;
     ImGui::SameLine();
     if (!ImGui::SmallButton("remove the last filter")) return changed;
@@ -218,7 +220,7 @@ bool show_settings(const VolumeLab& lab, const haptics::Mode& mode, LabMode& cho
     return changed;
 }
 
-/// Text for a mode and its filter: "snap core by gradient".
+/// Text for a mode and the filter that it needs: "snap core by gradient".
 std::string words_of(const haptics::ModeOffer& offer) {
     std::string words(offer.mode->name);
     std::ranges::replace(words, '_', ' ');
@@ -233,7 +235,8 @@ bool show_offer(const VolumeLab& lab, std::size_t volume, const haptics::ModeOff
     const auto at = std::ranges::find_if(
         modes, [&](const LabMode& mode) { return mode.volume == volume && mode.name == name; });
     bool on = at != modes.end();
-    // A mode that can be reached through several filters is shown once.
+    // A mode that the volume offers with several filters is shown as chosen only once, with the filter in
+    // use.
     if (on && offer.through != leads(*at)) return false;
     const auto label = words_of(offer);
     ImGui::PushID(label.c_str());
@@ -270,7 +273,7 @@ bool show_modes_of(const VolumeLab& lab, std::size_t volume, std::vector<LabMode
     return changed;
 }
 
-/// The density of the first volume's surface that is felt; null if none is.
+/// The density at which the first volume's surface is felt; null if no mode lets it be felt.
 double* felt_level(VolumePanelState& state) {
     for (LabMode& mode : state.modes)
         if (mode.name == "isosurface" && mode.volume == 0 && !leads(mode)) return &mode.settings.level;
@@ -295,7 +298,7 @@ void show_modes(VolumeLabPlan& plan, VolumePanelState& state) {
 
 // ---- feel of the body as a whole --------------------------------------------------------------------------
 
-/// Largest value of a number of a part, for its slider.
+/// Largest value on the slider for a number of a part.
 double max_number(const VolumeLab& lab, std::string_view label) {
     if (label == "density" || label == "low" || label == "high") return lab.range.high;
     if (label == "force (N)") return lab.data.device.peak_force;

@@ -1,5 +1,5 @@
-// game/lab/window/volume_panels.h: the panels of the volume lab: which volume, modes with transfer functions
-// drawn freehand, look, tools, device, and the force over time.
+// game/lab/window/volume_panels.h: the panels of the volume lab: choice of the volume, modes with transfer
+// functions that are drawn freehand, look, tools, device, and the force over time.
 #pragma once
 #include <array>
 #include <optional>
@@ -32,10 +32,10 @@ struct VolumePanelState {
     std::vector<game::LabPlace> places{};  ///< placements of all volumes
     /// Changed settings (modes, feel, places) for the next step.
     std::optional<game::VolumeLabSettings> change{};
-    bool one_level = true;  ///< true: the surface is drawn at the density at which it is felt
+    bool one_level = true;  ///< true: the surface is drawn at the same density at which it is felt
     std::size_t tool{};     ///< index into VolumeLab::data.tools
     std::string device{};   ///< shown device model of the arm
-    std::optional<std::string> next_device{};  ///< device model chosen to replace it
+    std::optional<std::string> next_device{};  ///< device model that was chosen to replace the present one
     std::optional<NextVolume> open{};          ///< volume to be opened
     std::optional<int> moment{};               ///< time step to which the slider is being dragged
     bool saves = false, saves_session = false;
