@@ -2,8 +2,9 @@
 // source, which registers itself (command_line/command.h): in commands/ for the program thaum,
 // in tool_commands/ for thaum-tools.
 //
-// The program thaum has the commands of players, so that a first start compiles no others. The program
-// thaum-tools has all commands. It stands beside thaum, which becomes thaum-tools for the others.
+// The program thaum has only the commands of players, so that building it for a first start compiles no
+// others. The program thaum-tools has all commands and lies beside thaum. For a command that thaum lacks,
+// thaum replaces itself by thaum-tools (exec).
 #pragma once
 #include <string>
 #include <string_view>
@@ -13,10 +14,10 @@
 
 namespace thaum::game::inline app {
 
-/// Runs the command whose name is the first word with the other words, or play if the first word is an
-/// option or missing. A command of Thaum that this program does not have is left to the program
-/// `others` in the same folder; if that is empty, there is no such command. `help` and --version are
-/// answered here. Returns the exit code.
+/// Runs the command that the first word names, with the other words, or the command play if the first word is
+/// an option or missing. A command of Thaum that this program does not have is left to the program `others`
+/// in the same folder; if `others` is empty, there is no such command. `help` and --version are answered
+/// here. Returns the exit code.
 int dispatch(std::vector<std::string> words, std::string_view others);
 
 /// Replaces this process by another program of Thaum in the same folder, such as thaum-bench (exec). Returns

@@ -36,12 +36,12 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t max_bytes = 1U << 20U;
 
-/// A line up to its comment, which begins the line or follows a blank.
+/// The part of a line before its comment. A comment begins at the start of the line or after a blank.
 std::string_view without_comment(std::string_view line) {
     return line.starts_with('#') ? std::string_view() : line.substr(0, line.find(" #"));
 }
 
-/// Names of sounds or effects that something uses.
+/// Names of the sounds or effects that some data file or the program uses.
 using UsedNames = std::set<std::string, std::less<>>;
 
 class Check {
@@ -70,11 +70,11 @@ public:
     }
 
 private:
-    /// Adds a line, with the short form of the folder's path.
+    /// Adds a line to the faults, with the path of the folder written in its short form.
     void add(std::string line) {
         const auto folder = assets_.string() + "/";
         if (line.starts_with(folder)) line = game::shown_path(assets_, line.substr(folder.size()));
-        // A file that refers to a faulty file would report the same fault again, after a prefix of its own.
+        // A file that refers to a faulty file reports that file's fault again, after some words of its own.
         const auto is_told = [&](const std::string& other) { return line.ends_with(other); };
         if (std::ranges::none_of(faults_, is_told)) faults_.push_back(std::move(line));
     }
@@ -86,8 +86,8 @@ private:
         if (!read) add(read.error());
     }
 
-    /// Loads each arena with the rules of most matches, and the first arena also with the other rules.
-    /// `faults_of_names`: faults of arena names, which are not reported a second time.
+    /// Loads each arena with the rules that most matches have, and the first arena also with the other rules.
+    /// `faults_of_names`: faults of arenas' names, which are not reported a second time.
     void read_matches(std::span<const std::string> faults_of_names) {
         std::vector<game::DataChoice> choices;
         for (const auto& arena : files_in(assets_ / "arenas", ".toml").value_or({})) {
@@ -137,7 +137,7 @@ private:
         return files ? std::move(*files) : std::vector<fs::path>();
     }
 
-    /// Reads tools and devices that no match uses, only the lab.
+    /// Reads tools and devices that only the lab uses, and no match.
     void read_tools() {
         for (const auto& file : toml_in("devices")) {
             const auto config = config_of(text("devices/", file.filename().string()));
@@ -161,8 +161,8 @@ private:
         if (settings) check_last_choice(settings->settings.last);
     }
 
-    /// The start screen begins with the arena and match that the settings name, or with the first ones if the
-    /// settings name none.
+    /// Checks the last choice in the settings file. The start screen begins with the arena and match that it
+    /// names, or with the first ones if it names none.
     void check_last_choice(const LastChoice& last) {
         std::vector<std::string> arenas;
         for (const auto& file : files_in(assets_ / "arenas", ".toml").value_or({}))
@@ -195,7 +195,7 @@ private:
         for (const auto& fault : body->faults) add(fault);
     }
 
-    /// Place of a name in a file: "assets/wands/bolt.toml:12: 'sound'".
+    /// Text with the place of a name in its file: "assets/wands/bolt.toml:12: 'sound'".
     std::string place_of(const game::MissingName& missing) {
         auto shown = game::shown_path(assets_, missing.file);
         const auto words = read_text_file(assets_ / missing.file, max_bytes);
@@ -210,7 +210,8 @@ private:
         return text(table.place(missing.key), ": '", missing.key, "'");
     }
 
-    /// `folder`: the folder of the files that the program itself needs.
+    /// Adds a line for each name that has no file. `folder`: folder of those files that the program itself
+    /// names.
     void add_missing(const std::vector<game::MissingName>& all, std::string_view folder) {
         for (const auto& missing : all)
             add(missing.file.empty()
@@ -218,7 +219,8 @@ private:
                     : text(place_of(missing), ": ", missing.words));
     }
 
-    /// Reports missing sounds and, if all other files are right, sounds that nothing uses.
+    /// Reports sounds that are named but missing. If all other files are right (`whole`), also reports sounds
+    /// that nothing uses.
     void compare_sounds(bool whole) {
         const auto bank = audio::load_sounds(assets_ / "sounds", audio::WithSamples::no);
         if (!bank) return add(bank.error());
@@ -295,8 +297,8 @@ private:
         for (const auto& file : gestures) note_name_of_gesture(file);
     }
 
-    /// Spells and potions refer to a gesture by its file's name, so a different name inside the file is
-    /// confusing.
+    /// Notes a gesture whose name in the file differs from the file's name. Spells and recipes refer to a
+    /// gesture by its file's name, so that would be confusing.
     void note_name_of_gesture(const fs::path& file) {
         const auto name = text("gestures/", file.filename().string());
         const auto gesture = gesture::load_gesture(file);
@@ -307,8 +309,8 @@ private:
                               printable(gesture->name, 64), "'"));
     }
 
-    /// Invisible characters make two names differ that look the same. Comments may have them, and shown texts
-    /// may have no-break spaces.
+    /// Reports invisible characters, which make two names differ that look the same. Comments may have them,
+    /// and texts for the screen may have no-break spaces.
     void find_invisible(const std::string& file) {
         auto words = read_text_file(assets_ / file, max_bytes).value_or("");
         auto rest = without_byte_order_mark(words);

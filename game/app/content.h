@@ -1,4 +1,4 @@
-// game/app/content.h: checks all data files at once. The game's own readers read them, and names in them are
+// game/app/content.h: checks all data files at once. The game's own readers read them. Names in them are
 // compared with the files that exist: every name needs its file, and every file must be named.
 #pragma once
 #include <filesystem>
@@ -9,15 +9,17 @@ namespace thaum::game::inline app {
 
 struct ContentReport {
     std::size_t files{};                ///< number of files in the folder, without those that nothing reads
-    std::vector<std::string> faults{};  ///< one line each: file, line, key, what is wrong, what is allowed
-    /// One line for each thing that can be played but is probably a mistake.
+    std::vector<std::string> faults{};  ///< one line for each fault: file, line, key, what is wrong, what is
+                                        ///< allowed
+    /// One line for each thing with which the game can be played, but which is probably a mistake.
     std::vector<std::string> notes{};
 };
 
 /// Reads all data files of a folder. A file that nothing reads or that nothing names is a fault.
 ContentReport check_content(const std::filesystem::path& assets);
 
-/// One line on a report for the start screen: the first fault, and how many more there are. Empty: no fault.
+/// One line on a report for the start screen: the first fault, and how many more there are. Empty if there is
+/// no fault.
 std::string short_words(const ContentReport& report);
 
 }  // namespace thaum::game::inline app

@@ -19,10 +19,10 @@ using Names = std::vector<std::string_view>;
 
 constexpr std::size_t longest_shown = 200;
 
-/// File names that a folder may hold.
+/// Which files a folder may hold.
 struct FolderRule {
     Names endings;                     ///< endings of its files
-    std::vector<std::string> names{};  ///< names without ending; empty: any
+    std::vector<std::string> names{};  ///< allowed names without ending; empty: any name
     std::string_view what{};           ///< noun for a file of this folder, for messages
 };
 
@@ -40,7 +40,7 @@ std::vector<std::string> names_of(const Kinds& kinds) {
     return names;
 }
 
-/// Folders by their path within the folder of all data files; "" is that folder itself.
+/// Rules for all folders by their path within the folder of data files; "" is that folder itself.
 std::map<std::string, FolderRule> folder_rules() {
     const Names data{".toml"};
     return {{"",
@@ -133,7 +133,8 @@ private:
                                      did_you_mean(stem, names)));
     }
 
-    /// Reports a name that cannot be chosen in the menu and on the command line.
+    /// Reports a name of an arena, match or the like with characters that cannot be used in the menu and on
+    /// the command line.
     void check_chosen_name(const std::string& name, const std::string& stem) {
         constexpr std::string_view allowed = "abcdefghijklmnopqrstuvwxyz0123456789_";
         if (stem.find_first_not_of(allowed) != stem.npos)

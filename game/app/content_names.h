@@ -6,7 +6,7 @@
 
 namespace thaum::game::inline app {
 
-/// The folder's files, and a line on each that nothing reads because of its name, ending or folder.
+/// The files of the folder, and a line on each file that nothing reads because of its name, ending or folder.
 struct KnownFiles {
     std::size_t files{};  ///< number of files that something may read
     std::vector<std::string> faults;

@@ -27,7 +27,7 @@ bool can_brew(const MatchData& reading, const game::Recipe& recipe) {
            });
 }
 
-/// Focus never exceeds its cap, so a spell that costs more can never be cast.
+/// Reports spells that can never be cast, because they cost more than the cap of the focus.
 void find_dear_spells(const MatchData& reading, std::vector<MissingName>& faults) {
     for (const auto& spell : reading.spells)
         if (reading.casting && spell.stats.focus > reading.casting->focus_cap)
@@ -85,7 +85,7 @@ void find_unbrewable(std::span<const MatchData> readings, std::vector<MissingNam
         }
 }
 
-/// Notes ingredients for which an arena has fewer niches than for others: probably a niche, or half of a
+/// Notes ingredients for which an arena has fewer niches than for others. Probably a niche, or one of a
 /// mirrored pair, was forgotten.
 void note_few_niches(const MatchData& reading, std::vector<MissingName>& notes) {
     if (!reading.cauldron || reading.arena.niches.empty()) return;
@@ -106,8 +106,8 @@ void note_few_niches(const MatchData& reading, std::vector<MissingName>& notes) 
         }
 }
 
-/// Notes a potion that is half of the Great Work, in an arena where the other half cannot be had. An arena
-/// without an orb is not noted, since the orb only shows the orders of recipes sooner.
+/// Notes a potion that is half of the Great Work, in an arena without a crystal, where the other half cannot
+/// be had. An arena without an orb is not noted, since the orb only shows the orders of recipes sooner.
 void note_half_work(const MatchData& reading, std::vector<MissingName>& notes) {
     if (std::ranges::any_of(reading.arena.things, is_crystal)) return;
     for (const auto& recipe : reading.recipes)

@@ -8,10 +8,11 @@
 
 namespace thaum::game::inline app {
 
-/// Findings, each with the key that it is about.
+/// What was found, each entry with the key that it is about.
 struct UseFindings {
     std::vector<game::MissingName> faults;  ///< faults that the game cannot work with
-    std::vector<game::MissingName> notes;   ///< the game plays without it, but it is probably not meant
+    std::vector<game::MissingName> notes;   ///< findings with which the game works, but which are probably
+                                            ///< mistakes
 };
 
 /// Checks the data of matches, which must be free of reading errors. Every arena must appear at least once.

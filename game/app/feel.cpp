@@ -28,7 +28,7 @@ constexpr std::int64_t fade_ns = 150'000'000;  ///< time in which the last force
 
 // ---- requests to end -----------------------------------------------------------------------------------
 
-/// Requests to end: Ctrl-C, a termination signal, or any key on a terminal.
+/// Watches for requests to end: Ctrl-C, a termination signal, or any key on a terminal.
 class StopWatch {
 public:
     StopWatch() {
@@ -58,14 +58,14 @@ private:
 
 // ---- the log's forces -------------------------------------------------------------------------------------
 
-/// Forces of one player's hand in the log's ticks of play, in order.
+/// The forces on one player's hand in the log's ticks of play, in order.
 class RecordedForces {
 public:
     RecordedForces(game::Playback playback, std::uint32_t player)
         : playback_(std::move(playback)), player_(player), felt_(playback_.match().match().played) {}
 
-    /// Computes ahead until enough ticks are queued, or for about `budget_ns`. Returns false if the log has
-    /// ended or the replay has diverged from the recorded match.
+    /// Computes ahead until enough ticks are queued, or until about `budget_ns` ns have passed. Returns false
+    /// if the log has ended or the replay has diverged from the recorded match.
     bool fill(input::ArmPlayback& hand, std::int64_t budget_ns) {
         const auto end_ns = monotonic_ns() + budget_ns;
         while (hand.waiting() < ahead && monotonic_ns() < end_ns) {
@@ -117,7 +117,8 @@ double wished_share() {
     return percent ? *percent / 100.0 : haptics::gentle_share;
 }
 
-/// Text with the ticks in which the arm got less force than recorded, by cause: "warm 12, capped 3".
+/// Text with the numbers of ticks in which the arm got less force than recorded, by cause: "warm 12, capped
+/// 3".
 std::string held_back(const input::PlaybackReport& report) {
     std::string out;
     for (std::size_t i = 1; i < report.causes.size(); ++i) {
@@ -135,7 +136,7 @@ void tell(const input::ArmPlayback& hand, const input::OpenArm& arm) {
                 told(arm.times()).c_str());
 }
 
-/// Plays until all forces were felt or playing must end early. Returns the reason for an early end.
+/// Plays until all forces were felt, or until playing must end early. Returns the reason for an early end.
 std::optional<std::string> play(RecordedForces& forces, input::ArmPlayback& hand, const input::OpenArm& arm) {
     const StopWatch watch;
     std::int64_t until = 0;  // end of the fade after the last force (ns); 0: more forces will come
@@ -146,8 +147,8 @@ std::optional<std::string> play(RecordedForces& forces, input::ArmPlayback& hand
         if (watch.asked()) return "ended by hand: no force any more";
         if (const auto status = arm.status(); status.state != input::ArmPresence::present) return status.text;
         if (!more && hand.waiting() == 0 && until == 0) until = monotonic_ns() + fade_ns;
-        // Computing ahead has priority over sleeping. If the thread slept each time for as long as it
-        // computes, it would fall behind.
+        // Computing ahead has priority over sleeping: a thread that slept each time as long as it computes
+        // would fall behind.
         if (!more || hand.waiting() >= ahead) sleep_until_ns(monotonic_ns() + look_ns);
     }
     return {};

@@ -50,8 +50,8 @@ struct Picture {
     std::optional<Error> fault;  ///< error if a drawn picture could not be saved
 };
 
-/// Draws and saves the highlight. The highlight is known only at the end, so this plays a second match with
-/// the same input frames up to that tick.
+/// Draws and saves the highlight of the duel. Its tick is known only at the end, so this plays a second match
+/// with the same input frames up to that tick.
 Expected<void> save_highlight(Still& still, const std::shared_ptr<const game::MatchData>& data,
                               const Played& played, const std::filesystem::path& file) {
     if (played.highlight.tick == 0) return still.save(*played.duel.match, {}, file);
@@ -60,7 +60,7 @@ Expected<void> save_highlight(Still& still, const std::shared_ptr<const game::Ma
     return still.save(again, {}, file);
 }
 
-/// Makes the picture, unless this machine cannot draw.
+/// Draws and saves the picture of the duel, unless this machine cannot draw.
 Picture picture(const OffscreenDuel& duel, const std::shared_ptr<const game::MatchData>& data,
                 const Played& played) {
     auto still = Still::create(*data, duel.assets, {1280, 720});

@@ -9,19 +9,19 @@ namespace thaum::game::inline app {
 
 struct OffscreenDuel {
     std::filesystem::path assets{};
-    /// folder for duel.png, duel.thaumlog and duel.txt; existing files are replaced
+    /// Folder for duel.png, duel.thaumlog and duel.txt. Existing files are replaced.
     std::filesystem::path out = "out";
     std::filesystem::path log{};  ///< path of the log, if not in `out`; the file must not exist yet
     game::DataChoice data{};
     std::uint64_t seed = 1;
     std::array<int, game::players> levels{1, 1};
-    /// longest simulated time (s); the duel ends earlier when the match is over, and the log goes on for
-    /// log_after_end
+    /// Longest simulated time (s). The duel ends earlier when the match is over; the log goes on for another
+    /// log_after_end ticks.
     double seconds = 60;
 };
 
-/// Plays faster than real time. Returns an exit code. Without OpenGL there is no picture, and a printed line
-/// says why.
+/// Plays the duel faster than real time and writes its files. Returns an exit code. Without OpenGL there is
+/// no picture, and a printed line says why.
 int play_offscreen_duel(const OffscreenDuel& duel);
 
 }  // namespace thaum::game::inline app

@@ -22,7 +22,7 @@
 namespace thaum::game::inline app {
 namespace {
 
-/// Runs a command. Reports an exception that no other code handled in one line.
+/// Runs a command. An exception that nothing else has handled is reported in one line.
 int dispatch_guarded(Dispatch dispatch, std::vector<std::string> words) {
     try {
         return dispatch(std::move(words));
@@ -31,8 +31,8 @@ int dispatch_guarded(Dispatch dispatch, std::vector<std::string> words) {
     }
 }
 
-/// Tests whether all printed text was written: a disk may be full, or a pipe closed. Without this test the
-/// command would report success.
+/// Returns `code`, or another exit code if not all printed text was written: a disk may be full, or a pipe
+/// closed. Without this test the command would report success.
 int with_output_checked(int code) {
     const bool failed = std::ferror(stdout) != 0;
     if (std::fflush(stdout) == 0 && !failed) return code;
@@ -42,18 +42,19 @@ int with_output_checked(int code) {
 }  // namespace
 
 int run_program(int argc, char** argv, Dispatch dispatch) {
-    // Resets the rounding mode, which a parent process may have changed; no result may depend on it. Threads
-    // inherit the mode.
+    // Resets the rounding mode, which a parent process may have changed and on which results would depend.
+    // Threads inherit the mode.
     std::fesetenv(FE_DFL_ENV);
-    // With SIGXFSZ ignored, exceeding the shell's limit on file size is a failed write, as on a full disk,
-    // and does not kill the program.
+    // With SIGXFSZ ignored, a file beyond the shell's limit on file size is a failed write, as on a full
+    // disk, and does not kill the program.
     std::signal(SIGXFSZ, SIG_IGN);
     occupy_closed_streams();
     tell_unhandled_exceptions();
     keep_freed_memory();
     const int code = with_output_checked(dispatch_guarded(dispatch, {argv + 1, argv + argc}));
     if (!input::arms_hang()) return code;
-    // Skips all clean-up at exit, because a library that hangs would hang there too.
+    // The process ends without the clean-up of a normal exit, because a library that hangs would hang there,
+    // too.
     std::fflush(nullptr);
     std::_Exit(code);
 }

@@ -16,8 +16,8 @@ int run_program(int argc, char** argv, Dispatch dispatch);
 
 /// Protects Thaum's programs and the data files of matches from being overwritten by any command. The
 /// pictures in the folder of data files stay writable, because this program makes them. The command `gesture`
-/// may add gesture files. The settings file is protected too, unless the command has a menu in which settings
-/// are changed.
+/// may add gesture files. The settings file is protected, too, unless the command has a menu in which
+/// settings are changed.
 void protect_inputs(std::string_view command);
 
 }  // namespace thaum::game::inline app

@@ -1,5 +1,5 @@
-// game/app/replay_body.h: writes what players feel on the body during a replayed match, as a table. Equal
-// logs give equal files.
+// game/app/replay_body.h: writes the vibrations that players feel on the body during a replayed match, as a
+// table. Equal logs give equal files.
 #pragma once
 #include <memory>
 #include <string>
@@ -11,7 +11,8 @@ namespace thaum::game::inline app {
 
 class ReplayBody {
 public:
-    /// `sounds`: groups of sounds that are also felt, at full strength. The error is one line.
+    /// `sounds`: groups of sounds that are also felt, at full strength; std::nullopt: none. The error is one
+    /// line.
     static Expected<ReplayBody> create(const game::MatchData& data, const std::filesystem::path& assets,
                                        std::optional<game::FeltGroups> sounds);
 
@@ -19,7 +20,7 @@ public:
     void follow(const game::Simulation& match, std::string& rows);
 
 private:
-    /// Data to which the scenes and mixers keep references.
+    /// Data to which scenes and mixers of tactile effects keep references.
     struct State {
         LiveBody body;
         game::MatchEffects effects;

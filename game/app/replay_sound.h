@@ -1,5 +1,5 @@
-// game/app/replay_sound.h: writes what players hear of a replayed match to a WAV file. Equal logs give equal
-// files.
+// game/app/replay_sound.h: writes what players hear during a replayed match to a WAV file. Equal logs give
+// equal files.
 #pragma once
 #include <filesystem>
 #include <optional>

@@ -12,7 +12,7 @@
 namespace thaum::game::inline app {
 namespace {
 
-/// Tick with eight digits, so that file names sort by time; ten hours have eight digits.
+/// The tick with leading zeros to eight digits, so that file names sort by time. Ten hours need eight digits.
 std::string padded(Tick tick) {
     const auto digits = text(tick);
     return std::string(digits.size() < 8 ? 8 - digits.size() : 0, '0') + digits;

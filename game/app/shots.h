@@ -15,7 +15,7 @@ struct ShotPlan {
     std::filesystem::path folder{};
     Tick every = 0;          ///< ticks between two pictures; 0: no regular pictures
     std::vector<Tick> at{};  ///< single ticks with a picture, sorted
-    /// For each game::EventKind, whether it gets a picture.
+    /// For each game::EventKind, true if a picture is made of each such event.
     std::vector<bool> on = std::vector<bool>(game::event_kinds().kinds.size());
     bool on_marks = false;
     render::Size size{1280, 720};
@@ -23,16 +23,17 @@ struct ShotPlan {
     bool any() const;
 };
 
-/// Follows a playback and saves FOLDER/shot_TICK.png, or shot_TICK_WHAT.png for an event or a mark.
+/// Follows a playback and saves its pictures as FOLDER/shot_TICK.png, or shot_TICK_WHAT.png for an event or a
+/// mark.
 class Shots {
 public:
     /// Makes the folder. The error is one line: the folder cannot be made, or there is no OpenGL.
     static Expected<Shots> create(ShotPlan plan, const game::MatchData& data,
                                   const std::filesystem::path& assets);
-    /// Saves the picture that is due in the playback's state now; at most one per tick. Call it after each
-    /// tick, so that pictures show what was heard and felt.
+    /// Saves the picture that is due in the playback's present state; at most one per tick. Must be called
+    /// after each tick, so that pictures show what was heard and felt before.
     Expected<void> follow(const game::Playback& playback);
-    /// Marks all pictures so far as true to the record; call this when a state hash has agreed.
+    /// Marks all pictures so far as true to the recorded match. Must be called when a state hash has agreed.
     void confirm() { unconfirmed_.clear(); }
     /// Deletes the pictures taken since the last confirmation, which show moments that never happened in the
     /// recorded match.
@@ -52,9 +53,10 @@ private:
     std::vector<std::filesystem::path> unconfirmed_{};
 };
 
-/// What is heard and felt, as the live view shows it. Null after an error, which is printed in one line.
+/// What players hear and feel, for pictures that show it as the live view does. Null after an error, which is
+/// printed in one line.
 std::unique_ptr<game::Senses> senses_of(const game::MatchData& data, const std::filesystem::path& assets);
-/// The HUD of a player who has changed no setting.
+/// The settings of the HUD for a player who has changed none of them.
 game::HudSettings hud_of(const game::Playback& playback);
 
 }  // namespace thaum::game::inline app

@@ -70,7 +70,7 @@ Colour heat_at(double share) {
             mix(heat[low].blue, heat[low + 1].blue)};
 }
 
-/// Draws, in each pixel column, the range of the samples.
+/// Draws the waveform: in each pixel column a line over the range of its samples.
 void draw_waveform(render::Image& image, Box box, const std::vector<float>& samples) {
     fill(image, {box.x, box.y + box.height / 2, box.width, 1}, line);
     for (int x = 0; x < box.width; ++x) {
@@ -117,7 +117,7 @@ std::string title_of(const audio::Sound& sound) {
     return text(sound.name, "  ", fixed(seconds, 2), " s", sound.loops ? ", loops" : "");
 }
 
-/// Name and length of a sound, short enough for one cell of the picture with many sounds.
+/// Title of a sound, with name and length, that fits one cell of the picture of many sounds.
 std::string short_title_of(const audio::Sound& sound) {
     const double seconds = static_cast<double>(sound.samples.size()) / audio::sample_rate;
     return text(sound.name, " ", fixed(seconds, 2), sound.loops ? "~" : "");

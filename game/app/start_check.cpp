@@ -1,4 +1,4 @@
-// Processor check that runs before every constructor of the program and its libraries. Those constructors are
+// Checks the processor before every constructor of the program and its libraries runs. Those constructors are
 // compiled for x86-64-v3, and an older processor would stop them at an illegal instruction, without a
 // message. This file is compiled for older processors (tools/cmake/targets.cmake).
 #include <unistd.h>
@@ -8,7 +8,7 @@
 
 namespace {
 
-/// Writes to standard error, the only output that works this early.
+/// Writes a text to standard error by a system call, the only output that works this early.
 void say(const char* text) {
     unsigned length = 0;
     while (text[length] != '\0') ++length;

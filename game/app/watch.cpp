@@ -15,7 +15,8 @@ namespace thaum::game::inline app {
 
 namespace {
 
-/// Exit code of a watched replay: does_not_hold, with a message, if the replay diverged from the record.
+/// Exit code of a watched replay. If the replay diverged from the recorded match, prints a message and
+/// returns does_not_hold.
 int verdict(const std::optional<game::Divergence>& divergence) {
     if (!divergence) return done;
     print_line(game::described(*divergence));
@@ -33,8 +34,8 @@ Expected<std::jthread> fill_beside(const game::Playback& playback, game::ReplayI
     });
 }
 
-/// Shows the replay while its index is filled. Without an index, a jump ahead must compute every tick on the
-/// way.
+/// Shows the replay while another thread fills its index. If that thread cannot be started, a jump ahead must
+/// compute every tick on the way.
 int run_with_index(const LivePlan& plan, const game::Playback& playback, game::ReplayIndex& index) {
     std::atomic<bool> stop{false};
     const auto filling = fill_beside(playback, index, stop);

@@ -22,7 +22,7 @@ const Option* find_option(std::span<const Option> options, std::string_view name
     return found == options.end() ? nullptr : &*found;
 }
 
-/// Error if another argument names a file that an option will write.
+/// Returns an error if another argument names the file that an option will write.
 Expected<void> check_written(std::span<const Option> options, const Given& given,
                              const std::vector<std::string>& plain) {
     for (const auto& option : options) {

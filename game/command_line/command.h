@@ -10,10 +10,11 @@ namespace thaum::game::inline command_line {
 
 struct Command {
     std::string_view name;
-    /// Text of `thaum WORD --help`; fits a screen. Empty if `run` prints it.
+    /// Text of `thaum WORD --help`, which fits a screen. Empty if `run` prints the help.
     std::string_view help;
     int (*run)(const std::vector<std::string>& words);
-    /// A line for the list of commands; empty for one that the list itself describes (game/app/dispatch.cpp).
+    /// Line about the command in the list of all commands; empty if the list has its own words for it
+    /// (game/app/dispatch.cpp).
     std::string_view summary{};
 };
 

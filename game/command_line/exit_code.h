@@ -11,7 +11,7 @@ inline constexpr int wrong_use = 2;      ///< wrong usage or input
 
 /// Prints "thaum: message" to standard error and returns wrong_use.
 int refuse(const Error& error);
-/// Exit code of work that may have failed. Prints its error.
+/// Exit code of work that may have failed. Prints the error if it has.
 inline int exit_code_of(const Expected<void>& work) { return work ? done : refuse(work.error()); }
 
 }  // namespace thaum::game::inline command_line

@@ -1,4 +1,4 @@
-// thaum check: all faults of all data files.
+// thaum check: reports all faults of all data files.
 #include <cstdio>
 
 #include "core/file.h"

@@ -61,7 +61,7 @@ struct Finding {
     State state{};
     std::string detail;
     std::string advice;  ///< what the user can do; empty: nothing
-    /// pairs of name and value; the name ends with the unit
+    /// Measured values, as pairs of name and value. The name ends with the unit.
     std::vector<std::pair<std::string, double>> metrics{};
 };
 
@@ -94,7 +94,8 @@ Finding mathematics() {
             text("ours, for Bullet too; probe ", hex(physics::maths_probe()), " (logs carry it)"), ""};
 }
 
-/// Report on the data files. A fault in a file that the match does not read does not prevent it.
+/// Report on the data files. If a fault lies in a file that the match does not read, the match can be played
+/// all the same.
 Finding data_files(const std::filesystem::path& assets, const Expected<Data>& data) {
     const auto report = check_content(assets);
     const auto files = text(assets.string(), ", ", report.files, " files");
@@ -113,7 +114,7 @@ Finding hands(const Expected<Data>& data) {
             ""};
 }
 
-/// An arm that is measured without a match and without a force.
+/// A real arm that is measured outside of a match and without a force.
 struct MeasuredArm {
     std::size_t number{};
     input::ArmServo servo{};
@@ -174,8 +175,8 @@ Finding opengl(const std::filesystem::path& assets, const Expected<Data>& data) 
     return {"OpenGL", State::missing, still.error().message, "apt-get install libgl1-mesa-dri"};
 }
 
-/// Report on the input delay: plays a short match in a window with a mouse that moves by itself, and a longer
-/// one if the machine is so busy that no movement reached a picture.
+/// Report on the input delay: plays a short match in a window with a mouse that moves by itself. If the
+/// machine is so busy that no movement reached a picture, plays a longer one.
 Finding input_to_picture(const std::filesystem::path& assets, const Expected<Data>& data) {
     const std::string what = "input delay";
     if (!data || !render::display_there())
@@ -214,14 +215,15 @@ Finding display() {
             "start it in a desktop session"};
 }
 
-/// Sounds and loudspeakers. Without them the game is silent, so they are never missing.
+/// Report on sounds and loudspeakers. The game can be played without them, in silence, so they never count as
+/// missing.
 Finding sound(const std::filesystem::path& assets) {
     const auto bank = audio::load_sounds(assets / "sounds");
     if (!bank) return {"sound", State::note, bank.error().message, "the game is silent until this is mended"};
     if (!bank->faulty.empty())
         return {"sound", State::note, bank->faulty[0].fault.message,
                 "that sound is silent until this is mended"};
-    // The mixer is created because it initialises OpenAL, as in the game.
+    // The mixer is created only because it initialises OpenAL, as in the game.
     const auto mixer = audio::Mixer::create(*bank, {});
     if (!mixer) return {"sound", State::note, mixer.error().message, "the game is silent"};
     const auto device = audio::openal_device();
@@ -247,7 +249,7 @@ Finding jacket_of_player(const Settings& settings, std::uint32_t player,
     return {"jacket", checked.usable ? State::good : State::note, text(whose, checked.words), checked.advice};
 }
 
-/// Jackets of the settings file, and others that are there.
+/// Reports on the jackets that the settings file names, and on other jackets that are plugged in.
 void add_jackets(std::vector<Finding>& findings, const std::filesystem::path& assets) {
     std::error_code ignored;
     const auto file = settings_file();
@@ -261,7 +263,7 @@ void add_jackets(std::vector<Finding>& findings, const std::filesystem::path& as
     }
 }
 
-/// Reports pads, joysticks that SDL does not know, and devices that this user may not read.
+/// Reports pads, joysticks that SDL does not know, and devices that this user has no right to read.
 void add_pads(std::vector<Finding>& findings) {
     const auto named = [](const std::string& name, const std::string& path) {
         return text(printable(name, max_of_name_shown), " (", path, ")");
@@ -295,7 +297,7 @@ void add_pads(std::vector<Finding>& findings) {
         findings.push_back({"pad", State::note, "none plugged in: player 2 has the keypad", ""});
 }
 
-/// Delays of `count` wake-ups at 1 kHz (us), sorted.
+/// Delays of `count` wake-ups of this thread at 1 kHz (us), sorted.
 std::vector<double> wake_up_delays(int count) {
     std::vector<double> late;
     auto due = monotonic_ns();
@@ -372,7 +374,7 @@ std::string_view word(State state) {
     return state == State::good ? "good" : state == State::note ? "note" : "MISSING";
 }
 
-/// The JSON keys are in alphabetical order, as in the whole report.
+/// JSON object of a finding. Its keys are in alphabetical order, as in the whole report.
 Json json_of(const Finding& f) {
     Json json{{"advice", f.advice}, {"detail", f.detail}};
     std::map<std::string_view, double> sorted;

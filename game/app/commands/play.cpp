@@ -57,7 +57,7 @@ struct PlayOptions {
     std::filesystem::path record, out = "out";
     bool headless = false, demo = false, vs = false;
     bool match_named = false,
-         /// True if an option names the arena; else the start screen's last choice is used.
+         /// true if an option names the arena; otherwise the last choice on the start screen is used
         arena_named = false;
     std::optional<int> solo;  ///< level of the bot (--solo); std::nullopt without --solo
     std::vector<live::Seat> hands;
@@ -136,7 +136,7 @@ Expected<PlayOptions> read_play_options(const std::vector<std::string>& words) {
     return options;
 }
 
-/// Plays a whole round without a display. If no option asks for anything else, the round is one between good
+/// Plays a whole round without a display. If the options ask for nothing else, it is a round between good
 /// bots that ends with a winner.
 int play_off_screen(const PlayOptions& options) {
     constexpr double longest_round = 600;  // longest simulated time of one round (s)
@@ -163,8 +163,8 @@ std::array<live::Seat, 2> seats_of(const PlayOptions& options) {
     return {first, hand(1, SeatKind::pad_or_half)};
 }
 
-/// Data for the start screen: its last choice, unless an option names a match or an arena. If that choice can
-/// no longer be loaded, the default is used.
+/// Data for the start screen: those of the last choice there, unless an option names a match or an arena. If
+/// the last choice can no longer be loaded, the default is used.
 Expected<game::MatchData> load_last_choice(const std::filesystem::path& assets, const PlayOptions& options,
                                            const LastChoice& last) {
     auto choice = options.data;

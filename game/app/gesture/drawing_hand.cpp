@@ -10,11 +10,11 @@ namespace thaum::game::inline app {
 namespace {
 
 constexpr double metres_per_count = 1e-4;
-// Distance at which the mouse's hand is stopped, larger than any desk (m)
+// Distance from the middle at which the hand of the mouse is stopped, larger than any desk (m)
 constexpr double mouse_workspace = 10;
 constexpr std::int64_t tick_ns = 1'000'000;
-/// Largest number of ticks in one call. After a longer gap, such as a suspended computer, simulated time
-/// continues from the present and skips the rest.
+/// Largest number of ticks simulated in one call. After a longer gap, as when the computer was suspended, the
+/// simulated time goes on at the present and the rest of the gap is skipped.
 constexpr std::int64_t max_ticks = 250;
 
 haptics::DeviceSpec without_edges(haptics::DeviceSpec spec) {
@@ -76,7 +76,8 @@ vec3 DrawingArm::step(const input::ArmReading& reading) {
     newest_ns_ = reading.time_ns;
     const vec3 at = input::position_of(reading), velocity = haptics::tip_velocity(state_);
     const bool down = reading.buttons != 0;
-    // The viscous field switches on and off with the stroke. Such a switch gets a new number.
+    // The viscous force switches on and off with the stroke. Each switch gets a new number, so that the servo
+    // fades to the new force.
     model_.steady_force.number += down == (glm::length(model_.steady_force.force) > 0) ? 0 : 1;
     model_.steady_force.force = down ? -damping_ * velocity : vec3(0);
     samples_.push({{static_cast<double>(reading.time_ns - begin_ns_) * 1e-9, at,

@@ -1,6 +1,6 @@
 // game/app/gesture/drawing_hand.h: a hand that draws strokes outside of a match, by mouse or with a force
-// feedback arm. As in a match, the hand draws against a viscous field, and the force stored with each point
-// is that field's force before any cap.
+// feedback arm. As in a match, a viscous force resists the hand, and each point stores that force as it is
+// before any cap.
 #pragma once
 #include <memory>
 
@@ -21,13 +21,13 @@ public:
     virtual void move(double, double) {}
     /// Presses or releases the mouse button that draws. Other devices ignore the call.
     virtual void press(bool) {}
-    /// Gives the recorder one sample for each millisecond up to the time `now_ns` (ns, monotonic clock).
+    /// Gives the recorder one sample for each millisecond up to the time `now_ns` of the monotonic clock.
     virtual void advance(std::int64_t now_ns, gesture::StrokeRecorder& recorder) = 0;
     /// Message if the hand cannot go on: what is wrong, then what to do. Empty: no fault.
     virtual std::string fault() const { return {}; }
 };
 
-/// A mouse that moves a simulated hand, 0.1 mm a count. Each stroke begins in the middle of a large
+/// A mouse that moves a simulated hand, by 0.1 mm for each count. Each stroke begins in the middle of a large
 /// workspace.
 class DrawingMouse : public DrawingHand {
 public:
@@ -41,25 +41,26 @@ public:
 private:
     haptics::SimulatedDevice device_;
     haptics::SimulatedState state_ = haptics::resting_at(vec3(0));
-    /// Target of the hand, and mouse motion that the hand has not followed yet (m)
+    /// Target of the hand, and motion of the mouse that the hand has not followed yet (m).
     vec3 target_{}, moved_{};
     std::int64_t now_ns_;
     double seconds_ = 0;
     bool down_ = false;
 };
 
-/// An open arm. Each of its buttons acts as Trace. Must not move in memory, because the arm's thread uses it.
+/// An open arm as a drawing hand. Each of its buttons acts as Trace. The object must not move in memory,
+/// because the arm's thread uses it.
 class DrawingArm : public DrawingHand {
 public:
-    /// Opens the arm `name`, as `--hands` and `--feel` name arms. Its force is at most `share` of the arm's
-    /// peak.
+    /// Opens the arm `name`, with names as for the options --hands and --feel. Its force is at most `share`
+    /// of the arm's peak force.
     static Expected<std::unique_ptr<DrawingArm>> open(const std::string& name, double share);
 
     void advance(std::int64_t now_ns, gesture::StrokeRecorder& recorder) override;
     std::string fault() const override { return arm_->status().text; }
 
-    /// One tick on the arm's thread. Takes no lock and allocates nothing. Returns the force (N, device
-    /// frame).
+    /// One tick on the arm's thread: records the hand and returns the force (N, device frame). Takes no lock
+    /// and allocates nothing.
     vec3 step(const input::ArmReading& reading);
 
 private:

@@ -19,10 +19,10 @@ int run_gesture_record(const std::vector<std::string>& words);
 int run_gesture_generate(const std::vector<std::string>& words);
 int run_gesture_check(const std::vector<std::string>& words);
 
-/// Channels named by the value of --channels; for an empty value, all channels that the file has. The error
-/// says what is wrong.
+/// The channels of strokes that the value of --channels names; for an empty value, all channels that the file
+/// has. The error says what is wrong.
 Expected<gesture::Channels> choose_channels(const std::string& word, bool has_depth, bool has_force);
-/// Value of --channels: xy, xyz, xyf or xyzf.
+/// Name of the channels as a value of --channels: xy, xyz, xyf or xyzf.
 std::string name_of(gesture::Channels channels);
 
 }  // namespace thaum::game::inline app

@@ -41,7 +41,7 @@ namespace {
 
 using Courses = std::vector<std::vector<gesture::StrokePoint>>;
 
-/// Device of a player in the log; std::nullopt if the player has none.
+/// Index of a player's device in the log; std::nullopt if the player has none.
 std::optional<std::size_t> device_of(const input::LogReader& log, std::uint32_t player) {
     const auto& devices = log.header().devices;
     for (std::size_t d = 0; d < devices.size(); ++d) {
@@ -115,7 +115,8 @@ Expected<gesture::Gesture> read_gesture_words(const Arguments& arguments) {
     return gesture;
 }
 
-/// Text of the gesture file, after the same checks that `thaum gesture check` and a match make on reading.
+/// Text of the gesture file. Before, the gesture passes the checks that `thaum gesture check` and a match
+/// make when they read the file.
 Expected<std::string> text_of(const gesture::Gesture& gesture, const std::string& path) {
     for (const auto& stroke : gesture.strokes) {
         if (stroke.size() > gesture::max_template_points)

@@ -26,8 +26,8 @@ std::string number_of(std::size_t count, std::string_view thing) {
     return text(count, " ", thing, count == 1 ? "" : "s");
 }
 
-/// Text with the number of trials that the accuracy counts. Strokes of gestures without templates are not
-/// counted.
+/// Text with the number of trials from which the accuracy is computed. Strokes of gestures without templates
+/// do not count.
 std::string trials_text(const GestureReport& r) {
     const auto& trials = r.evaluation.trials;
     const auto known = static_cast<std::size_t>(
@@ -36,7 +36,7 @@ std::string trials_text(const GestureReport& r) {
     return text(number_of(known, "trial"), " of known gestures; ", trials.size() - known, " of unknown ones");
 }
 
-/// Text: how often an early answer is shown, and how often a shown answer is right.
+/// Text that says how often an early answer is shown, and how often a shown answer is right.
 std::string certainty_text(const gesture::Certainty& certainty) {
     if (!(certainty.told > 0)) return "in none of the trials";
     return text(share_text(certainty.told), " of the trials, of which ", share_text(certainty.right),

@@ -1,4 +1,4 @@
-// game/app/gesture/gesture_report.h: what `thaum gesture eval` has measured, as text, JSON and SVG.
+// game/app/gesture/gesture_report.h: the measurements of `thaum gesture eval` as text, JSON and SVG.
 #pragma once
 #include <optional>
 #include <string>
@@ -23,7 +23,7 @@ struct GestureReport {
 
 std::string report_text(const GestureReport& report);
 std::string report_json(const GestureReport& report);
-/// Confusion matrix on the left, reliability diagram on the right.
+/// SVG picture with the confusion matrix on the left and the reliability diagram on the right.
 std::string report_svg(const GestureReport& report);
 
 }  // namespace thaum::game::inline app

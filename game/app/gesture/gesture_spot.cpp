@@ -1,4 +1,4 @@
-// thaum gesture spot: how well gestures are found in continuous motion, without a button.
+// thaum gesture spot: measures how well gestures are found in continuous motion, without a button.
 #include <cstdio>
 #include <set>
 
@@ -123,7 +123,8 @@ void print_spotting(const SpotPlan& plan, const gesture::Spotting& r) {
                 fixed(100 * r.skipped, 1).c_str());
 }
 
-/// Reports labels that have no effect, because no session is of their user or no stroke is of their gesture.
+/// Reports labels that have no effect, because no session belongs to their user or no stroke belongs to their
+/// gesture.
 void tell_unused_labels(const std::vector<gesture::SessionLabel>& labels, const gesture::SessionSet& sessions,
                         const std::vector<gesture::Stroke>& strokes) {
     std::set<std::string_view> users, gestures;

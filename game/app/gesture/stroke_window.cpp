@@ -18,11 +18,11 @@
 namespace thaum::game::inline app {
 namespace {
 
-// Longest wait for a window event, so that motion is sampled often enough (s)
+// Longest wait for a window event (s). It is short, so that the hand's motion is sampled often enough.
 constexpr double patience_s = 0.002;
-constexpr double shown_m = 0.2;  // height of the window, as a length at the hand (m)
+constexpr double shown_m = 0.2;  // height of the window in metres of hand motion
 
-/// Arc length of a stroke without the tremor of a resting hand (m).
+/// Arc length of a stroke, without the part that the tremor of a resting hand adds (m).
 double way_of(gesture::Points stroke) {
     constexpr double step = 5e-4;  // distance too large for tremor (m)
     double way = 0;
@@ -54,7 +54,7 @@ render::WindowEvents events_of(StrokeDesk& desk, DrawingHand& hand) {
     return events;
 }
 
-/// Draws the earlier strokes, the stroke being drawn, and the words.
+/// Fills the frame with the earlier strokes, the stroke that is being drawn, and the window's texts.
 void fill(render::Frame& frame, const StrokeDesk& desk, render::Size size) {
     frame.width = size.width;
     frame.height = size.height;

@@ -1,5 +1,5 @@
-// game/app/gesture/stroke_window.h: records strokes of a gesture in a window that shows them while they are
-// drawn.
+// game/app/gesture/stroke_window.h: records strokes of a gesture in a window that shows each stroke while it
+// is drawn.
 #pragma once
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@ namespace thaum::game::inline app {
 struct StrokeWish {
     std::string name;       ///< name of the gesture
     std::size_t count = 3;  ///< number of strokes
-    std::string device;     ///< "mouse", or an arm as `--feel` names it
+    std::string device;     ///< "mouse", or the name of an arm as for the option --feel
 };
 
 /// Shortest stroke that a match would read.
@@ -20,18 +20,18 @@ struct LeastStroke {
     double seconds = 0.1;  ///< time from the first to the last point (s)
 };
 
-/// Why a stroke cannot be a template, and what to do. Empty if it can.
+/// Why a stroke cannot be a template, and what to do about it. Empty if it can.
 std::string fault_of(gesture::Points stroke, const LeastStroke& least);
 
-/// The strokes drawn so far, and the window's words about them.
+/// The strokes drawn so far, and the texts that the window shows about them.
 class StrokeDesk {
 public:
     explicit StrokeDesk(StrokeWish wish, LeastStroke least = {}) : wish_(std::move(wish)), min_(least) {}
 
     gesture::StrokeRecorder& recorder() { return recorder_; }
     const gesture::StrokeRecorder& recorder() const { return recorder_; }
-    /// Takes over the strokes that have ended. A stroke that cannot be a template is dropped, and `note` says
-    /// why.
+    /// Takes the strokes that have ended from the recorder. A stroke that cannot be a template is dropped,
+    /// and `note` says why.
     void take_ended();
     void key(std::string_view name);
     bool complete() const { return recorder_.strokes().size() >= wish_.count; }
@@ -47,7 +47,8 @@ private:
     LeastStroke min_;
     std::string note_;
     std::size_t taken_ = 0;  ///< number of accepted strokes
-    /// Its minimum length is 0, because short strokes are refused with a message instead of being ignored.
+    /// The recorder's minimum length is 0, because short strokes are refused with a message instead of being
+    /// ignored.
     gesture::StrokeRecorder recorder_{0};
     bool left_ = false;
 };

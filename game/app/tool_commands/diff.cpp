@@ -1,4 +1,4 @@
-// thaum diff: the first difference between two states, or between two replays of one log.
+// thaum diff: finds the first difference between two states, or between two replays of one log.
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -50,7 +50,7 @@ int print(const std::vector<ecs::Difference>& differences) {
     return differences.empty() ? done : does_not_hold;
 }
 
-/// Prints the differences of two states. `names`: what to call the states in an error.
+/// Prints the differences of two states. `names`: text that names the two states in an error.
 int compare(std::span<const std::byte> a, std::span<const std::byte> b, const std::string& names = {}) {
     const auto differences = ecs::diff(a, b);
     return differences ? print(*differences) : refuse({differences.error().message + names});
@@ -76,7 +76,7 @@ Expected<Bytes> state_here(const std::string& log, Tick tick) {
     return state;
 }
 
-/// State of a replay at a tick, computed while `threads` - 1 other replays run beside it.
+/// State of a replay at a tick, computed while `threads` - 1 further replays of the log run beside it.
 Expected<Bytes> state_among(const std::string& log, Tick tick, std::uint64_t threads) {
     Jobs jobs(static_cast<unsigned>(threads - 1));
     for (std::uint64_t i = 1; i < threads; ++i) jobs.run([&] { (void)state_here(log, tick); });
@@ -103,7 +103,7 @@ Expected<Bytes> state_elsewhere(const std::string& program, const std::string& l
     if (spawned != 0) return fail(text(program, ": cannot be started"));
     int status = 0;
     waitpid(child, &status, 0);
-    // A replay that diverges from its log exits with does_not_hold. Its state is wanted all the same, since
+    // A replay that diverges from its log exits with does_not_hold. Its state is needed all the same, since
     // this command looks for the divergence.
     if (!WIFEXITED(status) || WEXITSTATUS(status) > does_not_hold)
         return fail(text(program, ": could not replay ", log));
@@ -132,7 +132,8 @@ int bisect(const Sides& sides, Tick length) {
         std::printf("no difference in %llu ticks\n", static_cast<unsigned long long>(length));
         return done;
     }
-    Tick same = 0;  // last tick known to have equal states, unless the states differ at tick 0
+    Tick same = 0;  // last tick known to have equal states; meaningless if the states differ at tick 0
+                    // already
     Tick different = length;
     if (const auto at_start = differ(sides, 0); !at_start) {
         return refuse(at_start.error());

@@ -317,7 +317,7 @@ int run_league(const std::vector<std::string>& words) {
     if (!plan) return refuse(plan.error());
     auto loaded = game::load_match_data(game::find_assets(), plan->choice);
     if (!loaded) return refuse(loaded.error());
-    // so that a missing level is reported here and not in a child process
+    // Loads the levels' skills once, so that a missing level is reported here and not in a child process.
     for (const int level : plan->levels) {
         if (const auto skill = game::load_bot_skill(game::find_assets(), level); !skill)
             return refuse(skill.error());

@@ -51,11 +51,12 @@ with the log's hashes. At a difference it prints the tick, leaves no files, and 
 with code 1. An existing FILE is replaced, but never LOG, data or a recording.
 )";
 
-/// The outputs wanted of one pass over the log.
+/// The outputs that one pass over the log is to write.
 struct Pass {
     bool verify = false;
     std::optional<std::filesystem::path> events{}, state{}, forces{}, tactile{}, wav{};
-    std::optional<game::FeltGroups> felt_sound{};  ///< groups of sounds felt in `tactile`; std::nullopt: none
+    std::optional<game::FeltGroups> felt_sound{};  ///< groups of sounds that are also felt, for the table
+                                                   ///< `tactile`; std::nullopt: none
     std::optional<std::uint32_t> ears{};  ///< player from whose place `wav` is heard; std::nullopt: both
     Tick state_every = 1;
     std::optional<ShotPlan> shots{};
@@ -67,7 +68,7 @@ void warn(const std::string& line) {
     if (!line.empty()) tell_user(text("thaum: ", line));
 }
 
-/// A CSV file that a pass writes; rows are collected in memory first.
+/// A CSV file that a pass writes. Its rows are collected in memory first.
 struct Table {
     std::optional<FileWriter> file;
     std::string rows;
@@ -89,7 +90,7 @@ struct Table {
 
 struct Outputs {
     Table events{}, state{}, forces{}, tactile{};
-    Tick felt = 0;  ///< ticks of play whose forces have been written
+    Tick felt = 0;  ///< ticks of play for which forces have been written
     game::EventTable what_happened{};
     std::optional<Shots> shots{};
     std::optional<ReplaySound> sound{};
@@ -160,14 +161,14 @@ bool has_diverged(const game::Playback& playback) {
     return true;
 }
 
-/// Prints the line unless it is empty. Returns whether it was printed.
+/// Prints a line unless it is empty. Returns whether it printed.
 bool says(const std::string& line) {
     if (!line.empty()) print_line(line);
     return !line.empty();
 }
 
-/// Plays the log from the first tick to the last. If the replay diverges, no table is written, and pictures
-/// after the last equal hash are deleted: they would show what never happened.
+/// Plays the log from the first tick to the last. If the replay diverges from the recorded match, no table is
+/// written, and the pictures after the last equal hash are deleted: they would show what never happened.
 int run_pass(const Pass& pass, game::Playback& playback) {
     const auto start = std::chrono::steady_clock::now();
     if (pass.verify && says(playback.missing_hashes())) return does_not_hold;
@@ -202,8 +203,8 @@ int run_pass(const Pass& pass, game::Playback& playback) {
     return done;
 }
 
-/// Writes the state at a tick. The state of a diverged replay is written as well, because `thaum diff` can
-/// show the difference.
+/// Writes the state of the match at a tick to a file. The state of a diverged replay is written, too, because
+/// `thaum diff` can show the difference.
 int dump(game::Playback& playback, const std::vector<std::string>& values) {
     const auto tick = parse_whole(values[0], "--dump", 0, ~std::uint64_t{0});
     if (!tick) return refuse(tick.error());
@@ -259,7 +260,7 @@ Expected<ShotPlan> read_shots(const Arguments& arguments, Tick log_ticks) {
     return plan;
 }
 
-/// Rejects an option that is given without another option on which it depends.
+/// Rejects options that are given without the option on which they depend.
 Expected<void> check_company(const Arguments& arguments, const Pass& pass) {
     for (const auto* word : {"--shot-every", "--shot-at", "--shot-on", "--size"}) {
         if (arguments.has(word) && !pass.shots) return fail(text(word, " needs --shots"));
@@ -309,7 +310,7 @@ Expected<Pass> read_pass(const Arguments& arguments, Tick log_ticks) {
     return pass;
 }
 
-/// Tick given by --at, checked against the length of the log.
+/// The tick that --at names, checked against the length of the log.
 Expected<Tick> start_of(const Arguments& arguments, const game::Playback& playback) {
     const auto at = arguments.number("--at", 0, 1e6, 0);
     if (!at) return at.error();
@@ -325,8 +326,8 @@ int watch_from(const Arguments& arguments, game::Playback playback) {
     return watch(std::move(playback), {*start, *speed, arguments.value("--out").value_or("out")});
 }
 
-/// Plays the forces of a log on an arm, in real time only. At another speed a push would feel different: a
-/// slower one would move the hand farther.
+/// Plays the forces of a log on an arm, in real time only. At another speed a push would feel different: at a
+/// lower one, for example, it would move the hand farther.
 int feel_from(const Arguments& arguments, game::Playback playback) {
     if (arguments.has("--speed"))
         return refuse(

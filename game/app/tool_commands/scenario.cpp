@@ -40,7 +40,8 @@ render::Split split_of(game::Split split) {
     return split == game::Split::side_by_side ? render::Split::side_by_side : render::Split::top_bottom;
 }
 
-/// OpenGL context and renderer shared by all pictures of a run. Matches with other data need a new pair.
+/// OpenGL context and renderer, shared by all pictures of a run. A match with other data needs a new context
+/// and renderer.
 class Painter {
 public:
     Expected<game::Pixels> take(const game::Simulation& match, game::Split split,
@@ -66,7 +67,7 @@ private:
     const game::MatchData* painted_ = nullptr;
 };
 
-/// Prints a result, and below it what the script has printed.
+/// Prints the result of a scenario, and below it what the script has printed.
 void print_result(const game::ScenarioResult& result) {
     constexpr std::size_t longest = 1000;
     std::printf("%-6s %-28s %8llu ticks  ", result.passed ? "passed" : "FAILED",

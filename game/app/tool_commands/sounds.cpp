@@ -34,7 +34,7 @@ The sounds are made from the recipes in assets/sounds; SOUNDS.md there explains 
 
 using Chosen = std::vector<const audio::Sound*>;
 
-/// The named sounds, or all. The error names the first unknown name.
+/// The sounds with these names; without names, all sounds. The error is about the first unknown name.
 Expected<Chosen> choose(const audio::SoundBank& bank, const std::vector<std::string>& names) {
     Chosen chosen;
     for (const auto& name : names) {
