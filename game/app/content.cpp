@@ -130,7 +130,7 @@ private:
         return std::move(*config);
     }
 
-    /// Files of a folder. An error is added to the report.
+    /// The TOML files of a folder. An error is added to the report.
     std::vector<fs::path> toml_in(const std::string& folder) {
         auto files = files_in(assets_ / folder, ".toml");
         add_fault_of(files);

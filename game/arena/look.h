@@ -39,7 +39,7 @@ struct TowerLook {
 /// Camera that circles the empty arena behind the start screen.
 struct MenuCameraLook {
     double distance{15.5};  ///< distance from the vertical axis through the arena's middle (m)
-    double height{7.5};     ///< height (m, world)
+    double height{7.5};     ///< height of the camera (m, world)
     double down{0.36};      ///< angle of the view direction below the horizon (rad)
     bool operator==(const MenuCameraLook&) const = default;
 };

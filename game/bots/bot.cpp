@@ -177,7 +177,8 @@ vec3 choose_way(const BotTurn& turn) {
     return way_to_goal(turn);
 }
 
-/// Direction out of a cell that leads nowhere, once the bot has stood there for a while; zero before.
+/// Direction out of a cell outside of the large connected regions (WalkGrid), once the bot has stood there
+/// for a while; zero before.
 vec3 way_out(const BotTurn& turn) {
     const auto& self = turn.self;
     const auto& grid = turn.grid;

@@ -14,7 +14,7 @@
 
 namespace thaum::game::inline bots {
 
-/// Lowest and highest level.
+/// Lowest and highest level of a bot's skill.
 inline constexpr int easiest_bot = 0, hardest_bot = 3;
 
 /// Skill in the use of a wand that takes up and throws loose things.
@@ -86,7 +86,7 @@ struct BotSkill {
     StirSkill stir{};
     EdgeSkill edge{};
     CastSkill cast{};
-    double swing_gain{};  ///< length of way that a rope over a gap must save (m); 0: never swings
+    double swing_gain{};  ///< length of way that a rope over a gap must save (m); 0: the bot never swings
     THAUM_FIELDS(BotSkill, level, dodges, arcs, spare, reaction, aim_error, turn_speed, view_cos, burst, rest,
                  keep, range, lead, strafe, strafe_step, vial_below, spark_below, reserve, cover_below,
                  variety, charge, throws, over_cover, lift, stir, edge, cast, swing_gain);

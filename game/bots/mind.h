@@ -58,10 +58,11 @@ struct Mind {
     Tick fire_from{}, fire_until{};    ///< beginning and end of the latest burst of fire (ticks)
     Tick strafe_until{};               ///< tick until which the bot keeps its sideways step
     Tick slow_since{};                 ///< tick since which the bot has been slower than intended
-    Tick stranded_since{};             ///< tick since which the bot has stood in a cell that leads nowhere
-    Tick dodge_until{};                ///< tick until which a stuck bot walks sideways to get free
-    Tick wand_until{};                 ///< tick until which the bot keeps its choice of wand
-    double readiness{};                ///< charge or draw to which the bot readies the chosen wand, 0 to 1
+    Tick stranded_since{};  ///< tick since which the bot has stood outside of the large connected regions of
+                            ///< the ground
+    Tick dodge_until{};     ///< tick until which a stuck bot walks sideways to get free
+    Tick wand_until{};      ///< tick until which the bot keeps its choice of wand
+    double readiness{};     ///< charge or draw to which the bot readies the chosen wand, 0 to 1
     Errand errand{};
     std::int32_t strafe{};                 ///< -1 left, 0 none, 1 right
     std::int32_t wishes_to_move{};         ///< 1: the bot walks

@@ -16,7 +16,8 @@ inline bool draws(const CastPlan& cast_plan) { return cast_plan.lasts != 0; }
 /// also plans to catch that thing (LiftPlan).
 void plan_to_cast(const BotTurn& turn);
 
-/// Writes the hand's motion of this tick to the sample, in place of the turn of the view. Ends the stroke.
+/// Writes the hand's motion of this tick to the sample, in place of the turn of the view. Ends the stroke
+/// when it is complete.
 void draw_stroke(const Simulation& match, const Seat& seat, Tick tick, CastPlan& cast_plan,
                  input::DeviceSample& sample);
 

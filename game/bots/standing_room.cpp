@@ -11,7 +11,7 @@ namespace {
 
 constexpr double clearance = 0.05;  ///< height of the tested body above the place (m)
 constexpr double tested_share =
-    0.8;  ///< radius of the tested body, as a share of a wizard's: ramps may be near
+    0.8;  ///< radius of the tested body, as a share of a wizard's; smaller, because a ramp may be near
 /// Ends of the search for ground, above and below the feet (m).
 constexpr double above_feet = 0.25, below_feet = 0.5;
 

@@ -18,9 +18,9 @@ constexpr double deep = 1.5;          ///< least depth of a gap (m); the bot wal
 constexpr double knee = 0.9;          ///< height above the feet at which nothing may be in the way (m)
 /// Largest distance from the anchor at which a ray counts as meeting the anchor itself (m).
 constexpr double near_anchor = 0.5;
-constexpr double walk_to_edge = 7;   ///< largest distance that the bot walks to the edge (m)
-constexpr double at_edge = 0.5;      ///< distance at which the edge is reached (m)
-constexpr double costs_as = 9;       ///< walking distance that takes as long as a swing (m)
+constexpr double walk_to_edge = 7;  ///< largest distance that the bot walks to the edge (m)
+constexpr double at_edge = 0.5;  ///< distance from the edge at which the bot counts as having reached it (m)
+constexpr double costs_as = 9;   ///< walking distance that takes as long as a swing (m)
 constexpr double let_go_past = 2.2;  ///< distance behind the anchor at which the bot lets go (m)
 constexpr double aim_share = 0.7;    ///< share of the rope's largest aiming angle within which the bot fires
 constexpr double energy_needed = 20;

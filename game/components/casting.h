@@ -53,9 +53,9 @@ struct DrawnStroke {
 /// Result of the last reading of a wizard's strokes, for the picture and for recipes.
 struct LastReading {
     Tick at{};                ///< tick of the reading; 0: none yet
-    double probability{};     ///< 0 to 1
+    double probability{};     ///< probability that the gesture was meant, 0 to 1
     double force{};           ///< mean force of the stroke (N)
-    double turns{};           ///< turns of the stroke, as in StrokeReading::turns
+    double turns{};           ///< number of turns of a closed stroke, as in StrokeReading::turns
     std::uint32_t gesture{};  ///< number of the gesture; no_gesture: no gesture was recognised
     std::uint32_t nearest{};  ///< number of the nearest gesture; no_gesture: there is none
     THAUM_COMPONENT(LastReading, at, probability, force, turns, gesture, nearest);

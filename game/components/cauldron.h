@@ -73,7 +73,7 @@ struct Cauldron {
     std::array<double, players> height{};
     std::array<double, players> surface_speed{};  ///< vertical speed of the surface under each ladle (m/s)
     Strokes current{};                            ///< strokes of the fluid step that is being computed
-    Strokes next{};                               ///< strokes queued for the fluid step after that
+    Strokes next{};  ///< strokes queued for the fluid step after the one that is being computed
     /// Ingredient in each substance of the fluid.
     std::array<std::uint32_t, 3> contents{no_ingredient, no_ingredient, no_ingredient};
     std::array<std::uint32_t, 4> inside{};  ///< 1 for each ladle that has broken through the surface
@@ -85,7 +85,7 @@ struct Cauldron {
     std::uint32_t spoilt{};          ///< 1: the next fluid step first removes all ingredients
     Tick stepped{};                  ///< when the newest fluid state was stored (ticks of play)
     BrewBursts bursts{};
-    /// When the first ingredient was dropped in (ticks of play); 0: the brew has none.
+    /// When the brew's first ingredient was dropped in (ticks of play); 0: the brew has no ingredient.
     Tick begun{};
     /// How evenly the newest ingredient is spread: 1 - coefficient of variation, at least 0.
     double mixing{};
@@ -95,7 +95,7 @@ struct Cauldron {
     double viscosity{1};  ///< mean viscosity of the brew, relative to pure brew
     double density{1};    ///< mean density of the brew, relative to pure brew
     double speed{};       ///< mean speed of the flow in the brew (m/s)
-    /// When the brew became well mixed under its present owner (ticks of play); 0: it is not.
+    /// When the brew became well mixed under its present owner (ticks of play); 0: it is not well mixed.
     Tick mixed_since{};
     Tick boon_until{};  ///< tick of play at which the healing by a well-mixed brew (the boon) ends
     std::uint32_t boon_for{no_player};  ///< player whom the boon heals
@@ -155,8 +155,8 @@ struct Niche {
 /// Ingredient carried by a wizard.
 struct Pouch {
     std::uint32_t ingredient{};
-    /// Ingredient of the niche at which the wizard stands with full hands, so that it is reported once;
-    /// no_ingredient: none.
+    /// Ingredient of the niche at which the wizard stands with full hands, so that full hands are reported
+    /// once; no_ingredient: none.
     std::uint32_t refused{no_ingredient};
     THAUM_COMPONENT(Pouch, ingredient, refused);
 };

@@ -9,7 +9,7 @@
 
 namespace thaum::game::inline components {
 
-/// Capacity: 4 s of gameplay ticks.
+/// Number of points that a FreeHand holds: one for each gameplay tick of 4 s.
 inline constexpr std::size_t free_points = 500;
 
 /// Why a motion that resembles a gesture cast no spell.
@@ -34,7 +34,7 @@ struct FreeWindow {
 };
 
 /// The motion of a wizard who casts freely (game/casting/free_casting.h). Only wizards of players with that
-/// option have one.
+/// option have this component.
 struct FreeHand {
     Tick newest{};   ///< tick of play of the newest point
     Tick cast_at{};  ///< tick of play of the last spell that was cast without a button; 0: none
@@ -55,10 +55,10 @@ struct FreeHand {
 };
 
 /// The last motion that almost cast a spell without a button, for the picture. Wizards with a FreeHand have
-/// one.
+/// this component.
 struct NearMiss {
     Tick at{};                ///< tick of play at which the hand rested after the motion; 0: no near miss yet
-    double probability{};     ///< 0 to 1
+    double probability{};     ///< probability that the gesture was meant, 0 to 1
     std::uint32_t gesture{};  ///< number of the gesture that the motion resembled
     Miss reason{};
     THAUM_COMPONENT(NearMiss, at, probability, gesture, reason);

@@ -77,8 +77,8 @@ enum class EventKind : std::uint32_t {
     brew_step = 34,    ///< a step of a recipe was right; detail: number of right strokes, 0: an ingredient
     brew_fault = 35,   ///< a step of a recipe was wrong; detail: BrewFault
     poison = 36,       ///< poison hurts a wizard
-    /// A player learns the order of a recipe that is drawn at random; detail: potion, then its ingredients, 8
-    /// bits each.
+    /// A player learns the order of a recipe's ingredients, which is drawn at random; detail: number of the
+    /// potion, then those of the ingredients, 8 bits each.
     recipe_told = 37,
     work_half = 38,  ///< a wizard holds half of the Great Work
     work_lost = 39,  ///< a wizard has lost a half of the Great Work by dying
@@ -91,7 +91,7 @@ enum class EventKind : std::uint32_t {
     core_lost = 49,  ///< the probe of a wizard who scries left the hidden core
     scried = 50,     ///< the orb gave a wizard its knowledge; amount: health given (HP)
     unscried = 51,   ///< a wizard who scried has no focus left
-    /// A wizard put a haptic mode on or took it off; detail: its number; amount: 1 on, 0 off.
+    /// A wizard switched a haptic mode on or off; detail: its number; amount: 1 on, 0 off.
     mode_worn = 52,
     // From here on, kinds of event about crystals and the Great Work (56 and above).
     chipped =

@@ -12,7 +12,7 @@ inline constexpr std::size_t players = 2;
 inline constexpr std::size_t wand_slots = input::max_wands;
 
 struct Wizard {
-    std::uint32_t player{};  ///< 0 or 1
+    std::uint32_t player{};  ///< number of the player: 0 or 1
     THAUM_COMPONENT(Wizard, player);
 };
 
@@ -22,9 +22,9 @@ struct Controls {
     std::uint32_t pressed{};       ///< buttons pressed since the last gameplay tick (bits of input::Button)
     std::uint32_t wand_held{};     ///< wand whose key is down, 1 to wand_slots; 0: none
     std::uint32_t wand_pressed{};  ///< wand whose key was pressed last since the last gameplay tick; 0: none
-    std::int32_t strafe{};         ///< sideways, -127 to 127; positive: right
+    std::int32_t strafe{};         ///< motion sideways, -127 to 127; positive: right
     std::int32_t forward{};        ///< forward motion, -127 to 127; negative: backward
-    std::int32_t trigger{};        ///< 0 to 255
+    std::int32_t trigger{};        ///< position of the trigger, 0 to 255
     std::int32_t wheel{};          ///< wheel steps since the last gameplay tick
     /// Displacement of the hand in this tick while the player holds clutch or Trace or works at a station
     /// (um, device frame).
@@ -60,7 +60,7 @@ struct Health {
     std::uint32_t hurt_how{};  ///< EventKind of the last injury
     Tick foe_did_at{};         ///< tick at which the foe last hurt or pushed the wizard; 0: never
     double ward{};             ///< harm that the wizard's shield can still absorb (HP)
-    Tick ward_until{};         ///< tick at which that shield ends
+    Tick ward_until{};         ///< tick at which the shield ends
     double harm_share{1};      ///< share of each harm that the wizard takes after a hardening potion, until
                                ///< `hardened_until`
     Tick hardened_until{};
@@ -99,7 +99,7 @@ struct WandBelt {
     std::uint32_t fired{};                    ///< number of shots so far, over all wands
     std::array<double, wand_slots> energy{};  ///< energy of each slot, indexed by WandStats::energy_slot
     double venom{};      ///< harm rate that the next lob adds for those whom it hits (HP/s); 0: none
-    Tick venom_until{};  ///< tick of play by which that lob must be thrown
+    Tick venom_until{};  ///< tick of play by which the poisoned lob must be thrown
     Tick venom_lasts{};  ///< duration of the harm that the next lob adds (ticks)
     THAUM_COMPONENT(WandBelt, selected, fired, energy, venom, venom_until, venom_lasts);
 };

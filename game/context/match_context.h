@@ -50,7 +50,7 @@ double force_cap(const HapticSetup& setup, std::uint32_t player);
 /// The players' devices and their input. The simulation owns this and fills in the frame of each tick.
 struct MatchInput {
     HapticSetup haptic_setup;
-    std::vector<input::DeviceSpec> devices;  ///< in the order of the samples in `frame`
+    std::vector<input::DeviceSpec> devices;  ///< the players' devices, in the order of the samples in `frame`
     /// Gestures of players who recorded their own; null: those of the match's data.
     std::array<std::shared_ptr<const GestureSet>, players> gestures{};
     /// Players whose strokes are not recognised at present, because the gesture wall of the range records

@@ -37,7 +37,7 @@ struct Reached {
     vec3 point{};    ///< point on the body's surface (m, world)
 };
 
-/// Effect on one body; std::nullopt if the body is too far away or behind another body.
+/// Effect of a burst on one body; std::nullopt if the body is too far away or behind another body.
 std::optional<Reached> reach(const physics::Physics& physics, const Burst& burst, physics::Key key,
                              vec3 middle) {
     constexpr double touching = 1e-6;

@@ -28,9 +28,9 @@ Sight sight_of(const MatchContext& context, ecs::Entity wizard);
 
 /// Start and direction of a shot.
 struct Muzzle {
-    vec3 tip{};    ///< the wand's tip, or the eye if something stands between eye and tip (m, world)
-    vec3 ahead{};  ///< position of the wand's tip, or of the eye if something stands between eye and tip (m,
-                   ///< world)
+    /// Position of the wand's tip, or of the eye if something stands between eye and tip (m, world).
+    vec3 tip{};
+    vec3 ahead{};  ///< direction of view (unit, world)
     vec3 aim{};    ///< direction from the tip to the point under the crosshair (unit, world)
 };
 /// Start and direction of a shot whose missile has this radius (m). Reads Wizard, Gaze, Motion, HandState and

@@ -29,8 +29,8 @@ struct CastingRules {
     /// Speed of the hand before a gesture, as a multiple of the speed in the gesture, below which the hand
     /// was slow.
     double free_quiet_pace{};
-    /// Speed of the hand before a gesture, as a multiple of the speed in the gesture, above which the motion
-    /// so far belongs to the gesture, so the gesture did not begin there.
+    /// Speed of the hand before a window of motion, as a multiple of the speed in the window, above which the
+    /// hand was already moving, so that the gesture cannot begin with this window.
     double free_most_pace{};
     /// Arc length below which a closed gesture needs the full probability even after a slow start (m)
     double free_loop{};

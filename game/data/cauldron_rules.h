@@ -31,7 +31,7 @@ struct LadleRules {
     double height{};           ///< length of the part that dips into the brew (m)
     double mass{};             ///< mass of the ladle itself (kg)
     double stiffness{};  ///< stiffness of the spring between ladle and hand, and of the bowl's wall (N/m)
-    double damping{};    ///< damping of that spring and of the bowl's wall (N s/m)
+    double damping{};    ///< damping of the spring between ladle and hand, and of the bowl's wall (N s/m)
     double metres_per_metre{};    ///< distance that the ladle moves per distance of the hand (m/m)
     double newtons_per_newton{};  ///< force on the hand per force on the ladle (N/N)
     /// Rest position of the ladle: distance from the middle towards the wizard, and depth below the surface

@@ -14,7 +14,7 @@ constexpr std::array<std::string_view, 9> control_names{"move",  "look",      "j
                                                         "throw", "next_wand", "pause", "trace"};
 constexpr std::string_view wand_prefix = "wand:";
 
-/// The control named between braces; std::nullopt for an unknown name.
+/// The control that `name`, the text between two braces, stands for; std::nullopt for an unknown name.
 std::optional<ControlPiece> control_of(std::string_view name) {
     if (name.starts_with(wand_prefix) && name.size() > wand_prefix.size())
         return ControlPiece{{}, ControlWord::wand, std::string(name.substr(wand_prefix.size()))};

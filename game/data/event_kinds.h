@@ -62,8 +62,8 @@ struct HitKind {
     std::optional<FixedNumbers> fixed{};
 };
 
-/// A kind of event that the source which records it brings. Its row in
-/// assets/events.toml says how it is shown.
+/// A kind of event that is registered by the source which records it. Its row in assets/events.toml says how
+/// it is shown.
 class EventRegistration {
 public:
     /// Registers the kind when the program starts. The program chooses its numbers, so `info.cause_number` is

@@ -100,7 +100,7 @@ enum class SpellSign : std::uint8_t {
     none,
     shell,  ///< a shell around the caster while the shield lasts
     beads,  ///< beads of light that follow the thing flying back to the caster
-    dust    ///< dust before the caster
+    dust    ///< dust in front of the caster
 };
 inline constexpr std::array<std::string_view, 4> spell_signs{"none", "shell", "beads", "dust"};
 

@@ -55,7 +55,7 @@ struct PotionGift {
     Tick lasts{};
     double pace{1};          ///< factor on the walking speed
     double gravity{1};       ///< share of the wizard's weight that is left
-    bool work_half = false;  ///< the wizard holds half of the Great Work until death
+    bool work_half = false;  ///< true: the wizard holds half of the Great Work until death
 };
 
 struct Recipe {

@@ -11,7 +11,8 @@
 
 namespace thaum::game::inline data {
 
-/// Length of a match: assets/rules/quick.toml, standard.toml.
+/// Rules of rounds, which give a match its length: from assets/rules/quick.toml, standard.toml or another
+/// file there.
 struct RoundRules {
     std::int32_t kills{};    ///< number of kills that win the round
     Tick length{};           ///< length of a round (ticks)
@@ -28,7 +29,7 @@ struct PowerUpRules {
     double radius{};        ///< radius within which the power-up is picked up (m, on the ground)
 };
 
-/// Rule set: assets/rules/thaum.toml, classic.toml.
+/// What a rule set switches on or off, from assets/rules/thaum.toml or classic.toml.
 struct RuleSet {
     bool energy_regain = true;  ///< true: wands regain energy by themselves, at the rates in their files
     bool spawn_shield = true;
@@ -71,7 +72,7 @@ struct ProbeRules {
     double newtons_per_newton{};
 };
 
-/// Haptic rules of hands: assets/haptics.toml.
+/// Haptic rules of hands, from assets/haptics.toml.
 struct HapticRules {
     std::string device;  ///< name of a device file in assets/devices
     double share{};      ///< largest force as a share of the device's peak force

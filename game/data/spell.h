@@ -102,7 +102,7 @@ struct SpellRegistration {
     explicit SpellRegistration(const SpellKind& kind);
 };
 
-/// All kinds, sorted by name. A spell's number is its index in this list.
+/// All kinds of spell, sorted by name. A spell's number is its index in this list.
 const std::vector<SpellKind>& spell_kinds();
 
 /// Name of a spell by its number; empty for a number without a spell.

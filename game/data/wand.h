@@ -54,11 +54,11 @@ struct Missile {
 
 /// Flight of a wand's shots, for bots that aim.
 struct ShotKind {
-    double speed{};    ///< speed at the muzzle (m/s)
-    double fall{};     ///< downward acceleration of the shot (m/s^2)
-    double radius{};   ///< radius within which the impact does harm (m)
-    double energy{};   ///< energy of the shot
-    bool held{};       ///< true: holding fire readies the wand, and releasing it shoots
+    double speed{};   ///< speed at the muzzle (m/s)
+    double fall{};    ///< downward acceleration of the shot (m/s^2)
+    double radius{};  ///< radius within which the impact does harm (m)
+    double energy{};  ///< energy of the shot
+    bool held{};  ///< true: the wand charges or is drawn while fire is held, and shoots when fire is released
     double liking{1};  ///< how often bots choose this wand, relative to a similar wand with the value 1
 };
 
@@ -141,9 +141,10 @@ public:
     /// Force with which the wand holds its thing or its anchor (N): a thing's weight, or a rope's tension; 0:
     /// nothing is held.
     virtual double holding_force(const ecs::World&, ecs::Entity) const { return 0; }
-    /// Current charge or draw, 0 to 1; std::nullopt while the wand is not being readied.
+    /// Current charge or draw of the wand, 0 to 1; std::nullopt while it is neither charged nor drawn.
     virtual std::optional<double> readiness(const ecs::World&, ecs::Entity) const { return std::nullopt; }
-    /// The shot of a wand readied to `readiness`, 0 to 1; std::nullopt if the wand does not shoot.
+    /// The shot of the wand when it is charged or drawn to `readiness`, 0 to 1; std::nullopt if the wand does
+    /// not shoot.
     virtual std::optional<ShotKind> shot(double /*readiness*/) const { return std::nullopt; }
     /// How the wand takes things up; std::nullopt if it does not.
     virtual std::optional<GraspKind> grasp() const { return std::nullopt; }
@@ -166,7 +167,7 @@ struct WandRegistration {
     explicit WandRegistration(const WandKind& kind);
 };
 
-/// All kinds, sorted by name.
+/// All kinds of wand, sorted by name.
 const std::vector<WandKind>& wand_kinds();
 
 /// A kind of wand with the numbers from its data file.

@@ -38,7 +38,7 @@ constexpr std::size_t max_stroke_pieces = 160;
 /// as the panel of strokes requires.
 struct Drawing {
     fvec2 centre{}, shift{};
-    float scale{};  ///< px per m
+    float scale{};  ///< scale of the drawing (px/m)
 
     fvec2 at(const DrawnPoint& p) const { return centre + scale * (fvec2(p.x, -p.y) - shift); }
 };
@@ -54,7 +54,8 @@ Drawing drawing_of(const StrokePicture& stroke, const ViewLayout& l) {
     Drawing drawing{.centre = l.centre,
                     .shift = fvec2(stroke.points[0].x, -stroke.points[0].y),
                     .scale = usual_share * edge / usual_size};
-    const float glow = 6 * l.unit, most = max_share * edge / 2;  // px
+    const float glow = 6 * l.unit, most = max_share * edge / 2;  // width of the glow, and largest half size
+                                                                 // of a stroke (px)
     const fvec2 before = glm::min(l.centre - l.strokes.low - glow, fvec2(most)),
                 after = glm::min(l.strokes.high - l.centre - glow, fvec2(most)), room = before + after;
     const fvec2 extent = glm::max(high - low, fvec2(1e-6F));

@@ -21,7 +21,7 @@ void add_stroke(render::Overlay& out, const CastingPicture& casting, const Prese
 /// with a word for it.
 void add_force_band(render::Overlay& out, const CastingPicture& casting, const ViewLayout& l);
 
-/// Adds a grey veil to the view of a player who stands in fog.
+/// Adds a veil over the view of a player who stands in fog.
 void add_fog_veil(render::Overlay& out, const Picture& picture, std::uint32_t player, const ViewLayout& l);
 
 /// Adds the remaining strength of the player's shield, as two arcs beside the crosshair.

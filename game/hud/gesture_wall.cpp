@@ -11,7 +11,7 @@ namespace thaum::game::inline hud {
 namespace {
 
 // Sizes in HUD units.
-constexpr float wall_name = 15, wall_spell = 12.5F, wall_line = 13.5F;  // em
+constexpr float wall_name = 15, wall_spell = 12.5F, wall_line = 13.5F;  // text sizes (HUD units)
 constexpr float wall_name_high = 20, wall_spell_high = 17;
 constexpr float wall_lines_high = 5 * FittedWords::line_spacing * wall_line, wall_margin = 8, wall_inset = 5;
 constexpr std::size_t wall_columns = 2;
@@ -107,7 +107,7 @@ void add_wall_lines(render::Overlay& out, const std::vector<std::string>& lines,
 void add_gesture_wall(render::Overlay& out, const GestureWallPicture& wall,
                       const std::vector<std::string>& lines, const Panel& box, float unit) {
     if (!wall.on || !wall.gestures) return;
-    constexpr float min_high = 260;  // units
+    constexpr float min_high = 260;  // height below which the wall is scaled down (HUD units)
     unit = std::min(unit, (box.high.y - box.low.y) / min_high);
     const auto l = lay_out_wall(box, wall.gestures->size(), unit);
     out.items.emplace_back(render::RectItem{box.low, box.high, paints.plate, 12 * unit});

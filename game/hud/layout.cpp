@@ -21,7 +21,7 @@ constexpr float under_score = 7 + 2 * score_half_high + 2;
 constexpr float line = 20;  // height of a line of messages, notices or feed
 // Distance from the top of the window to the panels below the notices, which stand below the score.
 constexpr float under_notices = under_score + 2 * line + edge;
-constexpr float lesson_words = 14;  // text size of a lesson (em)
+constexpr float lesson_words = 14;  // text size of a lesson (HUD units)
 constexpr float min_ring = 26, max_ring = 66;
 constexpr float min_likely = 14;  // height of the likely spell above the ring
 
@@ -426,7 +426,7 @@ float width_of(std::string_view line, float size) {
 }
 
 FittedWords fit(std::string_view words, float size, fvec2 room) {
-    // The typeface has only whole sizes.
+    // The typeface can only be drawn in whole sizes (px).
     FittedWords out{{}, std::max(min_words, std::floor(size))};
     out.lines = broken(words, out.size, room.x);
     while (out.size > min_words && !fits(out, room)) {

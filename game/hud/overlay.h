@@ -17,7 +17,7 @@ struct HudPaints {
     fvec4 white = render::colour(0xF6F0FF, 1.0F);
     fvec4 soft = render::colour(0xD8CCE8, 0.85F);
     fvec4 chosen = render::colour(0xFFF4D0, 1.0F);        ///< text and shapes of the chosen item
-    fvec4 chosen_plate = render::colour(0x6A4A9A, 0.7F);  ///< ground below the chosen item
+    fvec4 chosen_plate = render::colour(0x6A4A9A, 0.7F);  ///< background of the chosen item
     fvec4 red = render::colour(0xFF4A3A, 1.0F);
     fvec4 amber = render::colour(0xFFC04A, 1.0F);
     /// Colour of red text: light, because pure red is hard to read on brick and dusk.

@@ -14,7 +14,7 @@ using render::LineItem;
 using render::Overlay;
 using render::RectItem;
 
-constexpr float min_row = 18, dot_wide = 14;  // units
+constexpr float min_row = 18, dot_wide = 14;  // height of a row, and width of a dot (HUD units)
 constexpr float min_band = 60;                // minimum width of the force scale (HUD units)
 // Text size of the words for the force (HUD units), and the smallest size that is used (px).
 constexpr float words_size = 13, min_words_px = 12;

@@ -24,8 +24,8 @@ void add_ghost(render::Overlay& out, const RecipePicture& recipe, fvec2 centre, 
 /// Height of the row about the next stroke, and its minimum width (px).
 float stroke_row_high(float u);
 float stroke_row_wide(const RecipePicture& recipe, float u);
-/// Adds that row: a dot for each required stroke, the required force in words, and the force scale with the
-/// current force.
+/// Adds the row about the next stroke: a dot for each required stroke, the required force in words, and the
+/// force scale with the current force.
 void add_stroke_row(render::Overlay& out, const RecipePicture& recipe, const Panel& row, float u);
 
 }  // namespace thaum::game::inline hud

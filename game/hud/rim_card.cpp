@@ -19,7 +19,7 @@ using render::RectItem;
 constexpr float card_pad = 4, card_gap = 2;
 constexpr float ghost_side = 52;
 constexpr float gauge_high = 11, gauge_wide = 150, min_gauge = 70;
-constexpr float step_size = 15, brew_size = 13;  // em
+constexpr float step_size = 15, brew_size = 13;  // text sizes (units of the card)
 constexpr float readable = 12;                   // text size below which text should not shrink (px)
 
 // ---- Words ------------------------------------------------------------------------------------------------
@@ -120,7 +120,7 @@ void fit_state(const RimCard& card, const Parts& parts, float em, fvec2 room, Fi
 
 /// The card fitted with text of the size `em` (px) to a box of the width `wide` (px).
 FittedCard sized_card(const RimCard& card, const Parts& parts, float em, float wide) {
-    constexpr float any_height = 1e5F;  // px
+    constexpr float any_height = 1e5F;  // more than the height of any text (px)
     FittedCard out;
     const float u = out.unit = em / step_size;
     out.ghost = parts.ghost && (card.stroke != nullptr || !card.curve.empty());

@@ -11,7 +11,7 @@ namespace thaum::game::inline hud {
 struct StrokeFit {
     vec3 middle{};     ///< hand position that appears at `centre` (m)
     fvec2 centre{};    ///< position on the screen at which `middle` appears (px)
-    double scale = 1;  ///< px per m
+    double scale = 1;  ///< scale of the map (px/m)
 };
 
 /// The map with which a stroke fills a box. A stroke smaller than `min_size` is drawn as if it had that size

@@ -193,7 +193,8 @@ std::string_view warning_of(const Picture& picture, const PlayerPicture& p) {
     return row_of(picture.shown->events, p.senses.warning).caption;
 }
 
-constexpr float warning_size = 14, warning_top = 16;  // units
+constexpr float warning_size = 14, warning_top = 16;  // text size of a warning, and its distance below the
+                                                      // crosshair (HUD units)
 
 /// Whether there is room for a warning below the crosshair. If not, the warning becomes the first one of the
 /// messages.

@@ -20,7 +20,7 @@ struct Icon {
     render::Overlay& out;
     bool flat{};     ///< true: the picture shows the wand's x-z plane; false: its y-z plane
     fvec2 middle{};  ///< position of the middle (px)
-    float scale{};   ///< px per m
+    float scale{};   ///< scale of the picture (px/m)
     fvec4 paint{};
 
     fvec2 at(vec3 p) const {

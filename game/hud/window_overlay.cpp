@@ -113,7 +113,8 @@ struct LessonWords {
 /// Breaks the text of a lesson and its hint into lines for a box, at the largest size, up to `size` (px), at
 /// which both fit. If that size would be tiny, the hint is left out.
 LessonWords fit_lesson(const std::string& words, const std::string& hint, float size, fvec2 room, float gap) {
-    constexpr float any_height = 1e5F, least = 8;  // px
+    constexpr float any_height = 1e5F, least = 8;  // more than the height of any text, and smallest text size
+                                                   // (px)
     const auto both = [&](float of) {
         return LessonWords{fit(words, of, {room.x, any_height}), fit(hint, of, {room.x, any_height})};
     };
@@ -155,7 +156,7 @@ constexpr std::uint32_t wall_player = 0;  // the practice range has only one per
 
 /// Box of the gesture wall: on the left, between the notices and the name.
 Panel wall_box(const HudLayout& layout) {
-    constexpr float wide = 390, beside = 12;  // units
+    constexpr float wide = 390, beside = 12;  // largest width of the wall, and gap around it (HUD units)
     const float u = layout.unit;
     const auto& view = *layout.views[wall_player];
     const float left = static_cast<float>(view.view.x) + beside * u;

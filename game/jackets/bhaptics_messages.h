@@ -15,7 +15,7 @@
 
 namespace thaum::game::inline jackets {
 
-/// Address of the Player on this machine.
+/// Address of the bHaptics Player on this machine.
 inline constexpr std::string_view bhaptics_place = "127.0.0.1:15881";
 inline constexpr std::string_view bhaptics_path = "/v2/feedbacks?app_id=thaum&app_name=Thaum";
 inline constexpr std::size_t max_reply_bytes = 1U << 16U;
@@ -27,7 +27,7 @@ std::string bhaptics_request(const tactile::TactileFrame& frame);
 /// The part of a Player's reply that the game uses.
 struct BhapticsReply {
     std::optional<std::int64_t> devices{};  ///< number of devices that the Player is connected to
-    std::optional<bool> vest{};             ///< whether a vest is among them
+    std::optional<bool> vest{};             ///< whether a vest is among those devices
     /// Whether a vest may be connected. Also true if the reply does not say so, as from older versions of the
     /// Player.
     bool may_have_vest() const { return vest.value_or(devices.value_or(1) > 0); }

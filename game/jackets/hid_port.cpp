@@ -50,7 +50,7 @@ private:
 
 struct FoundDevices {
     std::string path{};  ///< the device's first interface with a maker-defined usage page; empty: none
-    bool any{};          ///< a device with the wanted vendor and product numbers is plugged in
+    bool any{};          ///< true: a device with the wanted vendor and product numbers is plugged in
 };
 
 FoundDevices find_devices(const HidId& id) {

@@ -12,7 +12,7 @@ std::size_t actuator_at(std::size_t motor) {
     constexpr std::size_t columns = 4, motors_of_pair = 10;  // columns of motors on each side of the body;
                                                              // motors in a pair of columns
     constexpr std::size_t first_of_back = 20;
-    const auto pair = motor / motors_of_pair;  // front left, back left, back right, front right
+    const auto pair = motor / motors_of_pair;  // 0 front left, 1 back left, 2 back right, 3 front right
     const auto in_pair = motor % motors_of_pair;
     const bool back = pair == 1 || pair == 2, right = pair >= 2;
     const auto row = in_pair / 2, column = in_pair % 2 + (right ? 2U : 0U);

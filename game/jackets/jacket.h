@@ -19,8 +19,8 @@ inline constexpr JacketLayout figure_layout{"abstract_4x5", 40};
 inline constexpr JacketLayout no_layout{};
 
 struct Jacket {
-    const JacketMaker* maker{};  ///< null: none
-    const JacketForm* form{};    ///< one of the maker's forms; null: none
+    const JacketMaker* maker{};  ///< maker of the jacket; null: no jacket
+    const JacketForm* form{};    ///< which of the maker's kinds of jacket it is; null: no jacket
     /// Place in the maker's own spelling (JacketMaker::read): equal places of a maker are one device, or one
     /// file.
     std::string place{};
@@ -36,7 +36,7 @@ std::vector<JacketLayout> jacket_layouts();
 /// All values that the setting may have, for messages: "\"bhaptics\", \"osc:HOST:PORT\" or ...".
 std::string jacket_forms();
 
-/// Reads the setting. The error says what is wrong with it.
+/// Reads the value of the setting `jacket`. The error says what is wrong with it.
 Expected<Jacket> parse_jacket(std::string_view words);
 
 /// Loads the layout that a player has written for a jacket. `words`: the name of a file in

@@ -9,8 +9,9 @@
 namespace thaum::game::inline jackets {
 namespace {
 
-constexpr std::size_t longest_host = 253;      ///< characters, as in the domain name system
-constexpr std::size_t max_of_host_shown = 60;  ///< bytes of a host's name in messages
+constexpr std::size_t longest_host = 253;      ///< longest name of a host, as in the domain name system
+                                               ///< (characters)
+constexpr std::size_t max_of_host_shown = 60;  ///< longest part of a host's name in messages (bytes)
 
 bool fits_host(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||

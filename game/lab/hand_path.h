@@ -11,8 +11,8 @@ enum class HandWay : std::uint8_t { rest, press, circle, file };
 
 /// What the hand does with tool and undo in one step, as in a row of a trace.
 struct HandUse {
-    std::size_t tool{};  ///< -1: undo, 1: redo, 0: neither
-    int history{};       ///< undo and redo: -1: undo, 1: redo, 0: neither
+    std::size_t tool{};  ///< index of the held tool in the sorted list, counted from 1; 0: none
+    int history{};       ///< -1: undo, 1: redo, 0: neither
 };
 
 /// Target positions of the hand over time.

@@ -14,8 +14,8 @@ Bytes save_lab(const LabState& lab);
 /// density. The error says what is wrong with the bytes.
 Expected<LabState> restore_lab(std::span<const std::byte> bytes, const CauldronRules& rules);
 
-/// Saves to a file, and restores from one. The error also names the file. A failed save leaves no partial
-/// file.
+/// Saves a session to a file (save_lab), or restores it from one (load_lab). The error also names the file. A
+/// failed save leaves no partial file.
 Expected<void> save_lab(const LabState& lab, const std::filesystem::path& file);
 Expected<LabState> load_lab(const std::filesystem::path& file, const CauldronRules& rules);
 

@@ -10,7 +10,7 @@ namespace thaum::game::inline lab {
 namespace {
 
 constexpr std::int64_t session_version = 1;
-constexpr std::size_t max_session = std::size_t{1} << 20U;  // bytes
+constexpr std::size_t max_session = std::size_t{1} << 20U;  // largest size of a session's file (bytes)
 constexpr Range any{-1e100, 1e100};
 
 std::string points_text(const field::TransferFunction& f) {

@@ -8,7 +8,7 @@
 
 namespace thaum::game::inline match {
 
-/// Setup at the beginning of a match.
+/// Haptic setup at the beginning of a match.
 HapticSetup haptic_setup_of(const MatchData& data, const std::vector<input::DeviceSpec>& devices);
 
 /// Applies the faders that were moved in this tick to the World and the setup. Samples of devices without

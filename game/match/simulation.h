@@ -74,7 +74,7 @@ public:
     /// Data on the crystals that is not part of the state: changed bricks and ghost keys
     /// (game/stations/crystal/crystal.h).
     const CrystalBodies& crystals() const;
-    /// Write access to this data, for scenarios and tests that carve.
+    /// Write access to the data on crystals, for scenarios and tests that carve.
     CrystalBodies& crystals_to_change();
     /// Writes the World's snapshot (ecs/snapshot.h). It can be restored only if now() is a multiple of
     /// keyframe_interval.

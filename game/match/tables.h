@@ -67,7 +67,7 @@ void append_state(const Simulation& match, std::string& out);
 ///     pN_fx_n ...        commanded force; the sum of F dx over the rows is the work on the hand
 ///     pN_cause           why less force was commanded than requested: none, capped, warm, waiting, stale,
 ///                        over_speed, off, shut_off, panic
-///     pN_created_j, pN_given_j   energies of the observer (haptics/energy.h)
+///     pN_created_j, pN_given_j   energy created by passive, work of active sources (haptics/energy.h)
 ///     pN_px_n ...        part of the force by passive sources
 ///     pN_k_n_per_m, pN_ax_m ...   stiffness and anchor of the tether after the tick; stiffness 0: no tether
 ///     pN_touches, pN_sx_m ...     1 or 0: contact with a surface, and the contact point of this tick's force

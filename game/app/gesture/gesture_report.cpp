@@ -67,7 +67,7 @@ std::string reliability_text(const Evaluation& e) {
     return out;
 }
 
-/// The JSON keys are in alphabetical order.
+/// Data of the reliability diagram as JSON. Its keys are in alphabetical order.
 Json reliability_json(const Evaluation& e) {
     auto bins = Json::array();
     for (std::size_t b = 0; b < e.reliability.size(); ++b) {

@@ -295,7 +295,7 @@ Json json_of(const Plan& plan, const game::LeagueSummary& s) {
             {"kills", kills}};
 }
 
-/// Faults of the results in words; empty: none.
+/// What is wrong with the results of the league, in words; empty: nothing.
 std::string complaint(const Plan& plan, const game::LeagueSummary& s) {
     std::string words;
     for (const auto& p : s.pairs) {

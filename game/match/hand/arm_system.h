@@ -12,7 +12,8 @@ namespace thaum::game::inline match {
 
 /// Returns a copy of all arms, to be taken before the scene is cleared.
 std::vector<Arm> arms_in(const ecs::World& world);
-/// Creates an arm for each player who has such a device. If `before` has the same device, its state is kept.
+/// Creates an Arm for each player who has an arm among the devices. If `before` has the same device, its
+/// state is kept.
 void add_arms(MatchContext& context, const std::vector<Arm>& before);
 /// Copies the state of arms from a match into the world of the match that continues it.
 void carry_arms(const std::vector<Arm>& before, ecs::World& world);

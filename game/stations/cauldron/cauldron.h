@@ -3,7 +3,7 @@
 // can be rebuilt from the World.
 //
 //     tick:   16 k                        16 (k + 1)
-//     strokes ─┴─> fluid step as a job ─────┴─> pages and figures; the next step begins
+//     strokes ─┴─> fluid step as a job ─────┴─> stored state and figures; the next step begins
 //
 // A step uses the strokes queued before it began. Its result is read exactly 16 ticks later, whichever thread
 // computed it. A brew at rest without strokes costs nothing.
@@ -28,7 +28,7 @@ struct BrewFigures {
     double mixing{}, reached{}, viscosity{1}, density{1}, speed{};
 };
 
-/// Solver of a match's brew: fluid, surface and basin, with their memory.
+/// Memory of a brew's solver: fluid, surface and basin, and the results of the newest step.
 struct BrewWork {
     Brew brew;
     Basin basin;

@@ -1,6 +1,6 @@
 // game/stations/crystal/chips.h: hits melt a small ball of a crystal away (MANUAL.md, "The crystal"). A shot
 // melts voxels where its path meets the visible surface, and none if it flies past. A burst or a thing melts
-// voxels around the one nearest to it.
+// the voxels around the voxel that is nearest to it.
 #pragma once
 #include "game/stations/crystal/crystal.h"
 

@@ -17,7 +17,7 @@
 
 namespace thaum::game::inline stations {
 
-/// Tooth of a key: a block on the side of the shaft.
+/// Tooth of a key: a block on the side of the shaft. Lengths are in voxels.
 struct KeyBit {
     double along{};  ///< x of the bit's middle
     double half{};   ///< half the bit's width along x
