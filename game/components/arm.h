@@ -23,7 +23,7 @@ struct Arm {
     std::array<ecs::Entity, input::remembered_models> models{};
     std::uint32_t player{};
     std::uint32_t device{};  ///< index of the arm among the match's devices
-    /// Ticks for which further haptic models still carry the press of the panic button. The press is repeated
+    /// Ticks for which further haptic models still carry the press of the panic key. The press is repeated
     /// because the arm's thread may skip a model.
     std::uint32_t panic_left{};
     std::uint32_t rearm_left{};  ///< ticks for which further haptic models still carry the press that

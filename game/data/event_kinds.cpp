@@ -122,7 +122,7 @@ std::size_t cause_number(EventKinds& all, const EventKindInfo& kind,
     return number;
 }
 
-/// A kind without fixed numbers. `is_hit`: the kind must have a cause of harm.
+/// A kind of event without fixed numbers. `is_hit`: the kind must have a cause of harm.
 struct FreeKind {
     EventKindInfo info;
     bool is_hit{};

@@ -20,7 +20,7 @@ namespace thaum::game::inline data {
 enum class EventWith : std::uint8_t {
     nothing,
     wand_in_hand,
-    own_name,  ///< name of the event
+    own_name,  ///< the event's own name
     cause,     ///< Event::detail is the EventKind of a hit
     pad,
     ending,

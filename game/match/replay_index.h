@@ -17,7 +17,7 @@
 
 namespace thaum::game::inline match {
 
-/// A death in a match.
+/// A death in a match, with the player who is credited with it as a kill.
 struct Kill {
     Tick at{};               ///< time on the log's clock, Simulation::now (ticks)
     std::uint32_t victim{};  ///< player who died

@@ -9,7 +9,7 @@
 namespace thaum::game::inline match {
 namespace {
 
-/// Number of ticks for which further models repeat a press of the panic button, since an arm's thread may
+/// Number of ticks for which further models repeat a press of the panic key, since an arm's thread may
 /// skip models.
 constexpr std::uint32_t press_kept = 40;
 /// Limit of hand positions (m). No arm reaches farther, but a damaged log might contain more.

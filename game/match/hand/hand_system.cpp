@@ -17,7 +17,7 @@ using input::Button;
 
 constexpr double metres_per_micrometre = 1e-6;
 
-/// Handles the panic button of one player. Returns true for a press that switches off the forces of all
+/// Handles the panic key of one player. Returns true for a press that switches off the forces of all
 /// players. The player's next press switches this player's own forces on again.
 bool note_panic_key(const Controls& controls, HandState& hand_state) {
     const bool held = (controls.held & bit(Button::panic)) != 0;
