@@ -34,8 +34,8 @@ struct OrbRules {
     Tick hold{};  ///< time for which the probe must stay near the core until the orb gives its reward (ticks)
     double healing{};       ///< health that the reward gives (HP)
     double focus{};         ///< focus that scrying costs (1/s)
-    double stiffness{};  ///< stiffness of the spring between the device's tip and the proxy (N/m, at the
-                         ///< device)
+    double stiffness{};     ///< stiffness of the spring between the device's tip and the proxy (N/m, at the
+                            ///< device)
     double most{};          ///< strength at the top of the plane on which a wizard draws strength curves (N)
     double column_share{};  ///< width of a column of a drawn curve, as a share of the plane's width
     /// Hand displacement after which a held Trace button begins to draw, so that a key chord draws nothing
