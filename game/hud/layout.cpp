@@ -29,8 +29,9 @@ constexpr float min_likely = 14;  // height of the likely spell above the ring
 // between them.
 constexpr float tall_least_high = 400, tall_least_wide = 236;
 constexpr float flat_least_wide = 410;
-// Minimum heights of a flat view that has room for a sound in words and for the body figure: where these
-// stand below the score, below the notices under the score, or below the feed.
+// Minimum heights of a flat view that has room for a sound in words and for the body figure (HUD units): of
+// a view alone (they stand below the score), of views beside each other (below the notices under the score),
+// and of stacked views (below the feed).
 constexpr float flat_alone_high = 220, flat_beside_high = 284, flat_stacked_high = 224;
 constexpr float flat_messages_wide = 220;
 constexpr float messages_high = 8 * line;  // maximum height of the messages in a tall view

@@ -71,7 +71,7 @@ void add_edges(vec3 workspace, render::MeshId rod, std::vector<render::Instance>
     }
 }
 
-/// Colours of the haze, by the share of the value in its range: cool and thin to warm and dense.
+/// Colours of the haze, from cool for the smallest value (`share` 0) to warm for the largest one (1).
 fvec3 ramp(float share) {
     const fvec3 low = render::colour(0x3E6FB0), middle = render::colour(0xE0A878),
                 high = render::colour(0xFFF4E2);
