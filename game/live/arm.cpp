@@ -68,13 +68,13 @@ int ArmKeeper::losses() const {
     return losses_;
 }
 
-/// Waits for `ms`. Returns false if the session ends.
+/// Waits `ms` milliseconds. Returns false, at once, if the session ends meanwhile.
 bool ArmKeeper::wait_for(int ms) {
     std::unique_lock lock(mutex_);
     return !stopped_.wait_for(lock, std::chrono::milliseconds(ms), [this] { return stop_.load(); });
 }
 
-/// Stores the arm's status. A lost arm counts as present again from its first tick on, not before.
+/// Stores the arm's status and timing. A reopened arm counts as present only from its first tick on.
 void ArmKeeper::note(const input::ArmStatus& status, const input::TickReport& times) {
     const bool lost = status.state != input::ArmPresence::present;
     const std::lock_guard lock(mutex_);
@@ -85,8 +85,8 @@ void ArmKeeper::note(const input::ArmStatus& status, const input::TickReport& ti
     lost_ = lost;
 }
 
-/// Watches the arm until the session ends. A lost arm is closed first, so that its thread has ended before
-/// another arm uses the servo.
+/// Watches the arm until the session ends. A lost arm is closed before it is opened again, so that its old
+/// thread has ended before a new one uses the servo.
 void ArmKeeper::watch() {
     while (wait_for(arm_ ? look_ms : try_again_ms)) {
         if (!arm_) {
@@ -116,7 +116,8 @@ namespace {
 
 using Keeper = std::unique_ptr<ArmKeeper>;
 
-/// Numbers of arms that seats ask for by number, and of arms that are open.
+/// Indices in input::arm_places() of the arms that --hands names by number (arm:NUMBER), and of arms that are
+/// open.
 using TakenNumbers = std::vector<std::size_t>;
 
 Expected<Keeper> open_numbered(const std::vector<input::ArmPlace>& places, std::size_t number,
@@ -126,7 +127,8 @@ Expected<Keeper> open_numbered(const std::vector<input::ArmPlace>& places, std::
                      " arms, numbered from 0; `thaum doctor` lists them"));
 }
 
-/// Opens the first arm that is free. The error is that of the first arm that did not open.
+/// Opens the first arm that is not in `taken`, and adds its index there. If none opens, returns the error of
+/// the first one that was tried.
 Expected<Keeper> open_next(const std::vector<input::ArmPlace>& places, TakenNumbers& taken,
                            input::ArmServo& servo, const haptics::DeviceSpec& wanted) {
     std::optional<Error> first;

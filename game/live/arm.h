@@ -1,6 +1,6 @@
-// game/live/arm.h: the real arms of a live session. A thread for each watches its arm and opens a lost arm
-// again, because the vendor's library may block for long. Neither the match nor the window waits for these
-// threads: the match sees samples or none.
+// game/live/arm.h: the real force-feedback arms of a live session. Each arm has a thread that watches it and
+// opens it again after a loss, because the vendor's library may block for long. Neither the match nor the
+// window waits for these threads: the match finds samples of the arm, or none.
 #pragma once
 #include <atomic>
 #include <condition_variable>
@@ -56,7 +56,7 @@ private:
 
     mutable std::mutex mutex_;  // guards the members below
     std::condition_variable stopped_;
-    std::atomic<bool> stop_{false};  ///< also read without the mutex
+    std::atomic<bool> stop_{false};  ///< true: the thread must end; also read without the mutex
     std::atomic<bool> lost_{false};  ///< `status_` says that the arm is lost; also read without the mutex
     input::ArmStatus status_{};
     input::TickReport times_{};
@@ -76,7 +76,7 @@ std::optional<std::string> update(ArmNotice& notice, const std::string& name, co
 
 /// One real arm of the session, and the player who holds it.
 struct LiveArm {
-    std::uint32_t seat{};                    ///< seat of the plan that asked for the arm
+    std::uint32_t seat{};  ///< index in LivePlan::seats of the player's place that asked for the arm
     std::uint32_t player = game::no_player;  ///< player who holds it in this match; no_player: nobody
     input::ArmServo servo{};                 ///< servo between the arm's thread and the simulation thread
     std::unique_ptr<ArmKeeper> keeper{};     ///< owned by the main thread
@@ -84,15 +84,15 @@ struct LiveArm {
 };
 using LiveArms = std::vector<std::unique_ptr<LiveArm>>;
 
-/// Opens the arms that the seats ask for, in the order of the seats.
+/// Opens the arms that the players' seats ask for (Seat::arm), in the order of the seats.
 Expected<LiveArms> open_arms(std::span<const Seat> seats, const haptics::DeviceSpec& wanted);
 
 /// Gives each arm to its player for the next match. If the start screen chose the seats, the first arm goes
 /// to the player with the mouse, and the second one to the other person. Otherwise LiveArm::seat decides.
 void bind_arms(LiveArms& arms, const TakenSeats& seats, bool start_screen);
 
-/// Updates the notices of all arms, and prints which arms were lost or are back. Without its arm a hand goes
-/// on by mouse or pad, and the ArmKeeper looks for the arm.
+/// Updates the notices of all arms, and prints which arms were lost or are back. While an arm is lost, mouse
+/// or pad move its player's hand, and the ArmKeeper tries to open the arm again.
 void follow_arms(LiveArms& arms);
 
 /// Calls f(arm, device) for each real arm that a player holds. `device` is its index among the match's

@@ -1,4 +1,4 @@
-// game/live/arm_pace.h: how a live match follows the clock of a real arm.
+// game/live/arm_pace.h: how the clock of a live match follows the clock of a real force-feedback arm.
 #pragma once
 #include <algorithm>
 #include <cstdint>

@@ -104,12 +104,13 @@ void MatchBody::hear(const game::Simulation& match) {
     felt_sound_->take(match);
 }
 
-/// Number of the layouts of jackets in a player's scene: the usual ones, and after them the player's own.
+/// Number of jacket layouts in a player's TactileScene: the shipped ones, then the player's own if there is
+/// one.
 std::size_t MatchBody::jackets_of(std::uint32_t player) const {
     return body_->jackets.size() + (body_->own.at(player) ? 1 : 0);
 }
 
-/// Name of a layout by its number among those of jackets.
+/// Name of the layout with index `number` among the jacket layouts of a player's TactileScene.
 std::string_view MatchBody::name_of_jacket(std::size_t number) const {
     return number < body_->jackets.size() ? body_->jackets.at(number).name : own_layout.name;
 }

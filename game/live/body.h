@@ -1,5 +1,5 @@
-// game/live/body.h: what players of a live session feel on the body: the effects, the
-// layouts, and the frames of each match.
+// game/live/body.h: what players of a live session feel on the body: the effects, the layouts of motors, and
+// the frames (strengths of all motors, every 8 ms) of each match.
 //
 // The main thread owns a LiveBody. The thread that plays a match or a replay makes a MatchBody for it. The
 // effect or layout of a faulty data file is left out, and one line reports the fault.
@@ -16,12 +16,12 @@
 
 namespace thaum::game::inline live {
 
-/// Effects and layouts of the program.
+/// Effects and layouts that the program has loaded.
 struct LiveBody {
     tactile::EffectBank effects;
     tactile::Layout figure;  ///< layout of the body's picture (figure_layout)
     tactile::Layout pad;     ///< the two motors of a pad
-    /// A usual layout of jackets, by the name of its file.
+    /// A shipped layout of a jacket's motors, with the name of its file.
     struct Worn {
         std::string_view name;
         tactile::Layout layout;
@@ -38,7 +38,7 @@ struct LiveBody {
     static Expected<LiveBody> load(const std::filesystem::path& assets);
     /// Layout of a player's jacket by the name that LiveTactile::jacket_layout gives; null for another name.
     const tactile::Layout* jacket_of(std::uint32_t player, std::string_view name) const;
-    /// Purposes that some effect has, in their order.
+    /// Purposes that at least one effect has, in the order of tactile::Purpose.
     std::vector<tactile::Purpose> purposes() const;
 };
 
@@ -55,7 +55,7 @@ public:
     void follow(const game::Simulation& match, MatchSound& sound);
     /// Forgets what was felt, after a jump to another time.
     void forget();
-    /// Adds the strengths of the cells of the body's picture.
+    /// Copies to the picture how strongly each cell of the body's picture is lit.
     void show(game::Picture& picture) const;
 
 private:
@@ -78,7 +78,7 @@ private:
     std::array<std::optional<tactile::Faders>, game::players> faders_{};  ///< faders that the scenes have now
     std::array<Tick, game::players> felt_at_{};  ///< last tick at which a cell of the body's picture was on
     Tick now_{};
-    bool still_ = true;  ///< no frame was made since the last jump
+    bool still_ = true;  ///< true: no frame was made since the last jump in time
 };
 
 }  // namespace thaum::game::inline live

@@ -7,17 +7,18 @@
 
 namespace thaum::game::inline live {
 
-/// The bands of assets/tactile/sound.toml, and the courses of a bank's sounds. The error is one line.
+/// Loads the frequency bands of assets/tactile/sound.toml and computes the courses (strength over time in
+/// each band) of the bank's sounds. The error is one line.
 Expected<game::FeltCourses> load_felt_courses(const audio::SoundBank& bank,
                                               const std::filesystem::path& assets);
 
 class BodySound {
 public:
-    /// Keeps the reference to the courses.
+    /// `courses` must outlive this object.
     BodySound(game::MatchSounds sounds, const game::FeltCourses& courses)
         : scene_(std::move(sounds)), felt_(courses) {}
 
-    /// Takes the eight ticks that have passed, at every eighth tick.
+    /// Follows the match. Call it at every eighth tick: it takes the eight ticks that have passed.
     void take(const game::Simulation& match);
     game::BandStrengths strengths(std::uint32_t player, const game::FeltSoundWish& wish) const {
         return felt_.strengths(player, wish);

@@ -1,6 +1,6 @@
-// game/live/body_trial.h: plays one effect on a player's motors, jacket and figure, outside of a match,
-// so that the player can feel how strong a fader makes it. The main thread owns it; frames are laid
-// over those of a match that is paused.
+// game/live/body_trial.h: plays one effect on a player's motors and jacket and on the picture of the body,
+// outside of a match, so that the player can feel how strong a fader makes it. The main thread owns it; its
+// frames are laid over those of a match that is paused.
 #pragma once
 #include <memory>
 
@@ -22,14 +22,15 @@ public:
     /// Makes the frames that are due. Call it at least every tactile::frame_ticks while `runs`.
     void step(std::int64_t now_ns);
     bool runs() const { return playing_.has_value(); }
-    /// Cells of the figure, 0 to 1; all zero if nothing plays.
+    /// Strength of each cell of the body's picture (0 to 1); all zero if nothing plays.
     const Figure& figure() const { return figure_; }
 
 private:
     struct Playing {
         std::uint32_t player{};
         std::int64_t began_ns{};
-        std::optional<Tick> mixed{};  ///< tick of the last frame
+        /// tick of the newest frame, counted from `began_ns`; std::nullopt: there is none yet
+        std::optional<Tick> mixed{};
         std::unique_ptr<tactile::TactileMixer> figure{}, motors{},
             jacket{};  ///< null: the player has no such output
     };

@@ -1,5 +1,5 @@
-// game/live/hand_over.h: hands one value at a time from one thread to another. A
-// value that was not taken is replaced.
+// game/live/hand_over.h: passes one value at a time from one thread to another. A value that was not taken
+// yet is replaced by the next one.
 #pragma once
 #include <atomic>
 #include <mutex>
@@ -16,7 +16,7 @@ public:
         value_ = std::move(value);
         full_ = true;
     }
-    /// The newest value, once. Takes no lock while there is none.
+    /// Returns the newest value, once; std::nullopt if there is no new one. Takes no lock in that case.
     std::optional<T> take() {
         if (!full_) return {};
         const std::lock_guard lock(mutex_);

@@ -1,12 +1,13 @@
 // game/live/hands.h: the input of all players during a match, and the device that each player uses now. A
-// player whose pad was unplugged comes back with a button of that pad or of a free one, or with half of the
-// keyboard.
+// player whose pad was unplugged rejoins by a button of that pad or of a free one, or goes on with half of
+// the keyboard.
 #pragma once
 #include "game/live/seats.h"
 
 namespace thaum::game::inline live {
 
-/// Words that tell a player how to bring a lost pad back, and one that is plugged in again.
+/// Words for a player whose pad is lost: how to rejoin, while the pad is unplugged and once it is plugged in
+/// again.
 inline constexpr std::string_view how_to_rejoin = "plug it in and press a button on it or on a free pad",
                                   press_to_rejoin = "press a button on it to go on";
 
@@ -15,7 +16,7 @@ struct HandNews {
     std::optional<std::uint32_t> lost{};  ///< player whose pad is not plugged in: the match must pause
     /// player who came back last, now that no player is without a device: the match must go on
     std::optional<std::uint32_t> all_back{};
-    /// pads that have just brought a player back; the button has no other effect
+    /// true for each pad whose press has just brought a player back; the press has no other effect
     std::array<bool, std::tuple_size_v<Pads>> used{};
 };
 
@@ -24,9 +25,9 @@ public:
     /// `seats` outlives this object, and changes between matches only.
     explicit PlayerHands(TakenSeats& seats) : seats_(seats) {}
 
-    /// Begins a match with seats that were taken under `settings`. Buttons held now must be released
-    /// before they act in the match. A player with half of the keyboard keeps it in a rematch. A player
-    /// whose pad is not plugged in has lost it.
+    /// Begins a match with seats that were taken under `settings`. Buttons held now must be released before
+    /// they act in the match. A player with half of the keyboard keeps it in a rematch. The pad of another
+    /// player counts as lost if it is not plugged in.
     HandNews begin_match(const Settings& settings, const Pads& pads);
     /// Empties the seats and forgets which devices their players used.
     void leave_seats();
@@ -38,15 +39,16 @@ public:
             if (seat.hands) f(*seat.hands);
         }
     }
-    /// Releases all held controls, because their release will not be reported.
+    /// Releases all held controls. Call it when their own release will not be reported, as after a loss of
+    /// the focus.
     void release() const;
     /// Gives all hands the bindings of `settings`, and releases all held controls.
     void rebind(const Settings& settings) const;
 
     /// Handles the pads of the players. While a menu is open, pads do not act in the match.
     HandNews look(const Pads& pads, const Settings& settings, bool menu_open);
-    /// Gives half of the keyboard to a player without a pad, who asks with that half's key for the wand.
-    /// Returns std::nullopt if the key does not ask, or nobody can take that half.
+    /// Gives half of the keyboard to a player without a pad, if `key` is that half's key to fire. Returns
+    /// std::nullopt for another key, or if nobody can take that half.
     std::optional<HandNews> take_half(int key, const Settings& settings);
     /// Gives half of the keyboard to the player who can take it. Returns std::nullopt if nobody can.
     std::optional<HandNews> take_half(const Settings& settings);
@@ -59,12 +61,12 @@ public:
     bool is_lost(std::uint32_t player) const { return holds_[player].lost; }
     /// Whether the player's lost pad is plugged in again, and waits for a press.
     bool is_plugged_again(std::uint32_t player) const { return holds_[player].lost && holds_[player].seen; }
-    /// A player who has no device; std::nullopt: none.
+    /// The first player who has no device; std::nullopt: every player has one.
     std::optional<std::uint32_t> first_lost() const;
     /// The player without a pad who would get half of the keyboard; std::nullopt:
     /// nobody needs it, or it is taken.
     std::optional<std::uint32_t> heir_of_half() const;
-    /// Whether a player's own binding of the key pauses the match.
+    /// Whether the key is bound to the pause on the device of any player.
     bool pauses(int key, const Settings& settings) const;
     bool any_pad() const;
     bool any_mouse() const;

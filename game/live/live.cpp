@@ -43,8 +43,8 @@ struct Live {
     LiveWindow window;
 };
 
-/// Opens the record of the session's match `number`. The range's files belong to its only match,
-/// and no log is opened beside them.
+/// Opens the record of the session's match `number`. A match on the practice range keeps the range's files
+/// instead of a log.
 Expected<Recording> open_recording(Live& live, std::uint64_t seed, std::uint64_t number) {
     auto& session = live.session;
     if (auto range = session.next().take_range()) return Recording(std::move(*range));
@@ -55,15 +55,16 @@ Expected<Recording> open_recording(Live& live, std::uint64_t seed, std::uint64_t
                         number, session.log_header(seed));
 }
 
-/// Time from now to the start of the next match (s): none in the range, in a replay, and
-/// in a session that measures itself.
+/// Time from now to the start of the next match (s): 0 on the range, in a replay, and in a session that
+/// measures its own timing.
 int countdown_of(const Live& live) {
     const bool none = live.plan.replay != nullptr || live.plan.probe || live.plan.practice ||
                       live.session.next().is_practice();
     return none ? 0 : live.session.menu().settings().countdown_s;
 }
 
-/// Text on a fault that match `number` shows at its start; empty if the start screen has shown it already.
+/// Text on a faulty settings file for the start of match `number`; empty if the start screen or an earlier
+/// match has shown it already.
 std::string fault_at_start(const LivePlan& plan, std::uint64_t number) {
     return number == 1 && !plan.start_screen ? plan.start_fault : std::string();
 }
@@ -119,7 +120,7 @@ Expected<void> play_matches(Live& live) {
     return {};
 }
 
-/// Opens the arms of the seats that want one. The arms give forces from the first match on.
+/// Opens the arms of the seats that ask for one. The arms give forces from the first match on.
 Expected<LiveArms> open_arms_of(const LivePlan& plan) {
     if (plan.replay != nullptr) return LiveArms();
     return open_arms(plan.seats, plan.data->device);
@@ -142,8 +143,8 @@ void load_own_layouts(const LivePlan& plan, LiveShared& shared) {
     }
 }
 
-/// Loads effects and layouts for the body. Faults are printed. A faulty file costs its own effect or layout,
-/// a missing folder all of them.
+/// Loads effects and layouts for the body, and prints faults. A faulty file leaves out its own effect or
+/// layout, a missing folder of effects all of them.
 std::optional<LiveBody> load_body(const std::filesystem::path& assets) {
     auto body = LiveBody::load(assets);
     if (body) {
@@ -174,7 +175,8 @@ void fill_report(LiveShared& shared, LiveReport& report) {
     report.tick_us_p99 = shared.ticks.at(0.99);
 }
 
-/// Body of the thread that reads all data files. It waits for the first pictures, so as not to delay them.
+/// Body of the thread that reads all data files and reports their faults. It waits for the first pictures, so
+/// as not to delay them.
 void look_at_data(const LivePlan& plan, LiveShared& shared, render::Window& window) {
     shared.started.wait(false);
     if (shared.stop || !plan.read_all_data) return;
@@ -198,8 +200,8 @@ Expected<void> run_live(const LivePlan& plan) {
     // The search for pads begins first, since it runs in parallel with all that follows.
     auto own_pads = load_own_pads(own_pads_file(plan.settings_file));
     input::PadReader pads(std::move(own_pads.mappings));
-    // Nothing is open yet. So a signal before the window exists ends the program, even if OpenGL's library
-    // hangs.
+    // The window is made before signals are watched. Nothing that must be closed is open yet, so a signal may
+    // end the program at once, even if OpenGL's library hangs.
     auto window = render::Window::create({.fullscreen = plan.settings.fullscreen});
     if (!window) return window.error();
     const EndWatch watch;
@@ -223,7 +225,7 @@ Expected<void> run_live(const LivePlan& plan) {
     drawing->join();
     if (reading) reading->join();
     if (plan.report != nullptr) fill_report(shared, *plan.report);
-    follow_arms(shared.arms);  // tells of changes during the last wait for events
+    follow_arms(shared.arms);  // prints which arms were lost or came back during the last wait for events
     for (const auto& arm : shared.arms) tell_arm(*arm, shared.arms.size() > 1);
     if (!played) return played.error();
     if (shared.render_error) return *shared.render_error;

@@ -41,15 +41,15 @@ struct ArmWish {
 
 struct Seat {
     SeatKind kind{};
-    int pad = 0;                   ///< index of the pad in the window's list
+    int pad = 0;                   ///< index of the pad in input::Pads
     int level = 1;                 ///< level of the bot (1 to 3)
     std::optional<ArmWish> arm{};  ///< arm that the player's hand also holds
 };
 
 /// Seat for a word of --hands: mouse, half, pad, arm or arm:NUMBER.
 Expected<Seat> hand_named(std::string_view word);
-/// Seats for the words of --hands, with commas between them: at most one a player. Only one player has the
-/// mouse. A player with an arm but without the mouse also has a pad or half of the keyboard.
+/// Seats for the words of --hands, which are separated by commas: at most one for each player. Only one
+/// player has the mouse. A player with an arm but without the mouse also has a pad or half of the keyboard.
 Expected<std::vector<Seat>> hands_named(std::string_view words);
 
 /// Delays one thread on purpose, for tests: `ms` of sleep every `every_ms`.
@@ -65,9 +65,10 @@ struct LiveReport {
     std::uint64_t ticks{}, frames{}, skipped{}, matches{};
     double late_us_median{}, late_us_p99{},
         late_us_worst{};  ///< delay of the simulation thread's wake-ups after their deadline
-    double tick_us_median{}, tick_us_p99{};    ///< time of one tick with its record and picture
+    double tick_us_median{}, tick_us_p99{};    ///< duration of one tick with its record and picture
     double frame_ms_median{}, frame_ms_p99{};  ///< time to build, draw and present one picture
-    render::Quality quality{};                 ///< quality at the end; `auto` may have changed it on the way
+    /// quality of pictures at the end; the setting `auto` may have changed it before
+    render::Quality quality{};
     /// Time from an event's arrival in this program until the picture with its effect is presented, while
     /// playing (ms). That picture is the first one that contains the tick which took the event. The delays of
     /// mouse, keyboard and display are not included.
@@ -84,19 +85,21 @@ struct ShownReplay {
     game::Playback& playback;
     const game::ReplayIndex& index;  ///< index of the same log; another thread may still fill it
     Tick start = 0;                  ///< first tick that is shown
-    double speed = 1;                ///< pace at first (multiple of real time)
+    double speed = 1;                ///< speed at the start (multiple of real time)
 };
 
 struct LivePlan {
     std::shared_ptr<const game::MatchData> data;
     std::uint64_t seed = 1;
     std::array<Seat, 2> seats{};
-    /// true: the start screen assigns the seats instead of `seats`, and returns after each match
+    /// true: the players choose their seats on the start screen, which replaces `seats` and returns after
+    /// each match
     bool start_screen = false;
-    /// Kind of the dummy if the session is the range instead of a match. The first seat practises, nothing is
-    /// recorded, and data files are read again when they change.
+    /// Kind of the dummy if the session is the practice range instead of a match. The player of the first
+    /// seat practises, nothing is recorded, and data files are read again when they change.
     std::optional<game::DummyKind> practice{};
-    bool apprentice = false;  ///< true: the range is the Apprentice, and its lessons choose the dummy
+    /// true: the range runs the Apprentice, a tutorial whose lessons choose the dummy
+    bool apprentice = false;
     bool first_start =
         false;  ///< true: nobody has started the program before, so the Apprentice is offered first
     /// true: bots play one match after another, and each result is shown for some seconds. Only the first
@@ -127,7 +130,7 @@ struct LivePlan {
     LiveReport* report = nullptr;  ///< receives the timing at the end; null: not wanted
 };
 
-/// Plays until the window is closed or the players quit. The error says why it could not go on.
+/// Plays until the window is closed or the players quit. The error says why the session could not go on.
 Expected<void> run_live(const LivePlan& plan);
 
 }  // namespace thaum::game::inline live

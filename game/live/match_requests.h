@@ -15,18 +15,18 @@
 
 namespace thaum::game::inline live {
 
-/// What a request can act on.
+/// The parts of a match that a request can act on.
 struct RequestTarget {
     Practice* practice{};       ///< null: the match is not on the range
     std::uint32_t& next_press;  ///< buttons that the next input frame presses (bits of input::Button)
 };
 
-/// Sets a bookmark, by the session's mark key.
+/// Sets a bookmark in the log, asked for by the session's mark key.
 struct PressMark {
     void carry_out(RequestTarget& target) const { target.next_press |= input::bit(input::Button::mark); }
 };
 
-/// A request to the practice; nothing in another match.
+/// A request to the practice range; it does nothing in another match.
 struct AskRange {
     RangeRequest request{};
     void carry_out(RequestTarget& target) const {
@@ -56,16 +56,17 @@ struct MatchRequests {
         while (const auto next = take())
             std::visit([&](const auto& request) { request.carry_out(target); }, *next);
     }
-    /// Forgets the requests that wait: they were meant for another match.
+    /// Forgets the requests that wait, because they were meant for a match that has ended.
     void forget() {
         while (take()) {}
     }
 
     std::atomic<bool> end{false};  ///< true: the match must end
-    /// Set on the result screen, by either thread. Then the match ends by itself and another follows.
+    /// true: players want to go on after a result. Either thread sets it. Then the next round begins, or
+    /// after the last round this match ends and another one follows.
     std::atomic<bool> rematch{false};
-    /// Player for whom the session presses the pause button, to pause or to go on. Set by either thread.
-    /// Ignored if the match is paused, or goes on, already. game::no_player: none.
+    /// Player for whom the session presses the pause button, to begin or to end a pause. Set by either
+    /// thread. Ignored if the match is in the wanted state already. game::no_player: none.
     std::atomic<std::uint32_t> pause{game::no_player}, go_on{game::no_player};
     std::atomic<game::DummyKind> dummy{game::DummyKind::still};   ///< wanted kind of the range's dummy
     std::atomic<game::RangeChanges> range{game::RangeChanges{}};  ///< wanted changes of the range's rules

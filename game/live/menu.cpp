@@ -52,8 +52,8 @@ std::optional<std::size_t> chosen_row(const MenuState& state) {
 
 }  // namespace
 
-/// Applies an event to the menu. While a request waits for the session, which ends the menu or its match by
-/// it, presses are ignored: they are not meant for this menu any more.
+/// Applies an event to the menu. While a request waits for the session, presses are ignored: the request will
+/// close the menu or end its match, so they are not meant for this menu any more.
 void LiveMenu::step(const MenuEvent& event) {
     if (request_ != MenuRequest::none && event.kind != Kind::gone) return;
     const auto before = state_.settings;
@@ -77,7 +77,7 @@ void LiveMenu::step(const MenuEvent& event) {
     keep_changes(before);
 }
 
-/// Lets changed settings act, and saves them.
+/// Reports changed settings to the session, which applies them, and saves them.
 void LiveMenu::keep_changes(const Settings& before) {
     if (state_.settings == before) return;
     settings_changed_ = true;
@@ -94,7 +94,7 @@ void LiveMenu::set_own_force(std::size_t player, std::uint32_t percent) {
     keep_changes(before);
 }
 
-/// Keeps a profile among those of the menu, and in its file.
+/// Keeps a feel profile (a player's saved strengths of what is felt) in the menu's list, and in its file.
 void LiveMenu::save_profile(FeelProfile profile) {
     auto& all = context_.profiles;
     const auto same =
@@ -133,7 +133,7 @@ void LiveMenu::key(int key, bool pressed, std::int64_t now_ns) {
     if (repeats(event->kind)) held_ = {*event, key, -1, now_ns + repeat_after_ns};
 }
 
-/// Handles a key while a name is typed. Letters come as characters.
+/// Handles a key while a name is typed. Letters arrive by character() instead.
 void LiveMenu::name_key(int key, std::int64_t now_ns) {
     const auto kind = name_event_of(key);
     if (!kind) return;

@@ -1,5 +1,5 @@
-// game/live/menu.h: the menu of a live session. It turns keys, mouse and pads into menu events, repeats a
-// direction that is held, holds the present settings and saves changes of them. It depends on neither the
+// game/live/menu.h: the menu of a live session. It turns keys, mouse and pads into menu events, and repeats a
+// direction that is held. It holds the present settings and saves their changes. It depends on neither the
 // window nor the match: the session passes events and times (ns, monotonic clock), and carries out requests.
 #pragma once
 #include <utility>
@@ -25,7 +25,7 @@ public:
     bool is_open() const { return !state_.pages.empty(); }
     /// Whether the start screen or a page below it is open.
     bool on_start_screen() const { return is_open() && state_.pages.front().page == page_name::start; }
-    /// Whether the page of what a player feels is shown.
+    /// Whether the mixer's page is shown, where players set what they feel.
     bool on_mixer() const { return is_open() && state_.pages.back().page == page_name::mixer; }
     /// Whether the next key or button becomes a binding.
     bool waits_for_control() const { return state_.waiting.has_value(); }
@@ -45,13 +45,14 @@ public:
     /// `position` is in pixels from the window's top left.
     void cursor(fvec2 position, render::Size window);
     void wheel(double steps);
-    /// The pad with number `place` was in state `before` at the last look.
+    /// Handles a look at pad `place`, which was in state `before` at the look before.
     void pad(int place, const input::PadState& before, const input::PadState& now, std::int64_t now_ns);
     /// Whether the pad has a seat on the start screen.
     bool has_seat(int place) const;
     /// Repeats a direction that is held, if the repetition is due.
     void repeat(std::int64_t now_ns);
-    /// Ends the repetition, because a release will not be reported without the focus.
+    /// Ends the repetition of a held direction. Call it when the focus is lost: the release will not be
+    /// reported.
     void release() { held_ = {}; }
 
     /// Returns the last request and forgets it. While a request waits, further events of devices have no
@@ -68,11 +69,12 @@ public:
     bool sets_up_pad() const { return is_open() && state_.pages.back().page == page_name::pad_setup; }
 
     // News for the menu.
-    /// Joysticks that are no pads, pads that were set up by hand, and a line for
-    /// each joystick that does not play.
+    /// Names of joysticks that are not known as pads and of pads that were set up by hand, and a line for
+    /// each joystick that cannot be used.
     void tell_sticks(std::vector<std::string> unknown, std::vector<std::string> own,
                      std::vector<std::string> faults);
-    /// Control that the set-up of a joystick asks for.
+    /// Shows the question for one control in the set-up of a joystick. `needed`: the control cannot be
+    /// skipped.
     void ask_for_control(std::string question, bool needed) {
         context_.pad_question = std::move(question);
         context_.pad_needs_control = needed;
@@ -91,8 +93,8 @@ public:
     void tell_purposes(std::vector<tactile::Purpose> purposes) { context_.body = std::move(purposes); }
     /// Name and state of the arm at an index of MenuContext::arms.
     void name_arm(std::size_t index, const std::string& name) { context_.arms.at(index) = name; }
-    /// The match that begins is on the range, or is the Apprentice there. The
-    /// next start screen is not the first.
+    /// Tells whether the match that begins is on the range, and whether it is the Apprentice (the tutorial
+    /// there). From then on the start screen does not offer the Apprentice as on a first start.
     void set_practice(bool practice, bool apprentice) {
         context_.practice = practice;
         context_.apprentice = apprentice;
@@ -102,7 +104,8 @@ public:
     void set_gestures(const game::GestureSet* gestures);
     /// The gesture that the player of the range draws anew at present: its number plus 1; 0: none.
     void set_drawn_gesture(std::uint32_t number) { context_.drawn_gesture = number; }
-    /// Words of the start screen on faulty data files; those on a faulty settings file come first.
+    /// Words of the start screen on faulty data files; ignored if there are words on a faulty settings file
+    /// already.
     void add_start_fault(std::string words) {
         if (context_.start_fault.empty()) context_.start_fault = std::move(words);
     }
@@ -117,7 +120,7 @@ public:
     void turn_split();
 
 private:
-    /// A direction that is held.
+    /// A direction that is held on a key, d-pad or stick, and its next repetition.
     struct Held {
         std::optional<MenuEvent> event{};
         int key = -1, pad = -1;  ///< key code or pad number of the direction; -1: none

@@ -11,7 +11,7 @@ namespace thaum::game::inline live {
 namespace {
 
 constexpr std::size_t max_data_file = 1U << 20U;
-constexpr Tick longest_shown = ticks(24 * 3600.0);  ///< rules of a longer round mean no limit
+constexpr Tick longest_shown = ticks(24 * 3600.0);  ///< rules of a longer round are shown as "no time limit"
 
 MenuContext::Named told(const std::string& name, const game::RoundRules& rules) {
     const auto rounds = rules.rounds > 1 ? text("best of ", rules.rounds, ", ") : std::string();
@@ -20,7 +20,7 @@ MenuContext::Named told(const std::string& name, const game::RoundRules& rules) 
     return {name, text(name, ": ", rounds, "first to ", rules.kills, ", ", clock)};
 }
 
-/// A file that cannot be chosen.
+/// Menu entry of a file that cannot be chosen, with its fault.
 MenuContext::Named broken(const std::string& name, const Error& error) {
     return {name, text(name, ": cannot be read"), error.message};
 }
@@ -69,7 +69,7 @@ std::vector<MenuContext::Named> all_rules(const LivePlan& plan) {
     std::vector<MenuContext::Named> all;
     for (const auto& name : game::match_lengths(plan.assets)) all.push_back(rules_of(plan.assets, name));
     const auto& chosen = plan.data->choice.match;
-    // Rules that were chosen on the command line, with the changes of --set.
+    // The rules that were chosen on the command line count with the changes of --set.
     const auto row = std::find_if(all.begin(), all.end(), [&](const auto& r) { return r.name == chosen; });
     (row == all.end() ? all.emplace_back() : *row) = told(chosen, plan.data->round);
     return all;

@@ -6,7 +6,7 @@
 
 namespace thaum::game::inline live {
 
-/// Choices of the menu. A match of the command line, and its arena, are among them.
+/// Choices of the menu. The rules and the arena of the command line are among them.
 MenuContext find_menu_context(const LivePlan& plan);
 
 /// All arenas of a data folder, sorted by name. One whose file cannot be read, or that has the name of

@@ -1,5 +1,5 @@
-// game/live/next_match.h: data of the next match of a live session: a duel
-// of the menu's choice, or the range.
+// game/live/next_match.h: data of the next match of a live session: a duel by the menu's choices, or practice
+// on the range.
 #pragma once
 #include <filesystem>
 #include <memory>
@@ -20,13 +20,14 @@ public:
     /// Whether the next match is practice on the range.
     bool is_practice() const { return range_.has_value(); }
 
-    /// Reads the data of a match with these files of assets/rules and assets/arenas. The files may have
-    /// changed on the range. After an error, which names file, line and key, the old data stays.
+    /// Reads the data of a match with the rules `match` (a file of assets/rules) and the arena `arena` (a
+    /// file of assets/arenas), again for each match: the range lets players edit the files. After an error,
+    /// which names file, line and key, the old data stays.
     Expected<void> choose(const std::string& match, const std::string& arena);
     /// Makes the next match practice on the range. The error names file, line and key.
     Expected<void> open_range();
-    /// Makes the next match the Apprentice, on the range of its own arena. The
-    /// error names file, line and key.
+    /// Makes the next match the Apprentice, a tutorial on the range in an arena of its own. The error names
+    /// file, line and key.
     Expected<void> open_apprentice();
     /// Hands over the lessons of the Apprentice, for one match; std::nullopt: the next match has none.
     std::optional<game::Lessons> take_lessons() { return std::exchange(lessons_, std::nullopt); }

@@ -16,12 +16,12 @@ constexpr std::size_t max_of_name_shown = 28;  // the rows of the menu hold no m
 
 std::string shown(const std::string& name) { return printable(name, max_of_name_shown); }
 
-/// The question of an assignment: "3 of 20: press X, the leftmost of the four".
+/// The question for the control that is asked for now: "3 of 20: press X, the leftmost of the four".
 std::string question_of(const input::PadAssignment& assignment) {
     return text(assignment.number() + 1, " of ", input::PadAssignment::count(), ": ", assignment.asks());
 }
 
-/// Whether a pad turns its player to both sides by other controls than the right stick.
+/// Whether controls other than the right stick turn a player with a pad to both sides.
 bool turns_without_right_stick(const Settings& settings) {
     const auto& bindings = settings.bindings_of(input::DeviceKind::pad);
     const auto other = [](const input::Control& control) {
@@ -55,14 +55,14 @@ std::vector<std::string> faults_of(const IdleSticks& sticks) {
     return faults;
 }
 
-/// The joystick that the menu calls by this number; null: it is gone.
+/// The joystick that the menu calls by this number; null: it was unplugged.
 const input::Stick* PadSetup::stick_of(std::size_t number) const {
     const auto unknown = sticks_.unknown.size();
     if (number < unknown) return &sticks_.unknown[number];
     return number - unknown < sticks_.own.size() ? &sticks_.own[number - unknown] : nullptr;
 }
 
-/// The joystick that is set up; null: it is gone.
+/// The joystick that is being set up; null: it was unplugged.
 const input::Stick* PadSetup::present_stick() const {
     for (const auto* list : {&sticks_.unknown, &sticks_.own})
         for (const auto& stick : *list)
@@ -123,7 +123,7 @@ Pads PadSetup::without_stick(Pads pads) const {
     return pads;
 }
 
-/// Asks on the screen, and in the terminal for those who do not see it.
+/// Asks for the next control on the screen, and in the terminal for those who do not see the screen.
 void PadSetup::ask(LiveMenu& menu) {
     auto question =
         assignment_->asks().empty() ? std::string("let go of the joystick") : question_of(*assignment_);

@@ -1,5 +1,5 @@
-// game/live/pad_setup.h: joysticks that are plugged in and do not play. Tells why, and makes a pad of one
-// that SDL does not know: the menu asks for one control after the other (input/pad_assignment.h).
+// game/live/pad_setup.h: joysticks that are plugged in but cannot be used. Tells why, and sets up one that
+// SDL does not know as a pad: the menu asks for one control after the other (input/pad_assignment.h).
 #pragma once
 #include <set>
 
@@ -9,7 +9,7 @@
 
 namespace thaum::game::inline live {
 
-/// Joysticks that do not play, and pads that play by a set-up.
+/// Joysticks that cannot be used, and pads that were set up by hand.
 struct IdleSticks {
     std::vector<input::Stick> unknown{};             ///< joysticks that SDL does not know
     std::vector<input::Stick> own{};                 ///< pads that were set up by hand
@@ -19,16 +19,16 @@ struct IdleSticks {
     std::vector<std::string> faults{};               ///< faults of SDL, and of the file of mappings
 };
 
-/// A change of the mappings of one joystick's model.
+/// A change of the SDL mapping of one model of joystick.
 struct PadChange {
     std::string model{};
-    std::string mapping{};  ///< the new mapping; empty: the model has none of its own any more
+    std::string mapping{};  ///< the new mapping; empty: the mapping that the user made is forgotten
 };
 
 /// One line for each joystick that does not play, with what to do about it.
 std::vector<std::string> faults_of(const IdleSticks& sticks);
 
-/// How a user is allowed to read all joysticks.
+/// Advice how a user gets the right to read all joysticks.
 inline constexpr std::string_view how_to_unlock =
     "add to /etc/udev/rules.d/60-thaum.rules: SUBSYSTEM==\"input\", ENV{ID_INPUT_JOYSTICK}==\"1\", "
     "TAG+=\"uaccess\"; then plug it in again";
@@ -43,7 +43,7 @@ public:
     /// Looks at the joysticks, and tells the menu about them. Returns a change once all controls were asked
     /// for, or if a set-up is to be forgotten.
     std::optional<PadChange> follow(IdleSticks sticks, LiveMenu& menu);
-    /// Ends a change: keeps a mapping that SDL has taken, or tells why it has not.
+    /// Ends a change: keeps a mapping that SDL has accepted (`taken`), or tells why SDL has not.
     void end(const PadChange& change, const Expected<void>& taken, LiveMenu& menu);
 
     /// The states of the pads, without any input of a pad that is being set up again: its old buttons must
@@ -62,7 +62,7 @@ private:
     std::string model_{}, path_{};  ///< guid and device file of the joystick that is set up
     std::optional<input::PadAssignment> assignment_{};
     std::string skipped_{};           ///< controls that the last set-up left out
-    std::optional<PadChange> due_{};  ///< a set-up that is to be forgotten
+    std::optional<PadChange> due_{};  ///< change that forgets a mapping, for the next follow()
     std::string asked_{};             ///< the present question
     std::set<std::string> told_{};    ///< faults that the terminal has shown
 };

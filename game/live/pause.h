@@ -1,5 +1,6 @@
-// game/live/pause.h: conditions, besides the players' buttons, that pause a match or let it be left: a lost
-// focus, and the end of the round. Also the text of the pause. Times are arguments (ns, monotonic clock).
+// game/live/pause.h: conditions, besides the players' buttons, that pause a match or allow to leave it: a
+// lost focus, and the end of the round. Also the text of the pause. Times are arguments (ns, monotonic
+// clock).
 #pragma once
 #include <array>
 #include <cstdint>
@@ -48,7 +49,7 @@ private:
     std::int64_t since_ns_ = 0;  ///< time of the round's end; 0: the round goes on
 };
 
-/// Text of the pause.
+/// Text of the pause menu.
 struct PauseWords {
     std::string head{}, line{};  ///< title and reason
     std::string missing{};       ///< why the match cannot go on: whose pad is not plugged in; empty: it can
@@ -58,13 +59,15 @@ struct PauseWords {
 
 /// Reasons of a pause.
 struct PauseFacts {
-    std::uint32_t paused_by = game::no_player;  ///< player who pressed the button; game::no_player: nobody
-    bool focus_lost = false;                    ///< the session pressed it, because the window lost the focus
+    /// player who pressed the pause button; game::no_player: nobody
+    std::uint32_t paused_by = game::no_player;
+    bool focus_lost = false;  ///< true: the session paused the match, because the window lost the focus
     std::array<std::optional<int>, game::players> lost_pad{};  ///< number of each player's lost pad
-    std::array<bool, game::players> plugged_again{};           ///< lost pads that wait for a press only
-    std::uint32_t heir_of_half = game::no_player;              ///< player who can take half of the keyboard
+    /// true: the lost pad is plugged in again and only waits for a press
+    std::array<bool, game::players> plugged_again{};
+    std::uint32_t heir_of_half = game::no_player;  ///< player who can take half of the keyboard
     game::PlayerNames names{};
-    /// key that takes half of the keyboard instead of a pad; empty: it is not free
+    /// key that takes half of the keyboard instead of a pad; empty: that half is not free
     std::string key_for_half{};
 };
 

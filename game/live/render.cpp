@@ -86,11 +86,13 @@ struct RenderState {
     InterpolationBuffer buffer{};
     game::FrameMemory memory{};
     QualityChoice quality{};
-    std::size_t warm_qualities = 0;  ///< qualities whose shaders were used already, from the lowest on
+    /// number of the qualities, from the lowest on, whose shaders were used already
+    std::size_t warm_qualities = 0;
     std::int64_t next_still_ns = 0;
 };
 
-/// Picture of the open menu. A menu without a note shows the match's caption, which has no other place then.
+/// Picture of the open menu. A pause menu without a note shows the match's caption, which is not shown
+/// elsewhere meanwhile.
 game::MenuPicture menu_of(const Screen& screen, const Picture& shown) {
     auto menu = screen.menu;
     if (!screen.arena_scene && menu.note.empty()) menu.note = shown.caption.words;
@@ -147,7 +149,8 @@ void follow_scene(const LivePlan& plan, LiveShared& shared, render::Renderer& re
     state.scene = scene;
 }
 
-/// Warms one quality up after each of the first pictures, which therefore come as early as they can.
+/// Uses the shaders of one quality for the first time after each of the first pictures, so that these
+/// pictures come as early as they can.
 void warm_up_next(render::Renderer& renderer, LiveShared& shared, RenderState& state) {
     if (state.warm_qualities == render::qualities) return;
     renderer.warm_up(static_cast<render::Quality>(state.warm_qualities++));
@@ -195,7 +198,7 @@ void draw_until_stopped(const LivePlan& plan, LiveShared& shared, render::Window
             pacer = render::Pacer(frames_per_second = screen.frames_per_second);
         const auto size = window.size();
         if (!state.buffer.any || window.minimised() || size.width <= 0 || size.height <= 0) {
-            // the events of these ticks were never shown
+            // The effects of these events were never shown, so the events are not timed.
             take_due(shared.stamps, monotonic_ns(), [](const InputStamp&) {});
             continue;
         }

@@ -11,9 +11,9 @@ namespace {
 using game::Playback;
 
 constexpr std::int64_t idle_ns = 8'000'000;  ///< sleep between two looks at the requests (ns)
-constexpr double publish_period_ns = 4e6;    ///< period of published pictures, at any speed
+constexpr double publish_period_ns = 4e6;    ///< period of published pictures, at any speed (ns of real time)
 constexpr std::int64_t max_behind_ns =
-    250'000'000;  ///< backlog that is left out; no tick is lost, only shown later
+    250'000'000;  ///< a longer delay is not made up for; no tick is lost, all are shown later (ns)
 
 struct ReplayThread {
     const ShownReplay& replay;
@@ -32,7 +32,7 @@ struct ReplayThread {
     }
 };
 
-/// Makes the present tick due now: after a pause, a jump or a change of speed.
+/// Makes the present tick due now. Called after a pause, a jump or a change of speed.
 void begin_clock(ReplayThread& r) {
     r.start_ns = 0;
     r.start_ns = monotonic_ns() - r.due_ns(r.now());
@@ -80,7 +80,7 @@ void publish(ReplayThread& r) {
     r.shared.replay.now = picture.tick;
 }
 
-/// Goes to a place once the index covers it. Returns at once if it does not cover it yet.
+/// Jumps to a tick once the index covers it. Returns at once if it does not cover it yet.
 void go_to(ReplayThread& r, Tick target) {
     const auto& index = r.replay.index;
     if (!index.covers(target) && !index.complete()) return sleep_until_ns(monotonic_ns() + idle_ns);
@@ -94,7 +94,7 @@ void go_to(ReplayThread& r, Tick target) {
     r.sound.forget();
     r.body.forget();
     publish(r);
-    // Another place may have been asked for meanwhile.
+    // Another jump may have been asked for meanwhile.
     r.shared.replay.target.compare_exchange_strong(target, ReplayRequests::nowhere);
 }
 

@@ -22,7 +22,7 @@ enum class ReplayDeed : std::uint8_t {
     next_kill,
     step,
     step_back,
-    eyes,  ///< changes whose views are shown
+    eyes,  ///< shows the next view: both players', the first's or the second's
 };
 
 /// What a key does in a replay; std::nullopt: nothing. These keys are fixed, since they act in replays only.
@@ -32,7 +32,7 @@ std::string replay_keys();
 
 /// Choices of the viewer.
 struct ReplayView {
-    Tick at{};  ///< place of the replay, or the place that it is on its way to
+    Tick at{};  ///< tick that is shown, or target of a jump that is not done yet
     double speed = 1;
     bool paused = false;
     game::Watch watch = game::Watch::both;
@@ -43,10 +43,12 @@ inline constexpr double slowest_replay = 0.25, fastest_replay = 16;
 inline constexpr Tick replay_jump = 5000;  ///< length of a jump (ticks)
 inline constexpr Tick replay_step = 16;    ///< length of a single step: one picture at 60 Hz (ticks)
 inline constexpr Tick before_kill = 2000;  ///< a jump to a kill ends this long before the kill (ticks)
-/// If a kill is less than this behind, a jump back goes to the kill before it (ticks).
+/// If the target of a jump back, `before_kill` ahead of a kill, is less than this behind, the jump goes to
+/// the kill before it (ticks).
 inline constexpr Tick same_kill = 1000;
 
-/// The view after a deed. `length`: ticks of the log; `kills`: those known, by rising tick.
+/// The view after a deed (one of the viewer's actions). `length`: ticks of the log; `kills`: the kills that
+/// are known, by rising tick.
 ReplayView after(ReplayView view, ReplayDeed deed, Tick length, std::span<const game::Kill> kills);
 
 /// Requests of the main thread to the simulation thread.

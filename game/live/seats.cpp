@@ -41,7 +41,8 @@ Expected<std::vector<Seat>> hands_named(std::string_view words) {
     }
     if (hands.size() > game::players) return fail("--hands takes one or two devices, one a player");
     if (hands.size() < 2 || hands[0].kind != hands[1].kind || hands[0].kind == SeatKind::pad) return hands;
-    // Only one player has the mouse: the first, unless the second asks for the mouse alone.
+    // Only one player has the mouse. If both seats ask for it, the second one gives way if it has an arm,
+    // else the first one if that has an arm.
     auto* gives_way = hands[1].arm ? &hands[1] : hands[0].arm ? hands.data() : nullptr;
     const bool same_arm = hands[0].arm && hands[1].arm && hands[0].arm->number && hands[1].arm->number &&
                           *hands[0].arm->number == *hands[1].arm->number;
@@ -85,7 +86,7 @@ double aim_assist_of(const PlayerSettings& settings, DeviceKind kind) {
 
 std::uint32_t percent_of(double share) { return static_cast<std::uint32_t>(std::lround(100 * share)); }
 
-/// Sets the faders for the forces at the player's hand.
+/// Sets the device's faders (strengths in %) for the forces at the player's hand.
 void ask_for_forces(const Settings& settings, std::uint32_t player, input::DeviceSpec& spec) {
     const auto& own = settings.players[player];
     if (const auto percent = force_percent_of(own)) spec.set_force_percent(*percent);

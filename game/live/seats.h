@@ -1,5 +1,6 @@
-// game/live/seats.h: seats of a match. The command line or the start screen chooses each player's device.
-// Taking a seat makes the DeviceSpec for the log's header, and the collector of the player's input.
+// game/live/seats.h: seats, the places of the players in a match. The command line or the start screen
+// chooses the device of each seat. Taking a seat makes the DeviceSpec for the log's header, and the collector
+// of the player's input.
 #pragma once
 #include "game/live/fader_input.h"
 #include "game/live/live.h"

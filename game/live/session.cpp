@@ -240,7 +240,8 @@ void LiveSession::look_at_pads(const Pads& plugged, std::int64_t now_ns) {
     report(news);
     share_motors();
     if (round_end_.may_leave(now_ns) && leaves_by_pad(before, pads)) leave_match();
-    // Of presses at the same moment, those that take a seat are handled before those that start the match.
+    // Of presses that the same look at the pads finds, those that take a seat are handled before those that
+    // start the match.
     std::array<bool, std::tuple_size_v<Pads>> seated{};
     for (std::size_t i = 0; i < pads.size(); ++i) seated[i] = menu_.has_seat(static_cast<int>(i));
     for (const bool turn : {false, true}) {
@@ -309,7 +310,7 @@ void LiveSession::follow_match(std::int64_t now_ns) {
     menu_.set_pause(pause_words(pause_facts()));
 }
 
-/// Facts that the pause tells.
+/// Reasons of the pause, for its text.
 PauseFacts LiveSession::pause_facts() const {
     PauseFacts facts{
         .paused_by = shared_.progress.paused_by, .focus_lost = paused_by_focus_, .names = names()};
@@ -409,10 +410,10 @@ void LiveSession::carry_out_request() {
         case MenuRequest::set_up_pad:
         case MenuRequest::skip_control:
         case MenuRequest::forget_pad:
-        case MenuRequest::apprentice: return;  // they belong to the start screen, or are done
+        case MenuRequest::apprentice: return;  // requests of the start screen, or carried out already
     }
     report(hands_.take_plugged_pads(menu_.settings()));
-    // A pad may have gone since the menu asked.
+    // A pad may have been unplugged since the menu asked.
     if (!hands_.first_lost()) requests.go_on = first_person(shared_.seats).value_or(0);
 }
 
@@ -496,7 +497,7 @@ Screen LiveSession::screen() const {
                   [&](const LiveArm& arm, std::size_t) { messages[arm.player] = arm.notice.fault; });
     for (std::uint32_t p = 0; p < game::players; ++p)
         if (shared_.seats[p].hands) screen.hud.controls[p] = control_names(settings, hands_.device_of(p));
-    // A replay names modes and tools by the keys that a match has for them.
+    // A replay names the wands by the keys that select them with keyboard and mouse.
     for (auto& controls : screen.hud.controls)
         if (viewer_) controls.wands = control_names(settings, input::DeviceKind::keyboard_mouse).wands;
     for (std::uint32_t p = 0; p < game::players; ++p)

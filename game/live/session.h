@@ -28,9 +28,9 @@ public:
     const LivePlan& plan() const { return plan_; }
     const LiveMenu& menu() const { return menu_; }
     NextMatch& next() { return next_; }
-    /// Own gestures of the players of the next match, who have their seats.
+    /// Own gestures of the players of the next match. Call take_seats() first.
     const std::vector<input::ProfileData>& profile() const { return profile_; }
-    /// Header of the log of the next match, whose players have their seats.
+    /// Header of the log of the next match. Call take_seats() first.
     input::LogHeader log_header(std::uint64_t seed) const;
 
     // Events of the window. They go to the players' hands during play, and to the menu while a menu is open.
@@ -55,10 +55,11 @@ public:
     void begin_match(const Pads& pads);
     /// Runs after the events of one poll. `pads`: std::nullopt if needs_pads() is false.
     void step_match(const std::optional<Pads>& pads, std::int64_t now_ns);
-    /// Whether the menu has asked to begin the ended match again. Forgets it.
+    /// Returns whether the menu has asked to begin the ended match again, and forgets that it has.
     bool take_restart() { return std::exchange(restarts_, false); }
 
-    /// Tells which joysticks do not play, while a menu is open. Returns what the reader of pads must change.
+    /// Tells which joysticks cannot be used, while a menu is open. Returns what the reader of pads must
+    /// change.
     std::optional<PadChange> look_at_sticks(IdleSticks sticks) {
         return setup_.follow(std::move(sticks), menu_);
     }

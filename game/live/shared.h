@@ -66,8 +66,8 @@ struct MatchProgress {
     std::atomic<PlayState> state{PlayState::playing};
     std::atomic<std::uint32_t> paused_by{game::no_player};
     std::atomic<bool> ended{false};  ///< true: the simulation thread has ended its match
-    /// Largest force that a player of the range has found by feel (%), until
-    /// the main thread takes it; 0: none.
+    /// Largest force that a player of the range has found by feel (% of the device's peak), until the main
+    /// thread takes it; 0: none.
     std::atomic<std::uint32_t> found_force{0};
     /// Gesture that a player of the range has drawn, for the main thread to check and to save.
     HandOver<gesture::Gesture> drawn_gesture{};
@@ -76,7 +76,7 @@ struct MatchProgress {
 };
 
 struct LiveShared {
-    /// Tests pass a maker of motors.
+    /// `make_motors` opens the motors of a pad; tests pass a fake.
     explicit LiveShared(LiveTactile::MakeOutput make_motors = input::rumble_output)
         : tactile(std::move(make_motors)), pictures(game::make_picture()), screen(Screen{}) {}
 

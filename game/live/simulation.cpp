@@ -22,14 +22,15 @@ namespace {
 constexpr Tick max_behind = 250;
 constexpr Tick publish_period = 4;  ///< period of published pictures in real time (ticks)
 // Periods for a pause and the time after the end, when little moves:
-constexpr Tick idle_wake = 8;             ///< ticks computed at each wake-up of the thread
-constexpr Tick idle_publish_period = 32;  ///< half as long as the render thread shows one picture (ticks)
+constexpr Tick idle_wake = 8;  ///< ticks computed at each wake-up of the thread
+/// half of the time for which the render thread shows one picture then (ticks)
+constexpr Tick idle_publish_period = 32;
 /// delay after the end before a rematch counts, because players may still be shooting (ticks)
 constexpr Tick rematch_not_before = 800;
 constexpr Tick demo_result_shown = ticks(8.0);  ///< time for which a demo shows a result (ticks)
 constexpr std::int64_t notice_ns = 3'000'000'000;
-/// Difference between the seeds of a match's bots. A person in the match makes the random numbers
-/// unpredictable anyway.
+/// Difference between the seeds of a match's bots. It may be constant: a person in the match makes the bots'
+/// random numbers unpredictable anyway.
 constexpr std::uint64_t bot_seed_step = 0x9e3779b97f4a7c15ULL;
 
 /// One match with its bots, and its log or the range's data.
@@ -385,7 +386,7 @@ bool is_time_up(const SimulationThread& s) {
     return s.plan.seconds && s.shared.report.ticks >= ticks(*s.plan.seconds);
 }
 
-/// Drops input that came before the match. A wish to pause is kept.
+/// Drops input that came before the match. A press of the pause button is kept as a request.
 void drop_input(SimulationThread& s) {
     for (std::uint32_t p = 0; p < game::players; ++p) {
         const auto& hands = s.shared.seats[p].hands;

@@ -42,7 +42,7 @@ public:
     void apply(const Settings& settings);
     void play(MenuSound sound);
     std::string status() const { return speakers_.status(); }
-    /// Prints the loudspeakers' state if it has changed for the worse or back.
+    /// Prints the loudspeakers' state when they stop working or work again.
     void tell_status();
 
     // The thread of a match.
@@ -71,12 +71,12 @@ class MatchSound {
 public:
     /// `sound`: null for silence. Then nothing is computed.
     explicit MatchSound(LiveSound* sound) : sound_(sound) {}
-    /// Lets the lasting sounds end.
+    /// Ends the sounds that last.
     ~MatchSound();
     MatchSound(const MatchSound&) = delete;
     MatchSound& operator=(const MatchSound&) = delete;
 
-    /// Players whose ears hear the match.
+    /// Sets whose ears hear the match; if neither player's, both do.
     void listen(bool first, bool second);
     /// Follows the match after a tick; starts anew with another match or changed data.
     void follow(const game::Simulation& match);
@@ -91,7 +91,7 @@ public:
     game::HeardLines& words(std::uint32_t player) { return heard_.at(player); }
     /// Events and effects of this match that the captions of sounds already describe.
     const game::ToldBySounds& told() const { return told_; }
-    /// Adds what is heard and felt in words.
+    /// Adds to the picture the words on what is heard and felt.
     void show(game::Picture& picture) const;
 
 private:
@@ -109,7 +109,7 @@ private:
     std::array<game::HandWords, game::players> hands_{};   ///< finds words on what each player's hand feels
 };
 
-/// Settings of the mixer.
+/// The part of the settings that the sound mixer uses.
 audio::MixSettings mix_settings(const Settings& settings);
 
 }  // namespace thaum::game::inline live

@@ -37,7 +37,7 @@ void LiveTactile::use_jacket(std::uint32_t player, const std::string& words) {
     if (seat.jacket_words == words) return;
     seat.jacket_words = words;
     const auto jacket = parse_jacket(words).value_or(Jacket{});
-    // Frames of the former layout do not reach the next jacket.
+    // Without a layout meanwhile, no frame of the former layout reaches the next jacket.
     seat.layout = &no_layout;
     seat.jacket.use(make_jacket_(jacket, player));
     seat.layout = seat.own_motors > 0 && jacket ? &own_layout : &jacket.layout();
@@ -65,7 +65,7 @@ void LiveTactile::Socket::use(std::unique_ptr<input::TactileOutput> output) {
 }
 
 void LiveTactile::Socket::tell_status(std::size_t number) {
-    // A player who has no output is not worth a line, and neither is the output that comes back.
+    // A player who never had such an output has no state to print.
     if (own != nullptr) told.tell(text("player ", number, ": "), *own);
 }
 

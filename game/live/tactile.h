@@ -1,9 +1,10 @@
 // game/live/tactile.h: the tactile outputs of a live session: the motors of each
 // player's pad, and each player's jacket.
 //
-// The main thread owns a LiveTactile. It tells which pad each player uses, and the settings name the jackets.
+// The main thread owns a LiveTactile and tells it which pad each player uses; the settings name the jackets.
 // The thread that plays a match passes frames for each player every 8 ms: one of the layout `pad`, and one of
-// the jacket's layout. Without pads and jackets nothing runs. An output that cannot be opened costs one line.
+// the jacket's layout. Without pads and jackets nothing runs. One line reports an output that cannot be
+// opened.
 #pragma once
 #include <array>
 #include <atomic>
@@ -21,7 +22,8 @@
 
 namespace thaum::game::inline live {
 
-/// Name of a layout that a player has written. The number of motors differs by player (own_motors).
+/// Name of a layout that a player has written. Its number of motors is 0 here, because it differs by player
+/// (own_motors).
 inline constexpr JacketLayout own_layout{"own", 0};
 
 class LiveTactile {
@@ -29,7 +31,7 @@ public:
     using MakeOutput = std::function<std::unique_ptr<input::TactileOutput>(const input::PadState&)>;
     using MakeJacket =
         std::function<std::unique_ptr<input::TactileOutput>(const Jacket&, std::uint32_t player)>;
-    /// Tests pass makers of fakes.
+    /// `make` opens the motors of a pad, and `make_jacket` a jacket. Tests pass makers of fakes.
     explicit LiveTactile(MakeOutput make = input::rumble_output, MakeJacket make_jacket = jacket_output);
 
     // The main thread, before the first match.
@@ -42,13 +44,13 @@ public:
     /// Gives a player the motors of a pad; nothing happens if the player has them. Null, or a pad that is not
     /// plugged in or has no device file: none.
     void use_pad(std::uint32_t player, const input::PadState* pad);
-    /// Prints the state of each player's motors and jacket if it has changed for the worse or back.
+    /// Prints the state of each player's motors and jacket when they stop working or work again.
     void tell_status();
     /// State of a player's jacket in one sentence; empty: the player has none.
     std::string jacket_state(std::uint32_t player) const;
     input::TactileReport report(std::uint32_t player) const;
     input::TactileReport jacket_report(std::uint32_t player) const;
-    /// Lays a frame over those of a match, as `feel` and `feel_jacket` pass them.
+    /// Merges a frame with those of a match, so that a player feels an effect on trial.
     void try_out(std::uint32_t player, const tactile::TactileFrame& frame);
     void try_out_jacket(std::uint32_t player, const tactile::TactileFrame& frame);
 
@@ -57,7 +59,7 @@ public:
     tactile::Faders faders(std::uint32_t player) const;
 
     // The thread of a match, and the main thread while it tries an effect.
-    /// Whether a player's motors run at present. Frames for others need not be made.
+    /// Whether a player's motors run at present. If not, no frames need be made for the player.
     bool feels(std::uint32_t player) const;
     /// Passes a frame of the layout `pad`. Never waits. Without further frames the
     /// motors stop after its time to live.
@@ -80,7 +82,7 @@ private:
     struct Socket {
         std::unique_ptr<input::TactilePlayer> own{};  ///< made for the first output, and kept
         std::atomic<input::TactilePlayer*> player{};  ///< `own`, for the thread of a match
-        std::atomic<bool> plays{};                    ///< there is an output
+        std::atomic<bool> plays{};                    ///< true: there is an output
         ToldState told{};
 
         void use(std::unique_ptr<input::TactileOutput> output);
@@ -93,7 +95,7 @@ private:
         Socket motors{};
         std::atomic<float> gain{};
         std::array<std::atomic<double>, tactile::purpose_count> faders{};
-        std::string jacket_words{};  ///< the setting
+        std::string jacket_words{};  ///< the player's setting `jacket`, which names maker and place
         Socket jacket{};
         std::atomic<const JacketLayout*> layout = &no_layout;
         std::size_t own_motors{};  ///< actuators of the player's own layout; 0: there is none

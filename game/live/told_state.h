@@ -1,5 +1,5 @@
-// game/live/told_state.h: tells the state of an output, such as the loudspeakers, on
-// the terminal whenever it changes.
+// game/live/told_state.h: prints the state of an output, such as the loudspeakers, on the terminal whenever
+// it changes.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -9,17 +9,19 @@ namespace thaum::game::inline live {
 
 class ToldState {
 public:
-    /// Prints the state of an output, such as audio::Speakers, where it differs
-    /// from the last one, after `whose`.
+    /// Prints the words `whose` and the state of an output, such as audio::Speakers, if the state differs
+    /// from that of the last call.
     template <class Output>
     void tell(const std::string& whose, const Output& output) {
-        auto state = output.status();  // before the report, which may then be newer but not older
+        // read before the report, so that the report is never older than the state
+        auto state = output.status();
         tell(whose, std::move(state), output.report().times_opened);
     }
 
 private:
-    /// Prints nothing for an empty state. That the output works is worth a line only after it did not.
-    /// `times_opened` is above 0 if the output has worked before.
+    /// Prints nothing for an empty state. A first state is printed only if `times_opened` is 0, because an
+    /// output that works from the start needs no line. `times_opened` is above 0 if the output has worked
+    /// before.
     void tell(const std::string& whose, std::string state, std::uint64_t times_opened);
 
     std::string told_{};

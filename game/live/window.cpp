@@ -25,7 +25,7 @@ void follow_fullscreen(const LiveSession& session, LiveWindow& window) {
     if (wanted != window.fullscreen) window.window.set_fullscreen(window.fullscreen = wanted);
 }
 
-/// Says in the window's title what the menu shows, and whether the match waits.
+/// Shows in the window's title what the menu shows, and whether the match waits.
 void tell_menu(LiveWindow& window, const LiveMenu& menu) {
     auto title = window_title(menu.state(), menu.context());
     if (title == window.title) return;
@@ -35,7 +35,8 @@ void tell_menu(LiveWindow& window, const LiveMenu& menu) {
 
 bool closes(const render::Window& window) { return window.should_close() || EndWatch::asked(); }
 
-/// Moves the mouse now and then, with a period that is no multiple of the pictures'.
+/// Moves player 1's mouse every 23.7 ms, for a session that measures itself. The period is no multiple of the
+/// pictures', so that events come at all times between two pictures.
 void probe(LiveSession& session, std::int64_t& next_ns) {
     constexpr std::int64_t period_ns = 23'700'000;
     const auto now = monotonic_ns();

@@ -6,7 +6,7 @@
 
 namespace thaum::game::inline live {
 
-/// Window of a session, with the mode that was set last.
+/// Window and pads of a session, with what the loops last set and found there.
 struct LiveWindow {
     render::Window& window;
     input::PadReader& pads;
