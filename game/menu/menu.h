@@ -27,7 +27,7 @@ namespace page_name {
 inline constexpr std::string_view start = "start";
 inline constexpr std::string_view pause = "pause";
 inline constexpr std::string_view pad_setup = "pad_setup";  ///< asks for the controls of a joystick
-inline constexpr std::string_view mixer = "mixer";          ///< what one player feels
+inline constexpr std::string_view mixer = "mixer";          ///< faders for what one player feels
 }  // namespace page_name
 
 struct MenuEvent {
@@ -39,7 +39,7 @@ struct MenuEvent {
         left,
         right,
         confirm,
-        other,  ///< a press without a meaning in menus: joins, and starts the match
+        other,  ///< a press without another meaning in menus: lets its device join, or starts the match
         back,
         point,      ///< the mouse points at a row
         control,    ///< any control, while the menu waits for one
@@ -70,8 +70,8 @@ struct MenuContext {
     std::array<std::string, 4> pads{};  ///< names of the pads; empty: not plugged in
     /// Name and state of the real arm of the player with the mouse, then of the other player; empty: no arm.
     std::array<std::string, game::players> arms{};
-    bool practice = false;     ///< true: the pause belongs to the range
-    bool apprentice = false;   ///< true: the pause belongs to the Apprentice, which is played on the range
+    bool practice = false;     ///< true: the paused match is practice on the range
+    bool apprentice = false;   ///< true: the paused match is the Apprentice, which is played on the range
     bool first_start = false;  ///< true: the start screen offers the Apprentice first
     bool ends_match = false;   ///< true: leaving the pause opens the start screen; false: it ends the program
     std::string missing{};     ///< why the pause cannot end: whose pad is not plugged in; empty: it can
@@ -86,9 +86,9 @@ struct MenuContext {
     std::vector<std::string>
         sticks{};  ///< names of joysticks that are no pads, because SDL does not know them
     std::vector<std::string> own_pads{};    ///< names of pads that were set up by hand
-    std::vector<std::string> pad_faults{};  ///< a line for each joystick that does not play
-    std::string pad_question{};             ///< control that the set-up of a joystick asks for
-    bool pad_needs_control = false;         ///< the control in `pad_question` cannot be left out
+    std::vector<std::string> pad_faults{};  ///< a line for each joystick that cannot be used
+    std::string pad_question{};      ///< question for the control that the set-up of a joystick asks for
+    bool pad_needs_control = false;  ///< true: the control in `pad_question` cannot be left out
     /// Text of the start screen on faulty settings or data files; empty: there is no fault.
     std::string start_fault{};
 };
@@ -100,7 +100,7 @@ enum class MenuRequest : std::uint8_t {
     apprentice,
     go_on,
     take_half,
-    ask_range,  ///< asks MenuState::range_request of the range
+    ask_range,  ///< passes MenuState::range_request to the range
     forget_gesture,
     set_up_pad,
     skip_control,
@@ -135,13 +135,14 @@ struct MenuState {
     std::size_t dummy = 0;                        ///< game::DummyKind of the range's dummy
     game::RangeChanges range{};                   ///< changes of the range's rules
     std::size_t gesture = 0;                      ///< index into MenuContext::gestures
-    std::size_t sheet = 0;                        ///< sheet on the bindings page
+    /// index of the sheet (the bindings of one kind of device, or of the session) on the bindings page
+    std::size_t sheet = 0;
     /// Joystick that is set up, or pad that is forgotten: index into
     /// MenuContext::sticks, and own_pads after them.
     std::size_t stick = 0;
     std::size_t player = 0;             ///< player whose settings or faders a page shows
-    std::optional<Slot> waiting;        ///< slot that waits for a new control; std::nullopt: none
-    std::size_t profile = 0;            ///< index of the chosen profile in MenuContext
+    std::optional<Slot> waiting;        ///< binding that waits for a new control; std::nullopt: none
+    std::size_t profile = 0;            ///< index of the chosen profile in MenuContext::profiles
     std::optional<std::string> typing;  ///< words that are being typed; std::nullopt: none
     Typing typed{};                     ///< kind of text in `typing`
     Settings settings;
@@ -159,8 +160,8 @@ MenuState opened(MenuState state, std::string_view page);
 
 MenuState step(MenuState state, const MenuEvent& event, const MenuContext& context);
 
-/// Tests whether Esc ends the wait for a control. Esc does not end the wait for the pause's control, because
-/// Esc may be the wanted key.
+/// Tests whether Esc ends the wait for a control. It does not if the wait is for a control of the action
+/// `pause`, because Esc may be the wanted key.
 bool esc_ends_waiting(const MenuState& state);
 
 /// Note that says why the pause cannot end.

@@ -9,7 +9,8 @@
 
 namespace thaum::game::inline menu {
 
-/// Deflection from which a stick or trigger of a pad counts as pressed in a menu.
+/// Deflection from which a stick or trigger of a pad counts as pressed in a menu (share of the full
+/// deflection).
 inline constexpr double menu_stick_press = 0.6;
 
 /// Event of a key; std::nullopt for a key without a meaning in a menu.
@@ -18,7 +19,7 @@ std::optional<MenuEvent> menu_event_of(int key);
 /// Event of a key while a name is typed; std::nullopt for keys that only type.
 std::optional<MenuEvent::Kind> name_event_of(int key);
 
-/// Direction that a pad's cross or left stick points to; std::nullopt: none.
+/// Direction that a pad's d-pad or left stick points to; std::nullopt: none.
 std::optional<MenuEvent::Kind> menu_direction_of(const input::PadState& pad);
 
 /// All controls of the pad that were pressed since `before`.

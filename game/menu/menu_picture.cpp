@@ -32,7 +32,8 @@ std::string hint_of(const Page& page, const MenuState& s, const MenuContext& con
     return "choose: arrows, W and S, mouse or pad    confirm: Enter, A, click    back: Esc, B, right button";
 }
 
-/// Name of a player's devices. A second real arm goes to the player without the mouse.
+/// Name of a player's device, and of the second real arm if there is one and the player is the one without
+/// the mouse.
 std::string name_of_seat(const MenuState& s, const MenuContext& context, const Device& device) {
     const bool mouse = std::any_of(s.seats.begin(), s.seats.end(), [](const auto& seat) {
         return seat && seat->kind == DeviceKind::keyboard_mouse;

@@ -24,12 +24,14 @@ struct Row {
     void (*confirm)(const RowPress&) = nullptr;
     /// Acts on left (-1) and right (1); null: the row has no value to turn.
     void (*turn)(const RowPress&, int way) = nullptr;
-    std::size_t index = 0;     ///< index of the setting, action, sheet, joystick, fader or tactile::Purpose
+    /// index of the setting, action, sheet, joystick, fader or tactile::Purpose that the row is about
+    std::size_t index = 0;
     std::string_view opens{};  ///< name of the page that a press opens; empty: none
-    std::string stick{};       ///< joystick that the row is about, whatever number it has; empty: none
-    bool next_match = false;   ///< a change takes effect with the next match
-    bool for_one = false;      ///< a press begins a practice for the player who presses
-    bool felt = false;         ///< a press lets the player feel the value
+    /// name of the joystick that the row is about, since its index may change; empty: none
+    std::string stick{};
+    bool next_match = false;  ///< true: a change takes effect with the next match
+    bool for_one = false;     ///< true: a press begins a practice for the player who presses
+    bool felt = false;        ///< true: a press lets the player feel the value
 };
 
 using Rows = std::vector<Row>;
@@ -41,9 +43,9 @@ struct Page {
     /// Sets all values of the page to their defaults. Returns words for these values, such as "settings of
     /// this page". null: the page has no row "Reset to defaults".
     std::string (*reset)(MenuState&) = nullptr;
-    /// Line below the title for the chosen row; null: none.
+    /// Text below the title, which may depend on the chosen row; null: none.
     std::string (*line)(const MenuState&, const MenuContext&, const Row&) = nullptr;
-    /// Help on the keys for the chosen row; null: that of most pages.
+    /// Help on the keys, which may depend on the chosen row; null: the help of most pages.
     std::string (*hint)(const MenuState&, const MenuContext&, const Row&) = nullptr;
     /// A fault that the page shows while there is nothing else to report; null: none.
     std::string (*fault)(const MenuContext&) = nullptr;
@@ -52,8 +54,8 @@ struct Page {
     void (*leave)(MenuState&, const Device&, const Rows&) = nullptr;
     /// Acts on a press without a meaning in menus; null: nothing happens.
     void (*other)(MenuState&, const MenuContext&, const Device&) = nullptr;
-    bool seats = false;    ///< players take seats on the page, and it shows them
-    bool back_row = true;  ///< the last row is "Back"
+    bool seats = false;    ///< true: players take seats on the page, which shows the seats
+    bool back_row = true;  ///< true: the last row is "Back"
 };
 
 /// Registers a page when the program starts. The linker must keep the object file: link to thaum_menu_pages.
@@ -76,7 +78,7 @@ Rows rows_of(const MenuState& state, const MenuContext& context);
 void open_page(MenuState& state, std::string_view page);
 /// A row that opens a page.
 Row link_to(std::string_view page, std::string label, std::string help);
-/// A row that opens a page about one player: the one whose device asks for it.
+/// A row that opens a page about one player: the player whose device opens it.
 Row link_for_player(std::string_view page, std::string label, std::string help);
 /// The rows "Controls" and "Settings".
 void add_page_rows(Rows& rows);
@@ -85,10 +87,12 @@ Row whose_row(const MenuState& state, std::string label);
 /// All settings of the game, or of the page's player, that belong to a page.
 void add_settings(const MenuState& state, SettingPage page, Rows& rows);
 void add_player_settings(const MenuState& state, SettingPage page, Rows& rows);
-/// Sets these settings of the game to their defaults. Returns the words of Page::reset.
+/// Sets the settings of the game that belong to a page to their defaults. Returns words for them, as
+/// Page::reset does.
 std::string reset_settings(MenuState& state, SettingPage page);
 
-/// The index after or before the present one in a list.
+/// The next index (`way` 1) or the one before (`way` -1) in a list of `size` entries; past an end it goes on
+/// at the other end.
 std::size_t turned(std::size_t index, std::size_t size, int way);
 template <class List>
 void turn(std::size_t& index, const List& list, int way) {
@@ -125,7 +129,7 @@ inline bool starts_at_once(const MenuState& state, const Row& row) {
     return row.for_one && joined(state) == 0;
 }
 
-/// Name of a joystick by its number in MenuState::stick; empty: it is gone.
+/// Name of a joystick by its number in MenuState::stick; empty: the joystick was unplugged.
 std::string name_of_stick(const MenuContext& context, std::size_t stick);
 /// Words of the pause's row that begins the match again: "Restart the match".
 std::string label_of_restart(const MenuContext& context);

@@ -17,8 +17,8 @@ namespace {
 /// Spoiling time from which on a brew counts as one that never spoils, as on the range.
 constexpr Tick never_spoils = ticks(3600.0);
 
-/// Numbers of brew states. A moving brew is numbered by the match's clock, a resting one by the time it came
-/// to rest.
+/// Numbers of brew states (BrewPicture::state). The number of a moving brew is the match's clock plus an
+/// offset; that of a resting brew is `at_rest` plus the time at which it came to rest.
 constexpr std::uint64_t untouched = 1, at_rest = std::uint64_t{1} << 48U;
 
 void assign(std::span<const float> from, fluid::Samples& to) { to.assign(from.begin(), from.end()); }

@@ -29,7 +29,7 @@ struct BrewPicture {
     std::array<fluid::Samples, 3> velocity{};  ///< velocity components (m/s)
     /// Position of each velocity component of cell (0, 0, 0), in cells.
     std::array<vec3, 3> velocity_places{};
-    /// Density of each substance; empty if the substance holds no ingredient.
+    /// Density of each substance in each cell; empty if the substance holds no ingredient.
     std::array<fluid::Samples, fluid::max_substances> densities{};
     BrewColours colours{};
     fluid::SpringSurface surface{};
@@ -62,8 +62,8 @@ struct CauldronPicture {
     double whole_time_s{};
     double fresh{};       ///< spoils_in_s as a share of the whole time, 0 to 1
     double well_mixed{};  ///< value of `mixed` from which the owner is rewarded
-    /// Time until the owner gains the boon, if the brew stays well mixed (s); 0: the brew is not well mixed,
-    /// or has already given its boon.
+    /// Time until the owner gains the boon, a healing for a brew that stays well mixed (s); 0: the brew is
+    /// not well mixed, or has already given its boon.
     double boon_in_s{};
     bool boon_open{};                   ///< true: the brew can still heal its owner
     std::uint32_t boon_for{no_player};  ///< player whom the boon heals now; no_player: none

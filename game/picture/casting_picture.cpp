@@ -149,7 +149,7 @@ void take_free(const Simulation& match, ecs::Entity wizard, FreePicture& out) {
     }
 }
 
-/// Number of the first event in the last `age` ticks.
+/// Index in the journal of the first event of the last `age` ticks.
 std::uint64_t first_since(const EventJournal& events, Tick played, Tick age) {
     auto i = events.count();
     while (i > events.first() && events[i - 1].tick + age >= played) --i;

@@ -34,14 +34,14 @@ struct StrokePicture {
     std::array<DrawnPoint, max_points> points{};
     std::uint32_t count{};
     double apart_s = 0.008;  ///< time between two points of the stroke (s)
-    bool drawing{};          ///< true: Trace is held
+    bool drawing{};          ///< true: the player holds the button Trace
     bool on_brew{};          ///< true: the ladle draws
     bool curve{};            ///< true: the hand draws a curve at the orb, which is no stroke of a spell
     bool read{};             ///< true: the finished stroke was recognised as a gesture
     double since_end_s{};    ///< time since the end of a finished stroke (s)
     double force_now{};      ///< force at the newest point (N)
     double force_mean{};     ///< mean force along the stroke, which decides between gentle and harsh (N)
-    bool chord{};  ///< true: a key chord has replaced the stroke, and the forces are those of the chord
+    bool chord{};  ///< true: a key chord has replaced the stroke, and the forces are those of the chord (N)
     /// The points on the brew, for a stroke of the ladle only (m, world).
     std::array<fvec3, max_points> places{};
 };
@@ -59,8 +59,8 @@ enum class StrokeOutcome : std::uint8_t {
 struct ReadingPicture {
     double age_s{1e6};
     StrokeOutcome outcome{};
-    std::uint32_t gesture{no_gesture}, nearest{no_gesture};  ///< numbers in CastingPicture::gestures
-    /// Probability, mean force and turns of the stroke, as in LastReading.
+    std::uint32_t gesture{no_gesture}, nearest{no_gesture};  ///< indices in CastingPicture::gestures
+    /// Probability, mean force (N) and turns of the stroke, as in LastReading.
     double probability{}, force{}, turns{};
     std::optional<std::uint32_t> chord{};  ///< slot of the key chord; std::nullopt: a stroke was read
     Event event{};                         ///< event that gives the outcome; unused for StrokeOutcome::none

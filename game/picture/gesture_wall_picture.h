@@ -1,5 +1,5 @@
-// game/picture/gesture_wall_picture.h: the contents of the gesture wall of the range, for pictures. The
-// session fills them in.
+// game/picture/gesture_wall_picture.h: the contents of the gesture wall, a display of all gestures on the
+// practice range. The session fills them in.
 #pragma once
 #include <memory>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace thaum::game::inline picture {
 
-/// A gesture on the wall.
+/// A gesture on the wall, with a pale example of its stroke (the ghost).
 struct WallGesture {
     std::string name;   ///< display name: "Circle"
     std::string spell;  ///< name of the spell that the gesture casts; empty: none
@@ -21,10 +21,10 @@ struct GestureWallPicture {
     bool on = false;
     std::shared_ptr<const std::vector<WallGesture>> gestures{};
     std::vector<int> scores{};  ///< newest score of each gesture (%), -1: none yet
-    int chosen = -1;            ///< gesture that the newest stroke belongs to; -1: none
+    int chosen = -1;            ///< index of the gesture that the newest stroke belongs to; -1: none
     std::vector<gesture::StrokePoint> stroke{};
     bool drawing = false;  ///< true: the stroke has not ended
-    /// Lines below the cells: the recognised gesture, and advice. Controls are in braces
+    /// Lines below the gestures: the recognised gesture, and advice. Controls are in braces
     /// (game/data/control_words.h).
     std::vector<std::string> lines{};
 };

@@ -66,7 +66,7 @@ void take_power_ups(const Simulation& match, Picture& out) {
     });
 }
 
-/// Computes the path of the shot that is being drawn, up to the first thing in its way.
+/// Computes the path of the shot for which a wand is being drawn, up to the first thing in its way.
 void take_arc(const Simulation& match, ecs::Entity wizard, const ShotKind& shot, PlayerPicture& out) {
     constexpr double step_s = 0.06;
     const quat looking = look_rotation(out.vitals.yaw, out.vitals.pitch);
@@ -441,7 +441,7 @@ void interpolate(const Picture& from, const Picture& to, double alpha, Picture& 
     const double dt = seconds(to.tick - from.tick);
     for (std::size_t i = 0; i < out.things.size(); ++i) {
         auto& thing = out.things[i];
-        // Both tables have the same order, except for added or removed rows.
+        // Both lists of things have the same order, except for added or removed things.
         const auto same = [&](const ThingPicture& t) { return t.entity == thing.entity; };
         const auto found = i < from.things.size() && same(from.things[i])
                                ? from.things.begin() + static_cast<std::ptrdiff_t>(i)

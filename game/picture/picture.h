@@ -68,7 +68,7 @@ struct CastShown {
     double age_s{};
     std::uint32_t player{};
     SpellSign sign{};
-    double strength{};  ///< strength of the spell; 1 for a gentle stroke
+    double strength{};  ///< strength of the spell: 1 for a gentle stroke, more for a harsh one
     vec3 place{};       ///< middle of the caster's body (m, world)
 };
 
@@ -80,7 +80,7 @@ struct FogPicture {
     double strength{};  ///< opacity: 1, or less while the cloud appears and vanishes
 };
 
-/// A niche, with its ingredient or waiting for it to return.
+/// A niche, which holds its ingredient or is empty until the ingredient returns.
 struct NichePicture {
     vec3 position{};  ///< position on the ground (m, world)
     fvec3 colour{};   ///< colour of the ingredient, linear light
@@ -94,7 +94,7 @@ struct PowerUpPicture {
     double returned{};  ///< 1: the power-up is present; below 1: elapsed share of its absence
 };
 
-/// What is seen of one wizard, and what the player knows.
+/// What is visible of one wizard, and what only this wizard's player is shown.
 struct PlayerPicture {
     VitalsPicture vitals{};
     WandPicture wand{};
@@ -145,8 +145,9 @@ struct Picture {
     double played_s{}, left_s{};
     Phase phase{};
     Ending ending{};
-    std::uint32_t winner{no_player};        ///< winner of the round that has ended
-    std::uint32_t match_winner{no_player};  ///< player who has won more rounds
+    std::uint32_t winner{no_player};  ///< winner of the round that has ended
+    /// player who has won the match by more rounds; no_player: nobody
+    std::uint32_t match_winner{no_player};
     std::uint32_t round{}, rounds{};  ///< index of the round, from 0, and maximum number of rounds of a match
     std::array<std::uint32_t, players> rounds_won{};
     double next_round_in_s{};

@@ -18,7 +18,7 @@ enum class RecipeStep : std::uint8_t {
     choose,      ///< the brew is pure, so any recipe can be begun
     ingredient,  ///< the next step is an ingredient
     stroke,      ///< the next step is a stroke
-    spoilt       ///< nothing can come of this brew
+    spoilt       ///< the brew can become no potion any more
 };
 
 inline constexpr std::size_t max_ghost_points = 40;
@@ -35,9 +35,9 @@ struct RecipePicture {
     double least{}, most{};    ///< limits of `reached` for the next step
     std::string_view gesture;  ///< next gesture; empty: the next step is an ingredient
     CircleSense sense{};       ///< required direction of rotation of the next gesture
-    /// Number of right strokes of this gesture so far, and the required number.
+    /// Number of correct strokes of this gesture so far, and the required number.
     std::uint32_t done{}, times{};
-    bool begun{};  ///< true after the first right stroke: from then on `reached` no longer matters
+    bool begun{};  ///< true after the first correct stroke: from then on `reached` no longer matters
     double min_force{}, max_force{};  ///< allowed range of the stroke's mean force (N)
     double force{};                   ///< present force of the ladle, as it counts for a stroke (N)
     /// Shape of the next gesture as the wizard sees it: x to the right, y away, around the middle of the brew

@@ -12,11 +12,11 @@
 
 namespace thaum::game::inline picture {
 
-/// Cells of the figure that shows what a body feels: 4 x 5 in front from the top
-/// left of the wearer, then the back.
+/// Number of cells of the figure that shows what a player's body feels: 4 x 5 in front, from the top left of
+/// the wearer, and as many on the back.
 inline constexpr std::size_t figure_cells = 40;
 
-/// Time for which a mark shows the direction of a hurt.
+/// Time for which a mark shows the direction of a hurt (s).
 inline constexpr double mark_seconds = 1.2;
 
 /// A recent hurt of a player.
@@ -35,7 +35,8 @@ struct ForcePicture {
     double cap{};                  ///< limit of the force (N)
     vec3 now{};                    ///< present force (N, device frame, drawn in the eye frame)
     std::string_view source;       ///< name of the strongest source of force (felt_source.h); empty: none
-    double created{};              ///< largest net energy that passive sources have given (J)
+    /// largest net energy that the hand has got from sources that must not create energy (J)
+    double created{};
     /// Strongest force of each complete column, the oldest first (N).
     std::array<float, std::tuple_size_v<ForceTrace> / force_column - 1> strongest{};
 
@@ -44,17 +45,17 @@ struct ForcePicture {
 };
 
 struct SensesPicture {
-    double since_hit_s{};      ///< time since this player last hurt the other
-    double since_warning_s{};  ///< time since the last event of this player with HudMark::warning
+    double since_hit_s{};      ///< time since this player last hurt the other one (s)
+    double since_warning_s{};  ///< time since the last event of this player with HudMark::warning (s)
     EventKind warning{};       ///< kind of the event of since_warning_s
-    double since_gift_s{};     ///< time since the last event of this player with HudMark::gift
+    double since_gift_s{};     ///< time since the last event of this player with HudMark::gift (s)
     Event gift{};              ///< the event of since_gift_s
     ForcePicture force{};
     std::uint32_t
         heard_lines{};  ///< number of entries in `heard`, the oldest first; the session fills them in
     std::array<HeardLine, 8> heard{};
     std::array<float, figure_cells> felt{};  ///< strength in each cell, 0 to 1; the session fills it in
-    double since_felt_s{1e6};                ///< time since a cell was last on
+    double since_felt_s{1e6};                ///< time since a cell of `felt` was last on (s)
     std::uint32_t hurts{};                   ///< number of entries in `marks`
     std::array<HurtMark, 6> marks{};
 };

@@ -29,7 +29,8 @@ double reach_of(const field::Tool& tool, double voxel) {
 /// Duration of the trial use of a tool (s), that of a short click.
 constexpr double trial = 0.15;
 
-/// Effect that a carver's tool would have on the overlap at its present position.
+/// Effect that a carver's tool, used at its present position, would have on the overlap of crystal and key's
+/// shape.
 DabWorth worth_of(const Simulation& match, const AtStation& station, const Chisel& chisel,
                   const field::Tool& tool) {
     const auto& world = match.world();
@@ -45,7 +46,7 @@ DabWorth worth_of(const Simulation& match, const AtStation& station, const Chise
 
 /// A wizard who may begin work at a station.
 struct Comer {
-    bool presses{};  ///< Stir
+    bool presses{};  ///< true: the player presses the button Stir
     vec3 eye{};      ///< position of the eye (m, world)
     vec3 ahead{};    ///< direction of view (unit, world)
 };
@@ -87,7 +88,8 @@ double force_share(const Simulation& match, std::uint32_t player, vec3 force) {
     return cap > 0 ? glm::length(force) / cap : 0;
 }
 
-/// Copies a curve as the player sees it on the drawing plane: from the mode's lowest strength to its highest.
+/// Copies a curve as the player sees it on the drawing plane: 0 is the mode's lowest strength, and 1 the
+/// highest one.
 void take_curve(const OrbRules& rules, const OrbMode& mode, const field::TransferFunction& strength,
                 std::array<float, curve_points>& out) {
     for (std::size_t i = 0; i < out.size(); ++i) {

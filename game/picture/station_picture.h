@@ -1,6 +1,6 @@
 // game/picture/station_picture.h: one moment of the orb and the crystals of a match as plain data, for
-// drawing (game/scene/orb_look.h, game/scene/crystal_look.h) and for the card of a wizard who works there
-// (station_card.h).
+// drawing (game/scene/orb_look.h, game/scene/crystal_look.h) and for the card, a panel for a wizard who works
+// there (station_card.h).
 #pragma once
 #include <array>
 #include <cstdint>
@@ -45,7 +45,7 @@ struct OrbPicture {
 /// Number of points at which a strength curve is plotted.
 inline constexpr std::size_t curve_points = 33;
 
-/// State of a wizard at the orb, for the card.
+/// State of a wizard at the orb, for the card of the orb.
 struct ScryingPicture {
     bool near{};    ///< true: the wizard is near enough to begin
     bool misses{};  ///< true: the player presses Stir a few steps too far away from the orb
@@ -54,15 +54,16 @@ struct ScryingPicture {
     /// Names of all modes, by the key that chooses them; empty: none.
     std::array<std::string_view, max_orb_modes> modes{};
     std::array<bool, max_orb_modes> worn{};  ///< for each mode, true if it is active
-    std::uint32_t newest{no_mode};  ///< newest active mode, whose strength Trace draws; no_mode: none
-    bool draws{};                   ///< true: Trace draws the strength of the newest mode
+    std::uint32_t newest{no_mode};  ///< newest active mode, whose strength the player can draw; no_mode: none
+    bool draws{};  ///< true: the player draws the strength of the newest mode with the button Trace
     /// Strength of the newest mode as a share of the drawing plane's height, at equal distances over its
     /// width.
     std::array<float, curve_points> curve{};
-    double held_s{}, wanted_s{};  ///< time at the core so far, and required time (s)
-    bool core_near{};             ///< true: the probe is within reach of the core
-    bool told{};                  ///< true: the orb has already given its reward in this life
-    /// Ingredients in the order for this player; empty: not revealed.
+    /// time that the probe has been held at the hidden core so far, and required time (s)
+    double held_s{}, wanted_s{};
+    bool core_near{};  ///< true: the probe is within reach of the core
+    bool told{};       ///< true: the orb has already given its reward in this life
+    /// Ingredients in the secret order of this player's recipe; empty: the order is not revealed.
     std::array<std::string_view, 3> order{};
     std::string_view potion{};  ///< potion whose recipe has the order in `order`
 };
@@ -79,11 +80,11 @@ struct CrystalPicture {
     double yaw{};          ///< rotation of its frame about the vertical axis (rad)
     double edge{};         ///< length of the cube's edge (m)
     std::uint64_t seed{};  ///< seed of the rough body and of the key's shape
-    /// Null until a wizard or a shot has touched the crystal.
+    /// Voxels of the crystal; null until a wizard or a shot has touched it.
     std::shared_ptr<const CrystalVoxels> voxels{};
 };
 
-/// State of a wizard at a crystal, for the card.
+/// State of a wizard at a crystal, for the card of the crystal.
 struct CarvingPicture {
     bool near{};              ///< true: the wizard is near enough to begin
     bool misses{};            ///< true: the player presses Stir a few steps too far away from a crystal
@@ -98,7 +99,7 @@ struct CarvingPicture {
     double wanted{};       ///< overlap at which the wizard gains the Lens
 };
 
-/// The Lens and the Great Work of a wizard.
+/// Progress of a wizard's Great Work, whose two halves are Azoth (a potion) and the Lens (from a crystal).
 struct WorkPicture {
     bool lens{};      ///< true: the wizard holds the Lens
     double left_s{};  ///< time until the Great Work is completed (s); 0: the wizard does not hold both halves

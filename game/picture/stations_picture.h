@@ -1,5 +1,5 @@
-// game/picture/stations_picture.h: one moment of a wizard's work at
-// cauldron, orb and crystals, as plain data.
+// game/picture/stations_picture.h: one moment of a wizard's work at cauldron, orb and crystals, as plain
+// data.
 #pragma once
 #include <string_view>
 
@@ -10,7 +10,7 @@ namespace thaum::game::inline picture {
 
 struct StationsPicture {
     std::string_view carries{};  ///< name of the carried ingredient; empty: none
-    fvec3 carried_colour{};      ///< its colour, linear light
+    fvec3 carried_colour{};      ///< colour of the carried ingredient (linear light)
     IngredientShape carried_shape{};
     RecipePicture recipe;  ///< next step at the cauldron; for a player who stirs or can start to
     bool refilled{};       ///< true while stirring refills the wands
@@ -22,7 +22,7 @@ struct StationsPicture {
     bool work_half{};  ///< true if the wizard holds the half of the Great Work that is brewed
     WorkPicture work;
 
-    /// Whether the wizard stirs, scries or carves: the hand moves no wand.
+    /// Whether the wizard stirs, scries or carves. The hand then moves no wand.
     bool works() const { return stirs || scrying.scries || carving.carves; }
 };
 

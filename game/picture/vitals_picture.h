@@ -17,12 +17,12 @@ struct VitalsPicture {
     std::uint32_t lives{};                         ///< number of deaths; a change marks a teleport
     double health{}, health_full{}, health_cap{};  ///< HP
     std::int32_t kills{}, deaths{};
-    double returns_in_s{};  ///< time until the wizard returns, if dead
-    /// Potions that act on the wizard, and the time that is left (s); the first `potions`.
+    double returns_in_s{};  ///< time until the wizard returns, if dead (s)
+    /// Potions that act on the wizard, and their remaining time (s); only the first `potions` are used.
     std::array<std::string_view, max_potions> potion_names{};
     std::array<double, max_potions> potion_left_s{};
     std::uint32_t potions{};
-    double poisoned_s{};  ///< time for which poison will hurt the wizard; 0: none does
+    double poisoned_s{};  ///< time for which poison will still hurt the wizard (s); 0: there is none
 };
 
 }  // namespace thaum::game::inline picture

@@ -13,17 +13,17 @@ namespace thaum::game::inline picture {
 
 struct WandPicture {
     std::string_view name;   ///< kind of the wand in hand; empty: none
-    std::uint32_t number{};  ///< its index in Presentation::wands
+    std::uint32_t number{};  ///< index of that wand in Presentation::wands
     double energy{}, energy_cap{};
     std::array<double, input::max_wands> charges{};  ///< energy of each wand of Presentation::wands
     std::uint32_t fired{};                           ///< number of shots and throws so far
     Target target{};     ///< the thing under the crosshair, as the wand in hand sees it
     double readiness{};  ///< charge or draw of the wand, 0 to 1
-    vec3 turn{};         ///< rotation about its tip by the stylus: axis times angle (rad, eye frame)
-    vec3 reach{};        ///< displacement of its tip by the hand (m, eye frame)
-    bool holds_thing{};  ///< the wand holds a thing that can be thrown
-    /// Points of the way that a shot would fly which the player is drawing,
-    /// the first `arc_points` (m, world).
+    vec3 turn{};   ///< rotation of the wand about its tip by the stylus: axis times angle (rad, eye frame)
+    vec3 reach{};  ///< displacement of the wand's tip by the hand (m, eye frame)
+    bool holds_thing{};  ///< true: the wand holds a thing that can be thrown
+    /// Points of the path that the shot which the player is drawing would fly; only the first `arc_points`
+    /// are used (m, world).
     std::array<vec3, 24> arc{};
     std::uint32_t arc_points{};
     /// Displacement of the resting end of a drawn wand's spring from wand_tip (m, eye

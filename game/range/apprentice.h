@@ -42,7 +42,7 @@ struct Condition {
 
 struct Deed {
     std::vector<Condition> conditions;
-    /// Time limit since the last deed, after which the step starts again; std::nullopt: none.
+    /// Time limit since the last deed, after which the step starts again (ticks); std::nullopt: none.
     std::optional<Tick> soon{};
 };
 

@@ -12,7 +12,7 @@ constexpr double step_ahead = 1.2;  ///< distance ahead of the feet that must be
 /// Speed below which a walking dummy counts as blocked by an obstacle (m/s)
 constexpr double held_up_below = 0.3;
 constexpr Tick held_up_for = ticks(0.25);
-/// Minimum time between two reversals, so that the dummy does not tremble at an obstacle.
+/// Minimum time between two reversals, so that the dummy does not tremble at an obstacle (ticks).
 constexpr Tick turns_not_before = ticks(0.4);
 constexpr std::int32_t full = 127;
 

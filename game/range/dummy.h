@@ -47,7 +47,7 @@ private:
     Eyes eyes_{};
     Mind mind_{};
     WalkGrid grid_;
-    bool begins_ = true;          ///< true: the next gameplay tick starts with empty memory
+    bool begins_ = true;          ///< true: at the next gameplay tick the dummy starts without memory
     std::optional<vec3> home_{};  ///< place where the dummy came to life; std::nullopt while it is dead
     std::int32_t way_ = 1;        ///< direction of walking: 1 to its right, -1 to its left
     Tick walked_at_{};            ///< when the dummy last made progress in walking (ticks of play)

@@ -30,7 +30,7 @@ std::optional<std::uint32_t> ForceTrial::step(game::Simulation& match, std::uint
         runs_ = false;
         return percent_;
     }
-    // The player has not pressed fire at all, so nothing changes.
+    // The player has not pressed fire up to the strongest kick, so nothing changes.
     if (percent_ == 100 && age_ % between_kicks == 0) {
         runs_ = false;
         return {};

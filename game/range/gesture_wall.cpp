@@ -45,7 +45,7 @@ double way_of(gesture::Points stroke) {
 
 }  // namespace
 
-/// Lists the ghosts of the player's gestures, if the set of gestures has changed.
+/// Lists the player's gestures with their ghosts (pale example strokes), if the set of gestures has changed.
 void GestureWall::list(const game::Simulation& match) {
     const auto& own = match.setup().gestures[practising];
     const auto& set = own ? own : match.data().gestures;
@@ -116,7 +116,7 @@ void GestureWall::read(const game::Simulation& match) {
         return;
     }
     chosen_ = static_cast<int>(number);
-    // No score if no gesture was meant; see words_of_miss in game/hud/stroke_words.cpp.
+    // An unrecognised stroke gets no score; see words_of_miss in game/hud/stroke_words.cpp.
     scores_[number] = meant ? score : -1;
     const auto& shown = (*gestures_)[number];
     if (meant)

@@ -1,6 +1,6 @@
-// game/range/gesture_wall.h: the gesture wall of the range. It follows the strokes of the practising player,
-// compares each with the gesture as which it was recognised, and collects three strokes when the player
-// records a gesture.
+// game/range/gesture_wall.h: the gesture wall, a display of all gestures on the practice range. It follows
+// the strokes of the practising player, compares each with the gesture as which it was recognised, and
+// collects three strokes when the player records a gesture.
 #pragma once
 #include <memory>
 #include <optional>
@@ -49,7 +49,7 @@ private:
     void tell_recording();
     void begin_stroke();
 
-    /// The set whose ghosts are in `gestures_`; null: none.
+    /// Set of gestures whose ghosts (pale example strokes) are in `gestures_`; null: none.
     std::shared_ptr<const game::GestureSet> listed_{};
     std::shared_ptr<const std::vector<game::WallGesture>> gestures_{};
     std::vector<int> scores_{};

@@ -1,5 +1,5 @@
-// game/range/practice.h: the range in a live session: its match and dummy, the scores, and data files, which
-// are read again when they change.
+// game/range/practice.h: the practice range in a live session: its match and dummy, the scores, and data
+// files, which are read again when they change.
 #pragma once
 #include <condition_variable>
 #include <mutex>
@@ -49,20 +49,23 @@ public:
              std::vector<input::ProfileData> profile = {});
 
     game::Simulation& match() { return *range_.match; }
-    /// At the start of a step, removes fire from the practising player's samples until it is released.
+    /// At the start of a step, removes the fire button from the practising player's samples until it is
+    /// released.
     void hold_fire_back(input::InputFrame& frame);
     /// Starts the search for the largest force that the player likes.
     void find_force() { force_trial_.begin(); }
-    /// Runs the force search for a tick, acting on its input. Returns the chosen force (%), once.
+    /// Runs the search for the largest force for a tick, acting on its input. Returns the chosen force (% of
+    /// the device's peak), once.
     std::optional<std::uint32_t> try_force(input::InputFrame& frame) {
         force_sample_.step(match(), game::practising);
         const auto found = force_trial_.step(match(), game::practising, frame);
         if (found) tell_found(*found);
         return found;
     }
-    /// Lets the player feel one force fader.
+    /// Lets the player feel the forces that one fader scales.
     void play_force(input::HandFader fader) { force_sample_.begin(fader); }
-    /// Whether the force search is running. Meanwhile the player's own force limit does not apply.
+    /// Whether the search for the largest force is running. Meanwhile the player's own force limit does not
+    /// apply.
     bool finds_force() const { return force_trial_.runs(); }
     input::DeviceSample dummy_sample() { return range_.dummy.sample(*range_.match); }
     void set_dummy(game::DummyKind kind);
@@ -72,13 +75,13 @@ public:
     /// Continues with the data of changed files; match() may then return another object. If a file has a
     /// fault, the old data is kept, and a caption shows the fault until the next reload.
     void adopt(const game::Reload& reload);
-    /// Updates the Apprentice after a tick: measures the step, and puts wizards and dummy in place if a step
+    /// Updates the Apprentice after a tick: measures the step, and puts wizard and dummy in place if a step
     /// begins.
     void follow_lessons();
-    /// The lessons; null on the range.
+    /// The Apprentice; null in free practice.
     game::Apprentice* apprentice() { return apprentice_ ? &*apprentice_ : nullptr; }
-    /// Takes the player's next strokes for a gesture, by its number in the match's
-    /// set. Unknown numbers do nothing.
+    /// Records the player's next strokes as the gesture with this number in the match's set. An unknown
+    /// number does nothing.
     void draw_gesture(std::uint32_t number);
     /// Looks at the strokes of the practising player after a tick.
     void follow_gestures();
@@ -115,7 +118,7 @@ private:
     Tick caption_until_{};  ///< end of the caption (ticks of play, so that a pause does not use up its time)
 };
 
-// Requests to the practice (range_request.h). The menu's rows send them.
+// Requests to the practice (range_request.h), which rows of the menu send.
 
 /// Goes on to the Apprentice's next step.
 struct SkipStep {

@@ -16,7 +16,7 @@ struct RangeData {
 };
 
 /// Changes of a range's rules that a practising player chooses. The alignment lets every compiler store both
-/// in one atomic word.
+/// flags in one atomic word.
 struct alignas(2) RangeChanges {
     bool endless_energy = false;  ///< true: wands are always full
     bool harmless_brew = false;   ///< true: the brew neither slows, lifts nor hurts wizards
@@ -29,7 +29,7 @@ RangeData changed(const RangeData& data, const RangeChanges& changes);
 /// ignored. No useful brew boils over, and ingredients return at once. The error names file, line and key.
 Expected<RangeData> load_range(const std::filesystem::path& assets, const DataChoice& choice);
 
-/// Device of the dummy, whose counts have the same meaning as a bot's.
+/// Device of the dummy: it works as a bot's does.
 input::DeviceSpec dummy_device();
 
 /// A running range: the match and its dummy.

@@ -29,7 +29,7 @@ public:
     void carry_out(Practice& practice) const {
         if (carry_out_ != nullptr) carry_out_(*this, practice);
     }
-    /// The struct; std::nullopt: the request is of another type.
+    /// The request as a struct of type T; std::nullopt: the request is of another type.
     template <class T>
     std::optional<T> as() const {
         return carry_out_ == run<T> ? std::optional(value<T>()) : std::nullopt;

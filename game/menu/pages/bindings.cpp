@@ -1,4 +1,4 @@
-// The bindings of one sheet.
+// Menu page: the bindings of one sheet, which are those of one kind of device or of the session.
 #include "core/text.h"
 #include "game/menu/page.h"
 

@@ -1,4 +1,4 @@
-// Faders for the cauldron's forces on one hand.
+// Menu page: faders for the cauldron's forces on one player's hand.
 #include "core/text.h"
 #include "game/menu/page.h"
 

@@ -1,4 +1,4 @@
-// What one player feels: faders for forces, motors and jacket, with presets and profiles.
+// Menu page: what one player feels, as faders for forces, motors and jacket, with presets and profiles.
 #include <algorithm>
 
 #include "core/text.h"
@@ -18,7 +18,8 @@ std::size_t preset_of(const MenuState& s) {
     return static_cast<std::size_t>(same - presets.begin());
 }
 
-/// Chooses the preset after or before the present one. Own values come before the first one.
+/// Chooses the preset after or before the present one. Values of no preset count as between the last and the
+/// first one.
 void turn_preset(const RowPress& press, int way) {
     auto& s = press.state;
     const auto& presets = feel_presets();
@@ -93,7 +94,7 @@ input::HandFader felt_fader_of(const PlayerSetting& setting) {
     return is_about(setting, &PlayerSettings::recoil) ? input::HandFader::recoil : input::HandFader::none;
 }
 
-/// Whether the player of the page can feel forces at once: it is the one who practises on the range.
+/// Whether the player of the page can feel forces at once. Only the player who practises on the range can.
 bool can_feel_forces(const MenuState& s, const MenuContext& context) {
     return context.practice && !context.apprentice && s.player == game::practising;
 }
@@ -142,7 +143,7 @@ std::string shortened(const std::string& words) {
     return words.size() <= most ? words : words.substr(0, most - 3) + "...";
 }
 
-/// State of the player's jacket, or how to name one.
+/// State of the player's jacket, or where a jacket can be chosen.
 std::string jacket_help(const MenuContext& context, std::size_t player) {
     const auto& state = context.jackets.at(player);
     return state.empty() ? std::string("Is changed in the settings file only; its comment says how.") : state;

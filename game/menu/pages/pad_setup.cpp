@@ -1,4 +1,4 @@
-// The page that asks for the controls of a joystick that is no pad yet.
+// Menu page: asks for the controls of a joystick that is no pad yet.
 #include "core/text.h"
 #include "game/menu/page.h"
 

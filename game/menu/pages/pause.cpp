@@ -1,4 +1,4 @@
-// The pause of a match, of the range and of the Apprentice.
+// Menu page: the pause of a match, of the range and of the Apprentice.
 #include "core/text.h"
 #include "game/menu/page.h"
 
@@ -56,7 +56,7 @@ void add_range_rows(const MenuState& s, Rows& rows) {
                     }});
 }
 
-/// The next pause opens at the row of an own gesture, since such a choice is often made again.
+/// Lets the next pause open at this row, since a gesture is often drawn or forgotten several times in a row.
 void come_back_here(MenuState& s) { s.pause_row = s.pages.back().cursor; }
 
 void draw_gesture(const RowPress& press) {

@@ -1,4 +1,4 @@
-// The name, captions and look of one player.
+// Menu page: the name, captions and look of one player.
 #include "core/text.h"
 #include "game/menu/page.h"
 

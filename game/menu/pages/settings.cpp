@@ -1,4 +1,4 @@
-// Settings of the picture, of words and of recordings, and the pages below them.
+// Menu page: settings of the picture, of words and of recordings, and links to the pages below it.
 #include "game/menu/page.h"
 
 namespace thaum::game::inline menu {

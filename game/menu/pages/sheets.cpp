@@ -1,4 +1,5 @@
-// The list of the sheets of bindings, and of joysticks that can be set up as pads.
+// Menu page: the list of the sheets of bindings (one for each kind of device, and one for the session), and
+// of joysticks that can be set up as pads.
 #include "core/text.h"
 #include "game/menu/page.h"
 

@@ -1,4 +1,4 @@
-// Settings of the sounds.
+// Menu page: settings of the sounds.
 #include "game/menu/page.h"
 
 namespace thaum::game::inline menu {

@@ -1,4 +1,4 @@
-// The start screen: players take seats, choose a match and begin it.
+// Menu page: the start screen, where players take seats, choose a match and begin it.
 #include "core/text.h"
 #include "game/menu/page.h"
 
@@ -39,7 +39,7 @@ void leave_start(MenuState& s, const Device& device, const Rows& rows) {
     if (const auto seat = seat_of(s, device)) {
         s.seats[*seat].reset();
     } else if (device.kind == DeviceKind::pad) {
-        join(s, device);  // any button of a pad joins
+        join(s, device);  // every other button of a pad joins too
     } else {
         s.pages.back().cursor = s.pages.back().middle = rows.size() - 1;  // Quit is the last row
         s.chooser = device;
@@ -66,7 +66,7 @@ game::MenuRow choice_row(std::string label, const std::string& help,
             .dim = !one.fault.empty()};
 }
 
-// The settings keep a choice for the next match, unless its file is broken.
+// A choice is kept in the settings for the next start of the program, unless its file is broken.
 
 void turn_level(const RowPress& press, int way) {
     auto& s = press.state;
