@@ -51,15 +51,15 @@ std::optional<std::size_t> wand_slot_of(Slot slot) {
     return std::nullopt;
 }
 
-/// Actions that only work after a round, when a hand has no other actions.
+/// Whether an action only works after a round, when a hand has no other actions.
 bool acts_after_round(Slot slot) {
     return is(slot, Action::confirm) || is(slot, SessionKey::again) || is(slot, SessionKey::leave);
 }
 bool acts_in_round(Slot slot) { return !acts_after_round(slot); }
 bool acts_always(Slot slot) { return slot.sheet == session_sheet && acts_in_round(slot); }
 
-/// Tests whether one control may be bound to both: to the same action of two players, or to actions that
-/// never work at the same time.
+/// Tests whether two slots may have the same control: the panic, the pause or the confirmation of two
+/// players, a key of the session for the same purpose, or actions that never work at the same time.
 bool may_share(Slot a, Slot b) {
     const bool hands = a.sheet != session_sheet && b.sheet != session_sheet;
     if (hands && a.action == b.action)

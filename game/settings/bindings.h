@@ -1,6 +1,6 @@
-// game/settings/bindings.h: bindings of controls to actions in the settings, as sheets with one row for each
-// action. Functions here give the names of sheets, actions and controls, test which controls a hand can use,
-// and move a control from one action to another.
+// game/settings/bindings.h: bindings of controls to actions in the settings, as sheets (one for each kind of
+// device, and one for the session) with one row for each action. Functions here give the names of sheets,
+// actions and controls, test which controls a hand can use, and move a control from one action to another.
 #pragma once
 #include <string>
 #include <vector>
@@ -31,7 +31,8 @@ bool is_listed(Slot slot, const WandNames& wands);
 bool is_bound(const std::vector<input::Control>& controls, int key);
 /// Tests whether the action opens the pause.
 bool pauses(Slot slot);
-/// Tests whether a control can be bound to the action, which requires that a hand of the sheet can use it.
+/// Tests whether a control can be bound to the action: a control of the sheet's kind of device, or a key on the
+/// sheet of the session. The steps of the wheel cannot be bound to the actions that they do without a binding.
 bool fits(Slot slot, const input::Control& control);
 
 const std::vector<input::Control>& controls_of(const Settings& settings, Slot slot);

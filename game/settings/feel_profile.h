@@ -20,7 +20,7 @@ const std::vector<FeelProfile>& feel_presets();
 void use(const FeelProfile& profile, Settings& settings, std::size_t player);
 /// The values of a player, as a profile without a name.
 FeelProfile feel_of(const Settings& settings, std::size_t player);
-/// Whether both have the same values. Names are not compared.
+/// Whether two profiles have the same values. Names are not compared.
 bool feels_alike(const FeelProfile& a, const FeelProfile& b);
 
 /// Writes and reads the text of a profile's file. Missing keys get their defaults. `file`: name in messages.

@@ -20,8 +20,8 @@ std::filesystem::path file_of(const std::filesystem::path& folder, const std::st
     return folder / (file_name_of(name) + ".toml");
 }
 
-/// Why a recorded gesture does not suit the match's data or the player's other gestures; std::nullopt if it
-/// does.
+/// Why a recorded gesture does not suit the match's data or the player's other gestures; std::nullopt if the
+/// gesture suits them.
 std::optional<std::string> fault_of(const game::MatchData& data, std::vector<input::ProfileData> others,
                                     const input::ProfileData& item) {
     game::MatchSetup scratch;
@@ -33,7 +33,8 @@ std::optional<std::string> fault_of(const game::MatchData& data, std::vector<inp
                 "): record it anew with shorter strokes");
 }
 
-/// Text about the more frequent of two mistakes: "Star: 12 % of such strokes are taken for it".
+/// Text about the more frequent of two mistakes, strokes of the player's own gesture taken for the other one,
+/// or the reverse: "Star: 12 % of such strokes are taken for it".
 std::string words_of(const gesture::Pair& pair, bool own_is_first, std::string_view other) {
     const auto &own = own_is_first ? pair.a_as_b : pair.b_as_a,
                &others = own_is_first ? pair.b_as_a : pair.a_as_b;

@@ -49,8 +49,8 @@ std::vector<input::ProfileData> with_own_gesture(std::vector<input::ProfileData>
                                                  const gesture::Gesture& gesture, std::uint32_t player);
 
 /// Refuses a gesture that cannot be used together with the player's other gestures, or that is so similar to
-/// one of them that strokes would be mistaken (gesture/collisions.h). The error names the other one: "it is
-/// too like V: 12 % of such strokes are taken for it". `profile`: recorded gestures so far.
+/// one of them that strokes would be mistaken (gesture/collisions.h). The error names the other gesture: "it
+/// is too like V: 12 % of such strokes are taken for it". `profile`: recorded gestures so far.
 Expected<void> check_own_gesture(const gesture::Gesture& gesture, const game::MatchData& data,
                                  const std::vector<input::ProfileData>& profile, std::uint32_t player);
 

@@ -1,5 +1,5 @@
-// Fog: a cloud around a point ahead of its wizard, through which no one can see. game/context/fog.h has what
-// it hides from bots and aim assist.
+// Fog: a cloud around a point ahead of its wizard, through which no one can see. game/context/fog.h computes
+// what a cloud hides from bots and aim assist.
 #include <algorithm>
 #include <cmath>
 
@@ -58,7 +58,7 @@ public:
 private:
     double radius_{};  ///< radius of the cloud of a gentle stroke (m)
     double ahead_{};   ///< distance of the cloud's middle from the wizard (m)
-    double sight_{};   ///< see Fog
+    double sight_{};   ///< length of a line of sight through the cloud beyond which nothing is seen (m)
     double lasts_{};   ///< duration of the cloud of a gentle stroke (s)
 };
 
