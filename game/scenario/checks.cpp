@@ -1,5 +1,5 @@
-// Checks on the frames of a run: they test that a match depends only on its input, from any starting point
-// and at any delay.
+// Checks on the input frames of a run: they test that a match depends only on its input, from any starting
+// point and at any delay.
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>

@@ -39,14 +39,15 @@ int call_wrapped(lua_State* lua) {
     return lua_gettop(lua);
 }
 
-/// Lua's own coroutine.create or coroutine.wrap (upvalue 1). Each coroutine has its own instruction count, so
-/// creating one costs as many steps as that count can miss.
+/// Lua's own coroutine.create or coroutine.wrap (upvalue 1). Each coroutine counts its instructions anew, so
+/// creating one costs as many steps as its count can miss.
 int make_coroutine(lua_State* lua) {
     charge(lua, hook_steps);
     return call_wrapped(lua);
 }
 
-/// Wraps Lua's own coroutine.resume or coroutine.close (upvalue 1), which catch errors themselves.
+/// Wraps Lua's own coroutine.resume or coroutine.close (upvalue 1). Both catch errors themselves, so the
+/// error of used-up steps is raised again.
 int call_catcher(lua_State* lua) {
     call_wrapped(lua);
     const bool caught = lua_gettop(lua) >= 2 && lua_isboolean(lua, 1) && lua_toboolean(lua, 1) == 0;

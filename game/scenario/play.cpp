@@ -104,7 +104,7 @@ void note_forces(Play& play) {
     append_forces(*play.match, play.felt->csv);
 }
 
-/// Passes the match's latest orders to the arms.
+/// Passes the match's newest haptic models to the arms.
 void publish_orders(const Simulation& match, ScriptArms& arms) {
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto& arm = arms[player];

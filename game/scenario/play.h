@@ -51,14 +51,14 @@ struct Hand {
     std::int32_t strafe{}, forward{};        ///< movement axes, -127 to 127
     std::uint32_t buttons{};
     std::uint8_t wand{};                        ///< wand whose key is down, 1 to input::max_wands; 0: none
-    std::int32_t trigger{255};                  ///< pull of the trigger while fire is held, 0 to 255
-    std::vector<input::FaderChange> changes{};  ///< moves of faders that are still to be sent, one per tick
+    std::int32_t trigger{255};                  ///< pull of the trigger while fire is held, 0 to 255 (full)
+    std::vector<input::FaderChange> changes{};  ///< changes of faders that are still to be sent, one per tick
 };
 
 /// A thing that the script has added to the world.
 struct SpawnedThing {
     ecs::Entity entity;
-    double mass{};  ///< kg
+    double mass{};  ///< mass of the thing (kg)
 };
 
 /// A CSV file with one line for each tick.
@@ -66,7 +66,7 @@ struct Trace {
     std::string name;
     std::string csv;
     std::vector<double (*)(const struct Play&, std::uint32_t)> readers;
-    std::vector<std::uint32_t> subjects;  ///< player or thing of each reader
+    std::vector<std::uint32_t> subjects;  ///< index of the player or thing of each reader
 };
 
 /// Forces on the hands since the force trace began.
@@ -137,7 +137,7 @@ void tick(Play& play);
 /// Stops the match for some ticks while the arms continue, then lets the match catch up.
 void stall(Play& play, Tick ticks);
 
-/// Records that log and frames no longer determine the match.
+/// Notes that the script has changed the world, so that log and frames no longer determine the match.
 void scene_is_set(Play& play);
 
 /// Closes the log and writes the traces.
@@ -171,7 +171,7 @@ double readiness(const Play& play, std::uint32_t player);
 
 ecs::Entity wizard_entity(const Play& play, std::uint32_t player);
 
-/// Text for the column `with` in the table of events.
+/// Value of the column `with` in the table of events; empty if the event has none.
 std::string with_of(const Play& play, const Event& event);
 /// Records an event that did not happen in the match.
 void record_by_hand(Play& play, const Event& event);
@@ -189,7 +189,7 @@ std::vector<FlyingMissile> missiles_of(const Play& play);
 struct SensedKind {
     std::string_view kind, sound, tactile;
 };
-/// All kinds that are heard or felt, by their numbers.
+/// All kinds that are heard or felt, in the order of their numbers.
 std::vector<SensedKind> sensed_kinds_of(const Play& play);
 
 /// Velocity of the brew at a place (m/s, world). Zero outside the brew.

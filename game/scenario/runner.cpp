@@ -50,8 +50,8 @@ bool is_number(const std::string& text, double& value) {
 /// True for a field that changes in every match, even without any action.
 bool passes_anyway(const ecs::Difference& d) {
     if (d.component == "Match") return d.field == "played";
-    // The log changes without any action when players are shown recipes; an action changes other components,
-    // too.
+    // The event log changes without any action when players are shown recipes. An action also changes other
+    // components.
     if (d.component == "EventLog") return true;
     if (d.component == "Stance" || d.component == "Controls") return true;
     if (d.component == "HandState") return !d.field.starts_with("device") && !d.field.starts_with("kick");

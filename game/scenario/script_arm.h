@@ -18,7 +18,7 @@ struct ScriptArm {
     std::int64_t time_ns{};
     vec3 at{}, to{};  ///< position and target of the hand (m, device frame)
     double step{};    ///< distance moved per tick (m); 0: the hand jumps to the target
-    vec3 told{};      ///< force of the last tick (N)
+    vec3 told{};      ///< force that the arm's thread has computed in the last tick (N)
 };
 using ScriptArms = std::array<std::unique_ptr<ScriptArm>, players>;
 

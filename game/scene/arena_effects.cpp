@@ -21,7 +21,7 @@ constexpr float brew_glow = 1.7F;  // brightness of the brew, the brightest thin
 
 namespace {
 
-/// Places a missile and turns -z into its direction of flight.
+/// Model matrix that places a missile and turns its -z axis into its direction of flight.
 fmat4 flying(const MissilePicture& missile) {
     const vec3 v = missile.velocity;
     const double flat = std::hypot(v.x, v.z);
@@ -81,7 +81,7 @@ void add_painted_brew(const ArenaScene& arena_scene, std::vector<Instance>& out)
                    .glow = glow_share});
 }
 
-/// Distance beyond which a resting brew looks the same as the painted one (m).
+/// Distance beyond which a resting simulated brew looks the same as the painted mesh (m).
 constexpr double brew_seen_from = 14;
 
 bool is_near_brew(const ArenaScene& arena_scene, vec3 eye) {
@@ -105,7 +105,7 @@ void add_brew_of(const ArenaScene& arena_scene, const Picture& picture, std::uin
 }
 
 /// Adds lights around the rim in the colour of the brew's owner: a plain ring for one team, a zigzag for the
-/// other, so that colour is not needed. The ring empties as the brew spoils.
+/// other, so that the owner is recognised without the colour. The ring empties as the brew spoils.
 void add_owner(const ArenaScene& arena_scene, const Picture& picture, std::vector<Instance>& out) {
     constexpr int lights = 30;
     constexpr float size = 0.05F;

@@ -10,7 +10,7 @@ inline constexpr float glow_share = 0.85F;
 
 /// Model matrix of a thing at a position.
 fmat4 placed(vec3 position, quat orientation);
-/// Rotation of a figure that looks in a direction (rad).
+/// Rotation matrix of a figure that looks in a direction (rad).
 fmat4 looking(double yaw, double pitch);
 
 /// A ball of light with this radius (m). `tint` is its colour (linear light), `glow` its brightness.
@@ -28,7 +28,7 @@ void add_figure(const ArenaScene& arena_scene, std::uint32_t number, const Playe
 /// Adds the glowing parts of a wizard: the wand's tip and the shield.
 void add_glow(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p, double time,
               std::vector<render::Instance>& out);
-/// Adds arm and wand as the player sees its own.
+/// Adds arm and wand as their player sees them in the player's own view.
 void add_own_arm(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
                  std::vector<render::Instance>& out);
 /// Adds the path of the shot that the player is drawing, and the spring of the drawn wand.
@@ -44,7 +44,7 @@ void add_forces(const ArenaScene& arena_scene, const PlayerPicture& p, bool own,
 
 // Functions that add strokes and spells (arena_spells.cpp).
 
-/// Adds the trail of a stroke: for another player, at the wand; on the brew, for any player.
+/// Adds the trail of a stroke: at the wand, in the other player's view; on the brew, in every view.
 void add_stroke_of(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p, bool own,
                    std::vector<render::Instance>& out);
 /// Adds a chain of lights from a recalled thing to its wizard.

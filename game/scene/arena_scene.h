@@ -35,7 +35,7 @@ struct ArenaScene {
     };
     struct Team {
         render::MeshId figure{}, fallen{}, arm{}, own_arm{}, spark{}, burst{}, shield{};
-        std::vector<render::MeshId> missiles;  ///< meshes of missiles, by number of the wand
+        std::vector<render::MeshId> missiles;  ///< meshes of missiles, indexed as Presentation::wands
         Meshes plate;
     };
 
@@ -53,7 +53,7 @@ struct ArenaScene {
     Meshes neutral_plate;
     Meshes anchor;                      ///< mesh of an anchor with a radius of 1 m
     render::MeshId stone{}, lamps{};    ///< masonry with decoration, and lamps (world frame)
-    std::vector<render::MeshId> wands;  ///< meshes of wands, by number of the wand as in Presentation::wands
+    std::vector<render::MeshId> wands;  ///< meshes of wands, indexed as Presentation::wands
     render::MeshId skyline{}, runes{}, ember{}, bubble{};
     /// White meshes: a beam 1 m long along -z with radius 1 m, and a ball of radius 1 m.
     render::MeshId beam{}, bead{};
@@ -67,7 +67,7 @@ struct ArenaScene {
     std::vector<render::Block> blocks;       ///< masonry that hides things from viewers inside the arena
     Shade shade;                             ///< data for testing whether the sun reaches a moving thing
     std::vector<render::PointLight> lights;  ///< fixed lights; the cauldron's is the first
-    std::optional<vec3> bowl;                ///< centre of the cauldron
+    std::optional<vec3> bowl;                ///< centre of the cauldron (m, world)
     double rim_radius{}, rim_height{};  ///< rim of the cauldron's bowl: radius, and height above `bowl` (m)
     /// Self-lit mesh of a painted brew, for a bowl without a simulated one.
     std::optional<render::MeshId> painted_brew;

@@ -6,8 +6,8 @@
 namespace thaum::game::inline scene {
 namespace {
 
-// Light of the brew, strongest in the middle and on sides of clouds that face the light: of the base fluid,
-// and of the substances.
+// Brightness of the base fluid and of the substances. The brew is brightest in the middle, and on sides of
+// clouds that face the light.
 constexpr float base_light = 1.7F, substance_light = 1.5F;
 constexpr float middle_light = 1.6F, rim_light = 0.6F;
 constexpr float relief = 0.55F;
@@ -91,7 +91,7 @@ void to_bytes(std::span<const float> shares, float times, std::span<int> out) {
     for (std::size_t i = 0; i < shares.size(); ++i) {
         const float share = times * shares[i] > 0 ? times * shares[i] : 0.0F;
         const float shown = root ? std::sqrt(share) : share;
-        // floor is used because lround is a function call, and the numbers are small enough for it
+        // floor is used because lround is a function call, and the numbers are small enough for floor
         out[i] = static_cast<int>(std::floor((shown < 1 ? shown : 1.0F) * 255 + 0.5F));
     }
 }

@@ -33,7 +33,7 @@ void fill_key_table(render::ScanTable& table) {
     }
 }
 
-/// Creates the untouched crystal and the key's shape, and marks all bricks as changed.
+/// Creates the untouched crystal and the key's shape, and marks all bricks (blocks of voxels) as changed.
 void begin_crystal(const CrystalPicture& crystal, CrystalLook& look) {
     auto rough = std::make_shared<CrystalVoxels>();
     look.wanted = key_density(crystal.seed, side);

@@ -6,7 +6,7 @@
 //     take_crystals(match, crystals)  show_crystal(...)             view.scans, with look.body and look.key,
 //                                                                   or an instance of look.mesh
 //
-// Only bricks that have changed are sent, and only if a view sees the crystal.
+// Only bricks (blocks of voxels) that have changed are sent, and only if a view sees the crystal.
 #pragma once
 #include <vector>
 

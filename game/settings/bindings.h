@@ -31,8 +31,8 @@ bool is_listed(Slot slot, const WandNames& wands);
 bool is_bound(const std::vector<input::Control>& controls, int key);
 /// Tests whether the action opens the pause.
 bool pauses(Slot slot);
-/// Tests whether a control can be bound to the action: a control of the sheet's kind of device, or a key on the
-/// sheet of the session. The steps of the wheel cannot be bound to the actions that they do without a binding.
+/// Tests whether a control can be bound to the action: a control of the sheet's kind of device, or on the
+/// session's sheet a key. Steps of the wheel cannot be bound to the actions that they always do.
 bool fits(Slot slot, const input::Control& control);
 
 const std::vector<input::Control>& controls_of(const Settings& settings, Slot slot);

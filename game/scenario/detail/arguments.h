@@ -1,5 +1,6 @@
-// game/scenario/detail/arguments.h: reads the arguments of verbs from Lua's stack. A wrong argument throws a
-// ScriptFault that names it. No function here calls metamethods or raises Lua errors.
+// game/scenario/detail/arguments.h: reads the arguments of verbs (the functions of scenario scripts) from
+// Lua's stack. A wrong argument throws a ScriptFault that names it. No function here calls metamethods or
+// raises Lua errors.
 #pragma once
 #include <cstdint>
 #include <initializer_list>

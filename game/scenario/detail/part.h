@@ -1,4 +1,4 @@
-// game/scenario/detail/part.h: components of the players' wizards.
+// game/scenario/detail/part.h: reads components of the players' wizards.
 #pragma once
 #include "ecs/world.h"
 #include "game/scenario/play.h"

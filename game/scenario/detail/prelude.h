@@ -1,4 +1,5 @@
-// game/scenario/detail/prelude.h: verbs written in Lua, on top of those in verbs.cpp.
+// game/scenario/detail/prelude.h: verbs (functions of scenario scripts) that are written in Lua, on top of
+// those in verbs.cpp.
 #pragma once
 #include <string_view>
 

@@ -20,7 +20,7 @@ struct Sandbox::State {
     std::size_t memory = 0;
     std::uint64_t steps = 0;
     bool trusted = false;    ///< true: trusted code is running, which no failing allocation may interrupt
-    bool exhausted = false;  ///< true: every error now passes through all pcalls
+    bool exhausted = false;  ///< true: steps or time are used up, and every error passes through all pcalls
     bool late = false;       ///< true: the processor time is used up
     /// Thread processor time at which the script must have ended (ns). It is far in the future while no
     /// script runs.

@@ -1,4 +1,5 @@
-// game/scenario/detail/verb.h: declarations shared by all files of verbs, and the lists of their verbs.
+// game/scenario/detail/verb.h: declarations shared by all files of verbs (the functions that scenario scripts
+// call), and the lists of their verbs.
 #pragma once
 #include <span>
 

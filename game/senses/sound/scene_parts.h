@@ -4,7 +4,8 @@
 
 namespace thaum::game::inline senses {
 
-/// Keys of lasting voices. For a wizard's voices, the player's number is added.
+/// Keys by which lasting voices are known from frame to frame. For a wizard's voices, the player's number is
+/// added.
 namespace lasting {
 inline constexpr std::uint32_t ready = 10, hold = 20, stir = 30, boil = 40, score = 50, orb = 60, carve = 64;
 }

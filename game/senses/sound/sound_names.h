@@ -14,7 +14,7 @@ struct WandSoundNumbers {
     SoundNumber fire, burst, take, ready, hold;
 };
 
-/// Numbers of all sounds of a match.
+/// Numbers of all sounds of a match in the bank of sounds.
 struct MatchSounds {
     CueSounds cues{};
     /// Sounds of events, indexed by EventKind; not those of power-ups and spells.

@@ -39,7 +39,7 @@ public:
     /// Keeps references to the arguments.
     TactileScene(const MatchEffects& effects, const tactile::EffectBank& bank, std::uint32_t player);
 
-    /// Adds a layout. The returned number is that of its frames. Keeps a reference to the layout.
+    /// Adds a layout and returns its index, for frame() and the setters. Keeps a reference to the layout.
     std::size_t add(const tactile::Layout& layout);
     /// Switches a layout on or off. While it is off, it costs nothing and its frames are silent. New layouts
     /// are on.
