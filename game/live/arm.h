@@ -57,7 +57,8 @@ private:
     mutable std::mutex mutex_;  // guards the members below
     std::condition_variable stopped_;
     std::atomic<bool> stop_{false};  ///< true: the thread must end; also read without the mutex
-    std::atomic<bool> lost_{false};  ///< `status_` says that the arm is lost; also read without the mutex
+    /// true: `status_` says that the arm is lost; also read without the mutex
+    std::atomic<bool> lost_{false};
     input::ArmStatus status_{};
     input::TickReport times_{};
     int losses_ = 0;
@@ -76,8 +77,9 @@ std::optional<std::string> update(ArmNotice& notice, const std::string& name, co
 
 /// One real arm of the session, and the player who holds it.
 struct LiveArm {
-    std::uint32_t seat{};  ///< index in LivePlan::seats of the player's place that asked for the arm
-    std::uint32_t player = game::no_player;  ///< player who holds it in this match; no_player: nobody
+    /// index in LivePlan::seats of the seat (place of a player) that asked for the arm
+    std::uint32_t seat{};
+    std::uint32_t player = game::no_player;  ///< player who holds the arm in this match; no_player: nobody
     input::ArmServo servo{};                 ///< servo between the arm's thread and the simulation thread
     std::unique_ptr<ArmKeeper> keeper{};     ///< owned by the main thread
     ArmNotice notice{};                      ///< used by the main thread
@@ -88,7 +90,8 @@ using LiveArms = std::vector<std::unique_ptr<LiveArm>>;
 Expected<LiveArms> open_arms(std::span<const Seat> seats, const haptics::DeviceSpec& wanted);
 
 /// Gives each arm to its player for the next match. If the start screen chose the seats, the first arm goes
-/// to the player with the mouse, and the second one to the other person. Otherwise LiveArm::seat decides.
+/// to the player with the mouse, and the second one to the other person. Otherwise each arm goes to the
+/// player of LiveArm::seat.
 void bind_arms(LiveArms& arms, const TakenSeats& seats, bool start_screen);
 
 /// Updates the notices of all arms, and prints which arms were lost or are back. While an arm is lost, mouse

@@ -73,7 +73,7 @@ void MatchBody::begin(const game::Simulation& match) {
         for (const auto& jacket : body_->jackets)
             scenes_.at(p)->set_hears(scenes_.at(p)->add(jacket.layout), true);
         if (const auto& own = body_->own.at(p)) scenes_.at(p)->set_hears(scenes_.at(p)->add(*own), true);
-        // The picture of the body has faders of its own: the player's are for motors and jacket.
+        // The player's faders are for motors and jackets. The picture of the body has faders of its own.
         scenes_.at(p)->set_faders(figure, game::figure_faders());
     }
 }

@@ -31,7 +31,8 @@ struct LiveBody {
     /// Layouts that players have written for their jackets.
     std::array<std::optional<tactile::Layout>, game::players> own{};
 
-    /// Lines on faulty effects and layouts. Such an effect is left out, and such a layout has no actuators.
+    /// Lines on faulty effects and layouts. A faulty effect is left out, and a faulty layout has no
+    /// actuators.
     std::vector<std::string> faults{};
 
     /// The error: the folder of effects cannot be read.
@@ -55,7 +56,7 @@ public:
     void follow(const game::Simulation& match, MatchSound& sound);
     /// Forgets what was felt, after a jump to another time.
     void forget();
-    /// Copies to the picture how strongly each cell of the body's picture is lit.
+    /// Copies to `picture` how strongly each cell of the drawn body is lit.
     void show(game::Picture& picture) const;
 
 private:

@@ -23,7 +23,7 @@ private:
     std::array<struct sigaction, signals.size()> before_{};
 };
 
-/// Says that a signal has ended the command, if one has.
+/// Prints that a signal has ended the command, if that is so.
 void tell_end_by_signal();
 
 }  // namespace thaum::game::inline live

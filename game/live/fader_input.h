@@ -16,12 +16,12 @@ public:
     /// object meanwhile.
     void begin_match(const Values& at_start) { given_ = at_start; }
 
-    // The main thread.
+    // Called by the main thread.
     void want(const Values& values) {
         for (std::size_t i = 0; i < values.size(); ++i) wanted_[i] = values[i];
     }
 
-    // The simulation thread.
+    // Called by the simulation thread.
     /// The next change, or none.
     input::FaderChange take() {
         for (std::size_t i = 0; i < given_.size(); ++i) {

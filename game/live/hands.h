@@ -63,8 +63,8 @@ public:
     bool is_plugged_again(std::uint32_t player) const { return holds_[player].lost && holds_[player].seen; }
     /// The first player who has no device; std::nullopt: every player has one.
     std::optional<std::uint32_t> first_lost() const;
-    /// The player without a pad who would get half of the keyboard; std::nullopt:
-    /// nobody needs it, or it is taken.
+    /// The player without a pad who would get half of the keyboard; std::nullopt: nobody needs that half, or
+    /// it is taken.
     std::optional<std::uint32_t> heir_of_half() const;
     /// Whether the key is bound to the pause on the device of any player.
     bool pauses(int key, const Settings& settings) const;

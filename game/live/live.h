@@ -103,7 +103,8 @@ struct LivePlan {
     bool first_start =
         false;  ///< true: nobody has started the program before, so the Apprentice is offered first
     /// true: bots play one match after another, and each result is shown for some seconds. Only the first
-    /// match is recorded, because the recordings of a night would displace those of the players.
+    /// match is recorded, because the recordings of a demo that runs all night would displace those of the
+    /// players.
     bool demo = false;
     /// Replay to show instead of a match; null: a match. Nobody plays, and nothing is recorded.
     const ShownReplay* replay = nullptr;

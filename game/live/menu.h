@@ -45,7 +45,7 @@ public:
     /// `position` is in pixels from the window's top left.
     void cursor(fvec2 position, render::Size window);
     void wheel(double steps);
-    /// Handles a look at pad `place`, which was in state `before` at the look before.
+    /// Takes the state `now` of the pad with number `place`; `before` is its state at the last call.
     void pad(int place, const input::PadState& before, const input::PadState& now, std::int64_t now_ns);
     /// Whether the pad has a seat on the start screen.
     bool has_seat(int place) const;

@@ -21,7 +21,7 @@ std::string question_of(const input::PadAssignment& assignment) {
     return text(assignment.number() + 1, " of ", input::PadAssignment::count(), ": ", assignment.asks());
 }
 
-/// Whether controls other than the right stick turn a player with a pad to both sides.
+/// Whether a player with a pad can turn left and right by controls other than the right stick.
 bool turns_without_right_stick(const Settings& settings) {
     const auto& bindings = settings.bindings_of(input::DeviceKind::pad);
     const auto other = [](const input::Control& control) {
@@ -55,7 +55,7 @@ std::vector<std::string> faults_of(const IdleSticks& sticks) {
     return faults;
 }
 
-/// The joystick that the menu calls by this number; null: it was unplugged.
+/// The joystick with this number in the menu; null: it was unplugged.
 const input::Stick* PadSetup::stick_of(std::size_t number) const {
     const auto unknown = sticks_.unknown.size();
     if (number < unknown) return &sticks_.unknown[number];

@@ -25,7 +25,7 @@ struct PadChange {
     std::string mapping{};  ///< the new mapping; empty: the mapping that the user made is forgotten
 };
 
-/// One line for each joystick that does not play, with what to do about it.
+/// One line for each joystick that cannot be used, with what to do about it.
 std::vector<std::string> faults_of(const IdleSticks& sticks);
 
 /// Advice how a user gets the right to read all joysticks.
@@ -63,7 +63,7 @@ private:
     std::optional<input::PadAssignment> assignment_{};
     std::string skipped_{};           ///< controls that the last set-up left out
     std::optional<PadChange> due_{};  ///< change that forgets a mapping, for the next follow()
-    std::string asked_{};             ///< the present question
+    std::string asked_{};             ///< the question that was asked last
     std::set<std::string> told_{};    ///< faults that the terminal has shown
 };
 

@@ -1,4 +1,4 @@
-// game/live/pause.h: conditions, besides the players' buttons, that pause a match or allow to leave it: a
+// game/live/pause.h: conditions, besides the players' buttons, that pause a match or let players leave it: a
 // lost focus, and the end of the round. Also the text of the pause. Times are arguments (ns, monotonic
 // clock).
 #pragma once

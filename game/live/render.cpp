@@ -149,8 +149,8 @@ void follow_scene(const LivePlan& plan, LiveShared& shared, render::Renderer& re
     state.scene = scene;
 }
 
-/// Uses the shaders of one quality for the first time after each of the first pictures, so that these
-/// pictures come as early as they can.
+/// Warms up the shaders of one quality after each of the first pictures, so that no picture waits for those
+/// of all qualities.
 void warm_up_next(render::Renderer& renderer, LiveShared& shared, RenderState& state) {
     if (state.warm_qualities == render::qualities) return;
     renderer.warm_up(static_cast<render::Quality>(state.warm_qualities++));

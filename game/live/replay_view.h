@@ -43,8 +43,8 @@ inline constexpr double slowest_replay = 0.25, fastest_replay = 16;
 inline constexpr Tick replay_jump = 5000;  ///< length of a jump (ticks)
 inline constexpr Tick replay_step = 16;    ///< length of a single step: one picture at 60 Hz (ticks)
 inline constexpr Tick before_kill = 2000;  ///< a jump to a kill ends this long before the kill (ticks)
-/// If the target of a jump back, `before_kill` ahead of a kill, is less than this behind, the jump goes to
-/// the kill before it (ticks).
+/// A jump back skips a kill if the jump's target, `before_kill` ahead of the kill, is less than this behind
+/// the present tick (ticks).
 inline constexpr Tick same_kill = 1000;
 
 /// The view after a deed (one of the viewer's actions). `length`: ticks of the log; `kills`: the kills that

@@ -240,8 +240,8 @@ void LiveSession::look_at_pads(const Pads& plugged, std::int64_t now_ns) {
     report(news);
     share_motors();
     if (round_end_.may_leave(now_ns) && leaves_by_pad(before, pads)) leave_match();
-    // Of presses that the same look at the pads finds, those that take a seat are handled before those that
-    // start the match.
+    // Of the presses since the last look, those that take a seat are handled before those that start the
+    // match.
     std::array<bool, std::tuple_size_v<Pads>> seated{};
     for (std::size_t i = 0; i < pads.size(); ++i) seated[i] = menu_.has_seat(static_cast<int>(i));
     for (const bool turn : {false, true}) {
@@ -562,7 +562,7 @@ void LiveSession::follow_arena() {
     const auto& arenas = menu_.context().arenas;
     const auto& shown = next_.data()->choice.arena;
     const auto& chosen = arenas[menu_.state().arena];
-    if (chosen.name == shown || !chosen.fault.empty()) return;  // the row of a broken file tells its fault
+    if (chosen.name == shown || !chosen.fault.empty()) return;  // the row of a broken file shows its fault
     if (succeeds(load_chosen())) return show_arena();
     menu_.choose_arena(index_of(arenas, shown));
 }

@@ -6,7 +6,7 @@
 //     FocusLoss    the window's focus, whose loss pauses
 //     RoundEnd     the time since the round's end
 //     NextMatch    data of the next match
-//     PadSetup     joysticks that do not play
+//     PadSetup     joysticks that cannot be used
 //     ReplayViewer keys and mouse of a shown replay
 //
 // Events and times (ns, monotonic clock) are arguments (live/window.cpp passes those of the window), so that
@@ -43,12 +43,12 @@ public:
     void wheel(double steps, std::int64_t now_ns);
     void focus(bool focused, std::int64_t now_ns);
 
-    // The start screen.
+    // Calls for the start screen.
     void open_start_screen(std::int64_t now_ns);
     /// Runs after the events of one poll. Returns whether a match must start.
     bool step_start_screen(const Pads& pads, std::int64_t now_ns);
 
-    // A match.
+    // Calls for a match.
     /// Gives the players of the next match their seats and arms.
     void take_seats(const Pads& pads);
     /// Begins a match, whose simulation thread may run already.

@@ -38,14 +38,14 @@ public:
 
     const audio::SoundBank& bank() const { return bank_; }
 
-    // The main thread.
+    // Called by the main thread.
     void apply(const Settings& settings);
     void play(MenuSound sound);
     std::string status() const { return speakers_.status(); }
     /// Prints the loudspeakers' state when they stop working or work again.
     void tell_status();
 
-    // The thread of a match.
+    // Called by the thread of a match.
     /// Courses (strengths over time) of the sounds, for players who feel them; null while no player wants
     /// that.
     const game::FeltCourses* felt_courses() const { return courses_; }
@@ -62,7 +62,7 @@ private:
     std::unique_ptr<const game::FeltCourses> made_courses_{};
     std::atomic<const game::FeltCourses*> courses_{};  ///< `made_courses_`, for the thread of a match
     bool tried_courses_ = false;
-    std::atomic<bool> words_{};  ///< a player wants to read in words what is heard
+    std::atomic<bool> words_{};  ///< true: a player wants to read in words what is heard
     ToldState told_{};
 };
 
@@ -76,7 +76,8 @@ public:
     MatchSound(const MatchSound&) = delete;
     MatchSound& operator=(const MatchSound&) = delete;
 
-    /// Sets whose ears hear the match; if neither player's, both do.
+    /// Sets whose ears hear the match: the first player's, the second's, or both. If neither is true, both
+    /// hear it.
     void listen(bool first, bool second);
     /// Follows the match after a tick; starts anew with another match or changed data.
     void follow(const game::Simulation& match);

@@ -34,11 +34,11 @@ public:
     /// `make` opens the motors of a pad, and `make_jacket` a jacket. Tests pass makers of fakes.
     explicit LiveTactile(MakeOutput make = input::rumble_output, MakeJacket make_jacket = jacket_output);
 
-    // The main thread, before the first match.
+    // Called by the main thread, before the first match.
     /// Notes that the player has written a layout with `motors` actuators for the jacket.
     void use_own_layout(std::uint32_t player, std::size_t motors);
 
-    // The main thread. All may be called during a match.
+    // Called by the main thread, also during a match.
     /// Applies the strengths of motors, and connects jackets whose settings have changed.
     void apply(const Settings& settings);
     /// Gives a player the motors of a pad; nothing happens if the player has them. Null, or a pad that is not
@@ -54,15 +54,15 @@ public:
     void try_out(std::uint32_t player, const tactile::TactileFrame& frame);
     void try_out_jacket(std::uint32_t player, const tactile::TactileFrame& frame);
 
-    // Any thread.
+    // Called by any thread.
     /// Faders of a player's motors and jacket.
     tactile::Faders faders(std::uint32_t player) const;
 
-    // The thread of a match, and the main thread while it tries an effect.
+    // Called by the thread of a match, and by the main thread while it tries an effect.
     /// Whether a player's motors run at present. If not, no frames need be made for the player.
     bool feels(std::uint32_t player) const;
-    /// Passes a frame of the layout `pad`. Never waits. Without further frames the
-    /// motors stop after its time to live.
+    /// Passes a frame of the layout `pad`. Never waits. If no other frame follows, the motors stop when the
+    /// frame's time to live is over.
     void feel(std::uint32_t player, const tactile::TactileFrame& frame);
     /// Whether a player's settings name a jacket, open or not.
     bool has_jacket(std::uint32_t player) const { return seats_.at(player).jacket.plays; }

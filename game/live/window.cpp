@@ -51,7 +51,7 @@ void tell_outputs(LiveShared& shared) {
     shared.tactile.tell_status();
 }
 
-/// Tells the menu about joysticks that are plugged in and do not play.
+/// Tells the menu about joysticks that are plugged in but cannot be used.
 void look_at_sticks(LiveSession& session, LiveWindow& window) {
     constexpr std::int64_t period_ns = 2'000'000'000;
     if (!session.menu().is_open()) return;

@@ -127,8 +127,8 @@ struct MenuState {
     };
     std::vector<Open> pages;  ///< open pages, the shown page last; empty: no menu
     std::array<std::optional<Device>, game::players> seats;
-    /// Row at which the next pause opens: that of a gesture which was drawn or forgotten, since
-    /// such a choice is often made again.
+    /// Row at which the next pause opens: the row at which a gesture was drawn or forgotten, since such a
+    /// choice is often made again.
     std::size_t pause_row = 0;
     std::optional<Device> chooser;  ///< device that chose the row; std::nullopt: none has chosen one yet
     std::size_t level = 0, rules = 0, arena = 0;  ///< indices into the lists of MenuContext
@@ -151,7 +151,7 @@ struct MenuState {
     std::string note;                      ///< result of the last event, or the reason why it had none
     MenuRequest request{};                 ///< request of the last event to the caller
     std::optional<FeelProfile> saves{};    ///< profile that the last event asks the caller to save
-    RangeRequest range_request{};          ///< request of MenuRequest::ask_range
+    RangeRequest range_request{};          ///< request that MenuRequest::ask_range passes on
     std::optional<BodyTrialWish> tries{};  ///< effect that the last event asks the caller to play
 };
 

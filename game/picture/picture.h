@@ -75,7 +75,7 @@ struct CastShown {
 /// A cloud of fog.
 struct FogPicture {
     vec3 place{};
-    double radius{};    ///< (m)
+    double radius{};    ///< radius of the cloud (m)
     double sight{};     ///< length of a line of sight through the cloud beyond which nothing is seen (m)
     double strength{};  ///< opacity: 1, or less while the cloud appears and vanishes
 };

@@ -39,7 +39,7 @@ struct RecipePicture {
     std::uint32_t done{}, times{};
     bool begun{};  ///< true after the first correct stroke: from then on `reached` no longer matters
     double min_force{}, max_force{};  ///< allowed range of the stroke's mean force (N)
-    double force{};                   ///< present force of the ladle, as it counts for a stroke (N)
+    double force{};                   ///< present force of the ladle, measured as for a stroke (N)
     /// Shape of the next gesture as the wizard sees it: x to the right, y away, around the middle of the brew
     /// (m, scaled to the ladle). Only the first `ghost_points` are used.
     std::array<vec2, max_ghost_points> ghost{};
@@ -51,7 +51,7 @@ struct RecipePicture {
     std::array<std::array<std::string_view, 3>, 8> choice_ingredients{};
     std::uint32_t choices{};
 
-    /// Whether the next step would be right at this time.
+    /// Whether the next step of the recipe is allowed at this time.
     bool in_time() const { return begun || (reached >= least && begun_at <= most); }
 };
 

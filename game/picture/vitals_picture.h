@@ -15,7 +15,7 @@ struct VitalsPicture {
     double yaw{}, pitch{};  ///< direction of view (rad)
     bool dead{}, shielded{};
     std::uint32_t lives{};                         ///< number of deaths; a change marks a teleport
-    double health{}, health_full{}, health_cap{};  ///< HP
+    double health{}, health_full{}, health_cap{};  ///< health now, of a new wizard, and at most (HP)
     std::int32_t kills{}, deaths{};
     double returns_in_s{};  ///< time until the wizard returns, if dead (s)
     /// Potions that act on the wizard, and their remaining time (s); only the first `potions` are used.

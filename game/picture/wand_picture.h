@@ -17,7 +17,7 @@ struct WandPicture {
     double energy{}, energy_cap{};
     std::array<double, input::max_wands> charges{};  ///< energy of each wand of Presentation::wands
     std::uint32_t fired{};                           ///< number of shots and throws so far
-    Target target{};     ///< the thing under the crosshair, as the wand in hand sees it
+    Target target{};     ///< the thing under the crosshair, and what the wand in hand can do with it
     double readiness{};  ///< charge or draw of the wand, 0 to 1
     vec3 turn{};   ///< rotation of the wand about its tip by the stylus: axis times angle (rad, eye frame)
     vec3 reach{};  ///< displacement of the wand's tip by the hand (m, eye frame)

@@ -16,7 +16,7 @@ constexpr double one_floor = 1.5;    ///< largest height difference between posi
 constexpr double pushing_force = 1e-3;
 constexpr double drift = 0.05;  ///< speed below which a ladle does not count as stirring (m/s)
 constexpr double fallen = 2;    ///< depth below the step's place at which the player counts as fallen (m)
-/// Displacement between two looks that is too large for walking: the player was placed elsewhere (m)
+/// Displacement between two ticks that is too large for walking: the player was placed elsewhere (m)
 constexpr double jump = 1;
 
 double along_ground(vec3 way) { return std::hypot(way.x, way.z); }

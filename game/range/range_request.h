@@ -18,7 +18,7 @@ class RangeRequest {
 public:
     static constexpr std::size_t max_bytes = 8;
 
-    /// Asks for nothing.
+    /// A request that does nothing.
     RangeRequest() = default;
     template <class T>
     requires(!std::is_same_v<T, RangeRequest>) explicit RangeRequest(const T& request) : carry_out_(run<T>) {

@@ -13,7 +13,7 @@
 namespace thaum::game::inline scenario {
 namespace {
 
-constexpr std::size_t max_mixed = 120 * audio::sample_rate;  // samples
+constexpr std::size_t max_mixed = 120 * audio::sample_rate;  // longest mixed sound that is kept (samples)
 
 }  // namespace
 
@@ -93,7 +93,7 @@ const tactile::Layout& PlaySenses::layout(std::size_t number) const {
 
 std::vector<float> PlaySenses::play_alone(std::uint32_t sound) {
     const auto& kind = inside_->senses->data().bank.sounds[sound];
-    constexpr std::size_t tail = 4;  // frames
+    constexpr std::size_t tail = 4;  // silence after the sound (audio frames)
     audio::AudioFrame frame;
     const audio::Voice voice{.sound = sound, .key = 1, .position = {0, 0, -2}};
     if (!kind.loops) frame.begins.add(voice);

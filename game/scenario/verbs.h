@@ -52,8 +52,8 @@
 //     stall(seconds)      stops the match while arms go on; the match catches up in the ticks that follow
 //     expect(condition, message), expect_near(value, wanted, tolerance, message), fail(message)
 //     events(kind | {kind = , subject = , by = }), expect_event{kind = , subject = , by = , within = seconds}
-//                         what happened, as {kind = , time = , with = , subject = , by = , amount = , detail = ,
-//                         place = }; "recipe_told" also has ingredients = names in their order
+//                         what happened, as {kind = , time = , with = , subject = , by = , amount = ,
+//                         detail = , place = }; "recipe_told" also has ingredients = names in their order
 //     spawn{kind = "box" | "sphere" | "cylinder", size = {x, y, z} | radius = , height = , mass = , at = ,
 //           velocity = , surface = , friction = , restitution = }
 //                         sets the scene: adds a thing with position(), velocity(), place(at [, velocity]),
@@ -83,8 +83,8 @@
 //                         assets/tactile/layouts; sound: also mixes what is heard, as loudspeakers play it
 //     body(n [, layout [, age]])
 //                         cells of a layout (default: "abstract_4x5", the figure) as a list of {at = ,
-//                         felt = in 0..1, hz = }; at: body frame, x right, y up, z front (m); age: time since the
-//                         link to the device died (s), for what the device still plays then
+//                         felt = in 0..1, hz = }; at: body frame, x right, y up, z front (m); age: time since
+//                         the link to the device died (s), for what the device still plays then
 //     body_counts(n [, layout])
 //                         {offered = , started = , merged = }: effects since the beginning
 //     heard(n)            lines in words as a list of {line = , words = , side = , important = }, the oldest
@@ -92,8 +92,8 @@
 //     sound()             what was mixed since the last call: {db = of the loudest 50 ms, bands = {dB of 24
 //                         bands}}
 //     sounds(), loopback(name)
-//                         names of all sounds; one of them alone as it is mixed: {db = , bands = , like = the name
-//                         of the sound that it resembles most}
+//                         names of all sounds; one of them alone as it is mixed: {db = , bands = , like =
+//                         the name of the sound that it resembles most}
 //     event_rows()        kinds of event with a sound or an effect, as a list of {kind = , sound = ,
 //                         tactile = }
 //     happen{kind = , subject = , by = , amount = , at = }

@@ -119,7 +119,7 @@ PlaySenses& mixing(void* context) {
 
 /// Pushes {db = , bands = {...}}: level of the loudest 50 ms, and the mean power of each band (dB).
 void push_sound(lua_State* lua, const std::vector<float>& samples) {
-    constexpr std::size_t column = 1024;  // samples
+    constexpr std::size_t column = 1024;  // length of a column of the spectrogram (samples)
     const auto spectrogram =
         audio::spectrogram_of(samples, samples.size() / column + 1, audio::signature_bands);
     lua_createtable(lua, 0, 2);

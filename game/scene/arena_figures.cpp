@@ -47,7 +47,7 @@ namespace {
 /// Rotation of the wand and the hand about the wand's tip, following the stylus (eye frame). The angle is
 /// limited, because at larger angles the hand would separate from the arm.
 fmat4 stylus_turned(const PlayerPicture& p) {
-    constexpr double most = 0.7;  // rad
+    constexpr double most = 0.7;  // largest angle that is drawn (rad)
     const vec3 by = limited(p.wand.turn, most);
     const double angle = glm::length(by);
     if (!(angle > 1e-6)) return fmat4(1);

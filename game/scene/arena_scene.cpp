@@ -89,12 +89,13 @@ ArenaScene::Ground ground_of(const Thing& thing, const Arena& arena) {
             along_x ? std::copysign(rise, top.x) : 0, along_x ? 0 : std::copysign(rise, top.z)};
 }
 
-/// Adds the block with which a fixed box occludes things. It is a little smaller than the masonry, whose
-/// stones are bevelled and sunk. At the border of the arena the block is endless, since a viewer inside sees
-/// only stone there. So one block hides a cell of the sky over a corner of two walls, or over the foot of a
-/// wall.
+/// Adds the block with which a fixed box occludes things. The block is a little smaller than the masonry,
+/// whose stones are bevelled and sunk. At the border of the arena the block is endless, since a viewer inside
+/// sees only stone there. So a single block hides a cell of the sky that lies behind the corner of two walls,
+/// or behind the foot of a wall.
 void add_block(const Thing& thing, ArenaScene& arena_scene) {
-    constexpr double less = 0.12, endless = 1000;  // m
+    // difference from the thing's size, and length that counts as endless (m)
+    constexpr double less = 0.12, endless = 1000;
     const vec3 half = thing.body.size - less;
     if (glm::any(glm::lessThanEqual(half, vec3(0)))) return;
     render::Block block{thing.position - half, thing.position + half};

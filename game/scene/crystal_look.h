@@ -1,6 +1,6 @@
 // game/scene/crystal_look.h: the look of a crystal. Its voxels are drawn as an opaque surface. The key's
 // shape is a faint shell around what is still to be built. Matter outside of the key's shape, which must be
-// removed, is amber. From far away a coarse mesh replaces both.
+// removed, is amber. From far away a coarse mesh replaces surface and shell.
 //
 //     simulation                      any thread                    renderer
 //     take_crystals(match, crystals)  show_crystal(...)             view.scans, with look.body and look.key,

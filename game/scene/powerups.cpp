@@ -54,7 +54,7 @@ MeshData star(fvec3 paint) {
 }
 
 MeshData ring(fvec3 paint) {
-    // The bottle has no bottom, since no player sees it.
+    // The ring has no underside, since no player sees it.
     const std::array<fvec2, 4> profile{
         fvec2{ring_radius, 0}, {ring_radius, 0.03F}, {0.9F * ring_radius, 0.03F}, {0.9F * ring_radius, 0}};
     return render::revolve(profile, 24, paint);

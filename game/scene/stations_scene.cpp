@@ -50,7 +50,8 @@ WorthLook look_of(DabWorth worth) {
 /// depth.
 void add_tool(const ArenaScene& arena_scene, const Picture& picture, const PlayerPicture& p,
               std::vector<render::Instance>& out) {
-    constexpr double sign = 0.05, thick = 0.005, line = 0.003, foot = 0.02;  // (m)
+    // half length of the sign's bars; radii of bars, line and the line's foot (m)
+    constexpr double sign = 0.05, thick = 0.005, line = 0.003, foot = 0.02;
     const auto& tip = p.stations.carving.tip;
     const auto look = look_of(tip.worth);
     out.push_back(bead_at(arena_scene, tip.place, tip.works ? 0.026F : 0.022F, look.light, 0.95F));
@@ -72,7 +73,8 @@ void add_tool(const ArenaScene& arena_scene, const Picture& picture, const Playe
 /// station do not see it.
 void add_light_over(const ArenaScene& arena_scene, vec3 middle, vec3 eye, fvec3 light,
                     std::vector<render::Instance>& out) {
-    constexpr double near = 7, from = 1.5, to = 13, thick = 0.035;  // (m)
+    // distance below which the beam is hidden; heights of its ends; its radius (m)
+    constexpr double near = 7, from = 1.5, to = 13, thick = 0.035;
     if (glm::distance(eye, middle) < near) return;
     add_beam(arena_scene, middle + vec3(0, from, 0), middle + vec3(0, to, 0), thick, light, out);
 }

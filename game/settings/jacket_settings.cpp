@@ -13,7 +13,7 @@ void read_jacket(const ConfigTable& table, PlayerSettings& player) {
     else
         player.jacket = std::move(words);
     auto layout = table.string("jacket_layout", player.jacket_layout);
-    constexpr std::size_t longest = 1000;  // bytes
+    constexpr std::size_t longest = 1000;  // largest length of the layout's name or path (bytes)
     if (layout.size() > longest || printable(layout, layout.size()) != layout)
         table.report("jacket_layout", "'jacket_layout': write a layout's name, or the path of its file");
     else

@@ -35,8 +35,8 @@ struct BlastData {
 
 /// A ball of fire in flight.
 struct Blast {
-    vec3 position{};  ///< position (m, world)
-    vec3 velocity{};  ///< velocity (m/s, world)
+    vec3 position{};  ///< position of the ball (m, world)
+    vec3 velocity{};  ///< velocity of the ball (m/s, world)
     double charge{};
     Tick dies_at{};
     std::uint32_t player{};

@@ -29,8 +29,8 @@ struct BoltData {
 
 /// A bolt in flight.
 struct Bolt {
-    vec3 position{};  ///< position (m, world)
-    vec3 velocity{};  ///< velocity (m/s, world)
+    vec3 position{};  ///< position of the bolt (m, world)
+    vec3 velocity{};  ///< velocity of the bolt (m/s, world)
     Tick dies_at{};
     std::uint32_t player{};
     std::uint32_t ignores{};  ///< physics key of the shooter's body, which the bolt passes through

@@ -393,7 +393,7 @@ vec3 held_back(vec3 velocity, vec3 blow) {
 /// Motion of the hand's point, and of its base, which is the point without the device's own displacement
 /// (world).
 struct HandMotion {
-    vec3 hip{}, base{};                    ///< positions (m)
+    vec3 hip{}, base{};                    ///< positions of the hand's point and of its base (m)
     vec3 hip_velocity{}, base_velocity{};  ///< velocities of the hand's point and of its base (m/s)
 };
 

@@ -44,8 +44,8 @@ struct LobData {
 
 /// A stone in flight, or at rest until the end of its fuse.
 struct Lob {
-    vec3 position{};  ///< position (m, world)
-    vec3 velocity{};  ///< velocity (m/s, world)
+    vec3 position{};  ///< position of the stone (m, world)
+    vec3 velocity{};  ///< velocity of the stone (m/s, world)
     Tick bursts_at{};
     std::uint32_t player{};
     std::uint32_t shooter{};  ///< physics key of the shooter's body

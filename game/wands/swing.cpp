@@ -61,7 +61,7 @@ SwingData read(const ConfigTable& root) {
 
 /// Point at which a rope would be attached.
 struct Hold {
-    vec3 point{};          ///< position (m, world)
+    vec3 point{};          ///< place at which the rope would be attached (m, world)
     ecs::Entity anchor{};  ///< the anchor; not a valid entity if the point is on a fixed body
 };
 

@@ -36,7 +36,7 @@ struct Rope {
     vec3 anchor{};       ///< position of the rope's fixed end (m, world)
     double length{};     ///< unstretched length of the rope (m)
     double growth{};     ///< rate of change of `length` (m/s)
-    double stiffness{};  ///< stiffness (N/m)
+    double stiffness{};  ///< stiffness of the rope (N/m)
     double damping{};    ///< damping along the rope (N s/m)
 };
 

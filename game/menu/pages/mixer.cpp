@@ -78,7 +78,7 @@ void add_profile_rows(const MenuState& s, const MenuContext& context, Rows& rows
 
 // Forces ----------------------------------------------------------------------------------------------------
 
-/// Whether a setting is the one that sets this value of a player.
+/// Whether a setting sets the member `value` of a player's settings.
 template <class T>
 bool is_about(const PlayerSetting& setting, T PlayerSettings::*value) {
     using Kind =

@@ -56,7 +56,7 @@ void add_range_rows(const MenuState& s, Rows& rows) {
                     }});
 }
 
-/// Lets the next pause open at this row, since a gesture is often drawn or forgotten several times in a row.
+/// Lets the next pause open at this row, since players often draw or forget a gesture several times.
 void come_back_here(MenuState& s) { s.pause_row = s.pages.back().cursor; }
 
 void draw_gesture(const RowPress& press) {

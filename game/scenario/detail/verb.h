@@ -29,7 +29,8 @@ std::span<const VerbName> sense_verbs();
 inline constexpr double farthest = 500;  ///< greatest distance from the origin (m)
 inline constexpr double fastest = 200;   ///< greatest speed that a script may set (m/s)
 
-/// Returns the play that `context` points to. Throws a fault if its match has not begun.
+/// Returns the Play (one run of a scenario) that `context` points to. Throws a fault if its match has not
+/// begun.
 inline Play& began(void* context) {
     auto& play = *static_cast<Play*>(context);
     if (!play.match) arguments::fault("there is no match yet: match{...} comes first");

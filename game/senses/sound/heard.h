@@ -30,8 +30,8 @@ inline constexpr std::array<std::string_view, 7> hurt_from_words{
 inline constexpr std::array<std::string_view, 7> pushed_to_words{"",     "away", "right", "towards you",
                                                                  "left", "up",   "down"};
 
-/// One caption: a sound, an effect on the body, or a force on the hand. Two voices of the same sound from the
-/// same side give one line.
+/// One caption: a sound, an effect on the body, or a force on the hand. Two voices (playing sounds) of the
+/// same sound from the same side give one line.
 struct HeardLine {
     /// Caption of the sound or effect, or name of the force; refers to the loaded data.
     std::string_view words;

@@ -25,7 +25,7 @@ struct SoundWriting {
 
 /// How strongly and where a sound is heard.
 struct Heard {
-    vec3 place{};  ///< position (m, world)
+    vec3 place{};  ///< position of the sound (m, world)
     double gain{1}, pitch{1};
     std::uint32_t heard_by{3};  ///< bits of the listeners who hear the sound
     bool at_ear{};              ///< true: played at the ear, without a position

@@ -129,7 +129,8 @@ void SoundScene::take(const Simulation& match, std::span<const std::uint32_t> li
         add_clock_sounds(writing);
     }
     if (!followed) out.begins.count = 0;
-    // At the first frame of a match, its first round has already begun, so this sound is added here.
+    // At the first frame of a match, its first round has already begun, so the sound of that start is added
+    // here.
     if (!memory_.follower.has_begun() && match.match().played <= audio::frame_ticks)
         begin(writing, Cue::count_go, {.at_ear = true});
     add_score(writing);

@@ -104,7 +104,8 @@ void add_heart(SoundWriting& writing, const WizardNow& wizard, WizardSoundMemory
 }
 
 void add_ladle(SoundWriting& writing, const WizardNow& wizard, WizardSoundMemory& memory) {
-    constexpr double fast_stir = 1.5, splash_speed = 0.3;  // m/s
+    // speeds of the ladle for full loudness, and for a splash (m/s)
+    constexpr double fast_stir = 1.5, splash_speed = 0.3;
     const auto* ladle = writing.match.world().find<Ladle>(wizard.entity);
     const auto& cauldron = writing.match.world().single<Cauldron>();
     const bool inside = ladle != nullptr && cauldron.inside.at(wizard.player) != 0;
@@ -120,7 +121,7 @@ void add_ladle(SoundWriting& writing, const WizardNow& wizard, WizardSoundMemory
 
 /// The scrape of a tool in a crystal: louder the harder it is pressed and the faster it moves.
 void add_chisel(SoundWriting& writing, const WizardNow& wizard, WizardSoundMemory& memory) {
-    constexpr double fast = 0.4, hard_n = 1.5;  // m/s, N
+    constexpr double fast = 0.4, hard_n = 1.5;  // speed (m/s) and force (N) of the tool for full loudness
     const auto* chisel = writing.match.world().find<Chisel>(wizard.entity);
     const auto before = memory.chisel;
     memory.chisel = chisel != nullptr ? std::optional(chisel->place) : std::nullopt;

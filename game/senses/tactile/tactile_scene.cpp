@@ -19,11 +19,11 @@ constexpr double chest = 1.15;           ///< assumed height of a blow whose hei
 /// Smallest change of an arm's angle that is passed to the mixers (rad)
 constexpr double min_raise = 0.02;
 
-/// Keys of lasting effects.
+/// Keys by which lasting effects are known from frame to frame.
 constexpr std::uint32_t heart_key = 1, stir_key = 2, work_key = 3, first_sound_key = 10;
 
-/// Part of the body on which a player feels an event: the side of the event's position, or of the player who
-/// caused it.
+/// Part of the body on which a player feels an event: the side on which the event's position, or the player
+/// who caused the event, lies.
 tactile::Where where_of(const Simulation& match, const Event& event, std::uint32_t player) {
     const auto& world = match.world();
     const auto wizard = wizard_of(world, player);
@@ -164,8 +164,8 @@ void TactileScene::feel_own(const Simulation& match) {
     }
 }
 
-/// If the foe holds the Great Work, the player feels a heartbeat, which becomes faster the longer the foe
-/// holds it.
+/// If the foe holds both halves of the Great Work, the player feels a heartbeat, which becomes faster the
+/// longer the foe holds them.
 void TactileScene::feel_foes_work(const Simulation& match) {
     const auto& world = match.world();
     if (!match.data().crystal || world.count<GreatWork>() == 0) return;
