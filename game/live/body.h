@@ -26,7 +26,7 @@ struct LiveBody {
         std::string_view name;
         tactile::Layout layout;
     };
-    std::vector<Worn> jackets{};  ///< in the order of jacket_layouts()
+    std::vector<Worn> jackets{};  ///< shipped layouts, in the order of jacket_layouts()
 
     /// Layouts that players have written for their jackets.
     std::array<std::optional<tactile::Layout>, game::players> own{};

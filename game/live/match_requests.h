@@ -17,7 +17,7 @@ namespace thaum::game::inline live {
 
 /// The parts of a match that a request can act on.
 struct RequestTarget {
-    Practice* practice{};       ///< null: the match is not on the range
+    Practice* practice{};       ///< the practice on the range; null: the match is not on the range
     std::uint32_t& next_press;  ///< buttons that the next input frame presses (bits of input::Button)
 };
 

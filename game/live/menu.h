@@ -37,7 +37,7 @@ public:
     void open(std::string_view page);
     void close();
 
-    // Events while a menu is open.
+    // Calls for events while a menu is open.
     void key(int key, bool pressed, std::int64_t now_ns);
     /// One character of typed text.
     void character(char32_t character);

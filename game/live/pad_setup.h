@@ -11,12 +11,13 @@ namespace thaum::game::inline live {
 
 /// Joysticks that cannot be used, and pads that were set up by hand.
 struct IdleSticks {
-    std::vector<input::Stick> unknown{};             ///< joysticks that SDL does not know
-    std::vector<input::Stick> own{};                 ///< pads that were set up by hand
-    std::vector<input::LockedStick> locked{};        ///< joysticks that this user may not read
-    std::vector<std::string> left_over{};            ///< names of pads beyond the number that can play
-    std::vector<std::string> without_right_stick{};  ///< names of pads that cannot turn by default
-    std::vector<std::string> faults{};               ///< faults of SDL, and of the file of mappings
+    std::vector<input::Stick> unknown{};       ///< joysticks that SDL does not know
+    std::vector<input::Stick> own{};           ///< pads that were set up by hand
+    std::vector<input::LockedStick> locked{};  ///< joysticks that this user may not read
+    std::vector<std::string> left_over{};      ///< names of pads beyond the number that can play
+    /// names of pads without a right stick, which turns a player by default
+    std::vector<std::string> without_right_stick{};
+    std::vector<std::string> faults{};  ///< faults of SDL, and of the file of mappings
 };
 
 /// A change of the SDL mapping of one model of joystick.

@@ -51,7 +51,7 @@ inline constexpr Tick same_kill = 1000;
 /// are known, by rising tick.
 ReplayView after(ReplayView view, ReplayDeed deed, Tick length, std::span<const game::Kill> kills);
 
-/// Requests of the main thread to the simulation thread.
+/// Requests of the main thread to the simulation thread that shows a replay.
 struct ReplayRequests {
     static constexpr Tick nowhere = ~Tick{0};
     /// Tick to go to. The simulation thread sets it to `nowhere` once it is there.

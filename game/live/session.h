@@ -71,7 +71,7 @@ public:
     /// Publishes shared.screen if something on it has changed.
     void publish_screen();
 
-    /// Whether pads act at present.
+    /// Whether the states of the pads are needed at present.
     bool needs_pads() const { return menu_.is_open() || hands_.any_pad(); }
     /// Whether the cursor is hidden and its motion turns a player.
     bool captures_cursor() const;
@@ -79,7 +79,7 @@ public:
     double patience_s() const;
 
 private:
-    // Keys of the session.
+    // Handling of keys that act on the session.
     bool session_key(int key);
     void replay_key(int key);
     void match_key(int key, std::int64_t now_ns);
@@ -122,17 +122,18 @@ private:
     LiveMenu menu_;
     PlayerHands hands_;
     PadSetup setup_;
-    std::optional<ReplayViewer> viewer_{};  ///< std::nullopt: no replay is shown
+    std::optional<ReplayViewer> viewer_{};  ///< viewer of the shown replay; std::nullopt: no replay is shown
     FocusLoss focus_{};
     RoundEnd round_end_{};
     bool restarts_ = false;                      ///< true: once the match has ended, it begins again
     bool paused_by_focus_ = false;               ///< true: the lost focus is the reason of the pause
     Pads pads_{};                                ///< states of the pads at the last look
     std::vector<input::ProfileData> profile_{};  ///< own gestures of the players who have their seats
-    std::optional<BodyTrial> trial_{};           ///< std::nullopt: nothing is felt on the body
-    bool forces_ = false;                        ///< true: the views show the forces that hands feel
-    std::optional<Screen> published_{};          ///< the newest published screen
-    std::optional<std::int64_t> began_ns_{};     ///< time when the start screen first opened (ns)
+    /// trials of effects for the mixer's page; std::nullopt: nothing is felt on the body
+    std::optional<BodyTrial> trial_{};
+    bool forces_ = false;                     ///< true: the views show the forces that hands feel
+    std::optional<Screen> published_{};       ///< the newest published screen
+    std::optional<std::int64_t> began_ns_{};  ///< time when the start screen first opened (ns)
 };
 
 }  // namespace thaum::game::inline live

@@ -33,8 +33,9 @@ struct InputStamp {
 
 /// Everything the main thread wants shown besides the match itself.
 struct Screen {
-    game::HudSettings hud{};                   ///< settings of the views; `quality` below replaces theirs
-    std::optional<render::Quality> quality{};  ///< std::nullopt: chosen by device and measured times
+    game::HudSettings hud{};  ///< settings of the views; `quality` below replaces theirs
+    /// quality of the pictures; std::nullopt: chosen by device and measured times
+    std::optional<render::Quality> quality{};
     game::MenuPicture menu{};
     bool arena_scene = false;  ///< true: there is no match, and the arena is shown alone, from above
     double frames_per_second = 60;
@@ -85,11 +86,12 @@ struct LiveShared {
         started.notify_all();
     }
 
-    TakenSeats seats;  ///< changed only while no simulation thread runs
+    TakenSeats seats;  ///< seats of the match; changed only while no simulation thread runs
     /// Effects on the body; std::nullopt: nothing is felt. Set before the first match.
     std::optional<LiveBody> body;
-    std::unique_ptr<LiveSound> sound;  ///< null: silence; set before the first match
-    LiveTactile tactile;               ///< motors of the players' pads
+    /// bank of sounds and loudspeakers; null: silence; set before the first match
+    std::unique_ptr<LiveSound> sound;
+    LiveTactile tactile;  ///< motors of the players' pads, and their jackets
     LiveArms arms;  ///< real arms; the list and their players change only while no simulation thread runs
     /// filled by the simulation thread, and by the main thread while no simulation runs
     TripleBuffer<game::Picture> pictures;
@@ -98,7 +100,8 @@ struct LiveShared {
     TripleBuffer<std::shared_ptr<const game::MatchData>> scene{nullptr};
     /// arrival of the first event that no tick has taken yet; 0: none
     std::atomic<std::int64_t> input_came_ns{0};
-    SpscQueue<InputStamp, 256> stamps;  ///< from the simulation thread to the render thread
+    /// times of input events, from the simulation thread to the render thread
+    SpscQueue<InputStamp, 256> stamps;
 
     std::atomic<bool> ready{false};  ///< true: pictures can be drawn, and the match may begin
     std::atomic<bool> stop{false};   ///< true: all threads must end

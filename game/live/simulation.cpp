@@ -122,7 +122,8 @@ bool start_round(SimulationThread& s, MatchStart start) {
         show_scene(s.shared, start.data);
         game::MatchSetup setup{
             .seed = start.seed, .devices = devices_of(s.shared.seats, s.shared.arms), .workers = 1};
-        (void)game::use_profile(*start.data, std::move(start.profile), setup);  // as in the log's header
+        // the same gestures as in the log's header
+        (void)game::use_profile(*start.data, std::move(start.profile), setup);
         s.round.own = std::make_unique<Simulation>(std::move(start.data), std::move(setup));
         s.round.match = s.round.own.get();
     }

@@ -30,7 +30,7 @@ inline constexpr std::size_t force_column = 16;
 
 /// Force on a player's hand and the state of the device.
 struct ForcePicture {
-    ArmCondition arm{};            ///< condition of a real device
+    ArmCondition arm{};            ///< condition of a real force-feedback arm
     haptics::SafetyCause cause{};  ///< reason for a reduced force
     double cap{};                  ///< limit of the force (N)
     vec3 now{};                    ///< present force (N, device frame, drawn in the eye frame)

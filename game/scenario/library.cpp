@@ -105,7 +105,7 @@ bool has_pointer_format(const char* format) {
     return false;
 }
 
-/// Wraps string.format; upvalue 1 is Lua's original.
+/// Wraps string.format (upvalue 1: Lua's original), so that it shows no addresses.
 int safe_format(lua_State* lua) {
     if (has_pointer_format(luaL_checkstring(lua, 1)))
         return luaL_error(lua, "%%p: addresses are not for scripts");
@@ -292,7 +292,8 @@ int safe_rep(lua_State* lua) {
     return 1;
 }
 
-/// Wraps table.concat, table.move and table.unpack. The range is given by the arguments `at` and `at + 1`.
+/// Wraps table.concat, table.move and table.unpack, and limits their range, which the arguments `at` and
+/// `at + 1` give.
 template <int at>
 int safe_range(lua_State* lua) {
     luaL_checktype(lua, 1, LUA_TTABLE);
@@ -318,7 +319,8 @@ std::uint64_t bytes_in_list(lua_State* lua, lua_Integer count) {
     return bytes;
 }
 
-/// Wraps table.sort, which compares each element about log2(count) times, and compares texts byte by byte.
+/// Wraps table.sort, so that a call costs its work: it compares each element about log2(count) times, and
+/// texts byte by byte.
 int counted_sort(lua_State* lua) {
     luaL_checktype(lua, 1, LUA_TTABLE);
     const auto count = luaL_len(lua, 1);
@@ -329,7 +331,7 @@ int counted_sort(lua_State* lua) {
     return call_wrapped(lua);
 }
 
-/// Wraps table.insert and table.remove, which use a length that a metatable may define.
+/// Wraps table.insert and table.remove, so that a call costs the list's length, which a metatable may define.
 int safe_length(lua_State* lua) {
     luaL_checktype(lua, 1, LUA_TTABLE);
     if (luaL_len(lua, 1) > max_moved)

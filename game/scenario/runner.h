@@ -1,8 +1,8 @@
 // game/scenario/runner.h: runs scenarios. A scenario is a Lua script that plays a match through the players'
 // own devices, faster than real time, and checks what a player would notice.
 //
-// After a scenario its log is replayed. The hashes of state and forces in the run and in the replay must agree
-// every 128 ticks and at the end. A scenario without a log runs twice from scratch instead. A scenario also
+// After a scenario its log is replayed. The hashes of state and forces in run and replay must agree every 128
+// ticks and at the end. A scenario without a log runs twice from scratch instead. A scenario also
 // fails if no action of it changed the match, because such a run proves nothing. A run leaves these files:
 //
 //     NAME.thaumlog     the match, for `thaum replay`; absent if the script set the scene

@@ -29,7 +29,7 @@ namespace thaum::game::inline scenario {
 struct SandboxLimits {
     std::size_t memory = 64U << 20U;    ///< limit of the script's total memory (bytes)
     std::size_t block = 1U << 20U;      ///< largest single string or table part (bytes)
-    std::uint64_t steps = 300'000'000;  ///< steps over the sandbox's whole life
+    std::uint64_t steps = 300'000'000;  ///< limit of the steps over the sandbox's whole life
     std::size_t output = 64U << 10U;    ///< limit of the stored `print` output (bytes)
     /// Limit of the script's own processor time, without verbs and waits (s). It catches work that is not
     /// counted as steps, and is so large that no result depends on it.

@@ -59,7 +59,7 @@ void add_stroke_of(const ArenaScene& arena_scene, std::uint32_t number, const Pl
         const auto on_surface = [&](std::size_t i) { return vec3(stroke.places[i]); };
         return add_pieces(arena_scene, stroke, number, 0.008, on_surface, out);
     }
-    if (own) return;  // the player sees the stroke flat (casting_overlay.h)
+    if (own) return;  // in the player's own view the stroke is drawn flat (casting_overlay.h)
     const vec3 tip =
         p.vitals.eye + look_rotation(p.vitals.yaw, p.vitals.pitch) * (wand_tip + vec3(0, 0, -0.1));
     const auto& begin = stroke.points[0];
