@@ -57,11 +57,11 @@ public:
 
     /// The device that the player uses now.
     input::DeviceKind device_of(std::uint32_t player) const;
-    /// Whether the player's pad is unplugged and the player has no other device.
+    /// Whether the player's pad was unplugged and the player has not rejoined with any device yet.
     bool is_lost(std::uint32_t player) const { return holds_[player].lost; }
     /// Whether the player's lost pad is plugged in again, and waits for a press.
     bool is_plugged_again(std::uint32_t player) const { return holds_[player].lost && holds_[player].seen; }
-    /// The first player who has no device; std::nullopt: every player has one.
+    /// The first player who has lost a pad and has not rejoined yet; std::nullopt: there is none.
     std::optional<std::uint32_t> first_lost() const;
     /// The player without a pad who would get half of the keyboard; std::nullopt: nobody needs that half, or
     /// it is taken.
@@ -77,7 +77,7 @@ private:
     /// State of the pad that one player uses.
     struct PadHold {
         bool seen = false;          ///< the pad was plugged in at the last look
-        bool lost = false;          ///< the pad is not plugged in, and its player has no other device
+        bool lost = false;          ///< the pad was unplugged, and its player has not rejoined yet
         bool let_go_first = false;  ///< true: buttons held now are ignored until all have been released
         bool half = false;          ///< the player continues with half of the keyboard
     };

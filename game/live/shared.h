@@ -112,7 +112,7 @@ struct LiveShared {
     MatchRequests requests{};
     MatchProgress progress{};
     ReplayRequests replay{};  ///< requests of the viewer of a replay
-    /// true: the player's pad is unplugged and the player has no other device; set by the main thread
+    /// true: the player's pad was unplugged and the player has not rejoined yet; set by the main thread
     std::array<std::atomic<bool>, game::players> pad_lost{};
 
     // Each of the following is written by one thread, and read after that thread has ended.

@@ -36,7 +36,7 @@ struct CrystalLook {
     CrystalLook& operator=(CrystalLook&&) = default;
 };
 
-/// Reserves scans for a crystal.
+/// Creates the look of a crystal, with scans (voxels to be drawn) that are still empty.
 CrystalLook make_crystal_look(render::Renderer& renderer);
 
 /// Whether an eye is near enough to see the voxels and the key rather than the mesh.
