@@ -23,7 +23,7 @@ void skip_scan(const Options& options, Report& report);
 void coupling(const Options& options, Report& report);
 void wand_coupling(const Options& options, Report& report);
 void haptics(const Options& options, Report& report);
-/// Parts of the area `haptics`.
+/// The next two are parts of the area `haptics`.
 void surfaces(const Options& options, Report& report);
 void round_bodies(const Options& options, Report& report);
 /// Part of the area `haptics`: haptic modes, and surfaces of scanned volumes.
@@ -47,7 +47,7 @@ void tactile_mixer(const Options& options, Report& report);
 /// Area `gesture`: recognition of gestures, isolated and in continuous motion.
 void gestures(const Options& options, Report& report);
 void render(const Options& options, Report& report);
-/// Parts of the area `render`.
+/// The next two are parts of the area `render`.
 void brew_pictures(const Options& options, Report& report);
 void scan_pictures(const Options& options, Report& report);
 void fluid(const Options& options, Report& report);

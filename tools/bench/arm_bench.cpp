@@ -19,7 +19,7 @@ namespace {
 constexpr std::int64_t arm_period_ns = 1'000'000;
 constexpr int exchange_ticks = 4000;
 
-/// A model with a point that attracts the hand, and the limits of a Touch.
+/// Haptic model of a point that attracts the hand.
 haptics::HapticModel pulling_model() {
     haptics::HapticModel model;
     model.coupling = {.stiffness = 300, .damping = 1};
@@ -34,14 +34,15 @@ haptics::Servo touch_servo() {
     return {haptics::safety_limits(spec, 1)};
 }
 
-/// The arm moves to and fro by 2 cm.
+/// Reading of an arm whose tip moves to and fro by 2 cm.
 input::ArmReading reading_at(int tick) {
     const auto phase = tick % 80;
     return {.time_ns = (tick + 1) * arm_period_ns,
             .position_um = {500 * (phase < 40 ? phase : 80 - phase), 1000, 0}};
 }
 
-/// The simulation's side of the exchange, as in a match.
+/// The simulation's half of a tick, as in a match: takes the arm's sample, repeats the servo step, and
+/// publishes the next haptic model to the arm's thread.
 struct ArmMatchHalf {
     input::ArmServo& door;
     haptics::Servo servo = touch_servo();

@@ -19,7 +19,7 @@ using audio::Mixer;
 
 constexpr double block_us = 1e6 * audio::frame_samples / audio::sample_rate;
 constexpr double hum_size = 0.25;
-/// Numbers of the two sounds in bench_sounds().
+/// Indices of the two sounds in bench_sounds().
 constexpr std::uint32_t hum = 0, knock = 1;
 
 audio::SoundBank bench_sounds() {
@@ -39,7 +39,8 @@ audio::SoundBank bench_sounds() {
     return bank;
 }
 
-/// A frame of lasting and beginning voices that move; some are behind walls, some are played slower.
+/// Audio frame with `lasts` voices that last and `begins` voices that begin. All of them move; of the lasting
+/// ones some are behind walls and some are played slower.
 AudioFrame busy_frame(std::uint32_t listeners, std::uint32_t lasts, std::uint32_t begins, int block) {
     AudioFrame frame;
     frame.listener_count = listeners;
@@ -139,10 +140,10 @@ double worst_level_db(Mixer& mixer, std::span<const double> distances_m, std::si
                 {.sound = hum, .position = {distance * det::sin(angle), 0, -distance * det::cos(angle)}});
             std::array<float, audio::block_values> block{};
             for (int i = 0; i < 4; ++i)
-                // After this block the gains have reached their values, and the limiter's delay is over.
+                // Four blocks let the gains reach their values and the limiter's delay pass.
                 mixer.play(frame, block);
             double energy = 0;
-            constexpr int blocks = 5;  // number of blocks, which hold eight periods
+            constexpr int blocks = 5;  // number of measured blocks; they hold eight periods of the sound
             for (int i = 0; i < blocks; ++i) {
                 mixer.play(frame, block);
                 for (const float s : block) energy += static_cast<double>(s) * s;

@@ -1,5 +1,5 @@
 // Benchmarks pictures of the brew: the same picture of the arena alternately with and without the brew, seen
-// from the start pads and from the rim. Also the time to make texels and skin.
+// from the start pads and from the rim. Also the time to make the brew's texels and the mesh of its skin.
 #include "core/text.h"
 #include "game/scene/brew_look.h"
 #include "render/audit/perceptual.h"

@@ -73,7 +73,7 @@ Voxels ball(int n) {
     return body;
 }
 
-/// Dabs in the middle of the body, at most 16 voxels from it along each axis.
+/// Random dabs (places where a tool is applied), at most 16 voxels from the middle along each axis.
 std::vector<Dab> random_dabs(double spacing) {
     Random random = random_stream(24, 1);
     std::vector<Dab> dabs(number_of_dabs);
@@ -86,7 +86,7 @@ std::vector<Dab> random_dabs(double spacing) {
     return dabs;
 }
 
-/// A filter that melts, computed by its formula in double, for the voxels around the middle of a body.
+/// Melting, computed by its formula in double, for the voxels around the middle of a body.
 class PlainMelting {
 public:
     PlainMelting(const Voxels& body, double radius)
@@ -148,7 +148,7 @@ double error_of_melting(int n, double radius) {
     return plain.max_error(body);
 }
 
-/// Repeated edits with one tool. Before each edit, the place of the last one is filled again.
+/// Edits one body repeatedly with one tool. Before each edit, the place of the last one is filled again.
 struct Carver {
     int n;
     double radius;

@@ -33,13 +33,14 @@ struct PairSetting {
     double damping() const { return 2 * pair_damping_ratio * std::sqrt(stiffness / inverse_mass()); }
 };
 
-/// Velocity of a prescribed hand at each step (m/s), whatever the step length: back and forth in 16 ms.
+/// Velocity of a prescribed hand at each step (m/s). It reverses every 16 ms, whatever the step length.
 double hand_velocity(const PairSetting& s, int i) {
     if (s.free_hand) return 0;
     return (i * s.step_ms / 16) % 2 == 0 ? 0.5 : -0.5;
 }
 
-/// Stretch e after each step by the closed form of the underdamped oscillator, in long double.
+/// Stretch of the spring after each step (m), by the closed form of the underdamped oscillator, in long
+/// double.
 std::vector<double> exact_stretches(const PairSetting& s) {
     using Real = long double;
     const Real rate2 = Real(s.stiffness) * Real(s.inverse_mass());
@@ -101,7 +102,7 @@ double relative_error(const std::vector<double>& found, const std::vector<double
     return worst;
 }
 
-/// A run with a prescribed hand, or with a free hand of mass hand_mass.
+/// Stretches after each step (m): with a prescribed hand, and with a free hand of mass hand_mass.
 struct PairRun {
     std::vector<double> moved, free;
 };

@@ -57,7 +57,7 @@ public:
         }
     }
 
-    std::uint64_t begun = 0;  ///< voices
+    std::uint64_t begun = 0;  ///< number of voices that began
     std::uint64_t felt = 0;   ///< frames of the body figure in which a player feels something
 
 private:

@@ -35,7 +35,7 @@ Scalar waves_at(vec3 p) {
     return {1 + 0.5 * sx * cy * cz, pi * vec3(cx * cy * cz, -sx * sy * cz, -sx * cy * sz)};
 }
 
-/// Taylor and Green's vortex.
+/// The Taylor-Green vortex, of period 1.
 Vector vortex_at(vec3 p) {
     const vec3 x = 2 * pi * p;
     const double sx = det::sin(x.x), cx = det::cos(x.x), sy = det::sin(x.y), cy = det::cos(x.y), k = 2 * pi;
@@ -100,7 +100,7 @@ void add(Squares& sum, const Vector& found, const Vector& exact) {
     }
 }
 
-/// Reads a field through the common interface, so that the cost of the call is included.
+/// Reads a field through the interface field::Field, so that the cost of its indirect call is included.
 template <class Sample>
 struct Reader {
     const char* name;

@@ -1,8 +1,8 @@
 // Part of the area `field`: reading volumes. Cost of the value alone, of value and gradient, and of the curl,
 // for each kernel and size, together with the error against the formula from which the samples were computed.
 //
-// Places are "near" one another, as those of a hand that moves 0.1 samples from one to the next, or
-// "anywhere" in the volume. The former stay in the cache, the latter only in a small volume.
+// Places are "near" one another, 0.1 samples apart like those of a moving hand, or "anywhere" in the volume.
+// Near places stay in the cache; places anywhere do so only in a small volume.
 #include <algorithm>
 #include <cmath>
 #include <memory>

@@ -48,7 +48,7 @@ void add_time_metrics(const FluidRun& run, const std::vector<FluidRun>& all, Row
     row.metrics.emplace_back("substeps_per_step", run.substeps / run.steps);
     if (run.us.empty()) return;
     if (run.scheme.solver == Solver::classic) {
-        // Diffusion of three components, and two pressure solves.
+        // Diffusion sweeps three velocity components, and the pressure is solved twice.
         const double sweeps = 5.0 * run.fluid.settings.sweeps;
         const auto [nx, ny, nz] = run.fluid.lattice.cells;
         row.metrics.emplace_back("ns_per_cell_and_sweep",
@@ -98,7 +98,7 @@ void shear_layers(Report& report) {
     const auto finer = flows::finer_double_shear(n);
     if (!finer) return report.faults.push_back(text("fluid: ", finer.error().message));
     auto runs = runs_of(flow, n, report);
-    // In the classic solver, velocities are not sampled on faces.
+    // The error is measured on faces, where the classic solver has no velocities.
     std::erase_if(runs, [](const FluidRun& run) { return run.scheme.solver == Solver::classic; });
     run_by_turns(runs, flow.end);
     for (const FluidRun& run : runs) {
@@ -206,7 +206,8 @@ void turns(const Options& options, Report& report) {
     }
 }
 
-/// LeVeque's flow, which returns everything to its start. With an error of 2 nothing is where it should be.
+/// LeVeque's flow, which returns everything to its start. With a relative error of 2, nothing is where it
+/// should be.
 void add_deformation(const TurnedShape& shape, int n, Report& report) {
     constexpr double cfl = 1;
     auto runs = runs_of([](const Scheme& scheme,
@@ -342,7 +343,7 @@ Expected<Fluid> attacked(const Scheme& scheme, int n) {
     return flows::start(flow, scheme, n);
 }
 
-/// One push of up to 100 m/s in every step.
+/// Fluids that get one random push of up to 100 m/s in every step.
 void hostile_of(int n, const Options& options, Report& report) {
     const int steps = options.quick ? 50 : 2000;
     auto runs = runs_of(attacked, n, report);
@@ -390,8 +391,8 @@ constexpr std::array stress_cases{
     StressCase{{Solver::classic}, 24},  StressCase{{Solver::thaum, 4}, 32},
     StressCase{{Solver::thaum, 2}, 32}, StressCase{{Solver::thaum, 2}, 32, true}};
 
-/// Bounds for the fluid under an attack. The paper's method guarantees neither zero divergence nor conserved
-/// energy and amounts, so it must only stay finite.
+/// Bounds for the fluid under an attack. The paper's method (`classic`) guarantees neither zero divergence
+/// nor conserved energy and amounts, so it must only stay finite.
 fluid::AttackBounds bounds_of(const StressCase& stress_case) {
     if (stress_case.bowl) return {.divergence = fluid::bowl_divergence};
     if (stress_case.scheme.solver == Solver::thaum) return {};

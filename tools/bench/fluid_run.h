@@ -52,7 +52,7 @@ inline std::uint64_t velocity_hash(const fluid::Fluid& fluid) {
     return result;
 }
 
-/// The part that all rows share. The caller adds error, metrics and parameters.
+/// Makes what the rows of all cases share. The caller adds error, metrics and parameters.
 inline Row row_of(const std::string& name, const FluidRun& run) {
     Row row{.area = "fluid",
             .name = name,

@@ -1,5 +1,5 @@
 // Benchmarks gestures: time and error of the isolated recognition of each method over the number of
-// templates, and the time of a tick of the spotter.
+// templates, and the time of a tick of the spotter, which finds gestures in continuous motion.
 //
 // The gestures are generated: 100 smooth random curves, tested with variations of them. So the errors compare
 // methods with one another; how well people's strokes are recognised is measured with `thaum gesture eval` on

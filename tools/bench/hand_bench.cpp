@@ -74,7 +74,7 @@ double patch_error(const TurningBrew& brew) {
     return std::sqrt(off / all);
 }
 
-/// Reads all nodes of a patch through the fields.
+/// Reads all nodes of a patch straight from the fluid's fields. Returns a sum of the values.
 double read_through_fields(const FlowSource& source, const FlowPatch& patch) {
     double sum = 0;
     for (int n = 0; n < 64; ++n) {
@@ -85,7 +85,7 @@ double read_through_fields(const FlowSource& source, const FlowPatch& patch) {
     return sum;
 }
 
-/// Times for each place (us): copying a patch, reading it twice, and reading its nodes through the fields.
+/// Times for each place (us): copying a patch, reading the copy twice, and reading its nodes from the fields.
 std::vector<std::vector<double>> patch_times(const TurningBrew& brew, const FlowSource& source,
                                              const std::vector<FlowPatch>& patches, const Options& options) {
     const auto each = [&brew](const auto& visit) {
@@ -171,8 +171,8 @@ FlowPatch some_flow(Random& random) {
                         random.uniform(), random.uniform());
 }
 
-/// The hand rests, so the force changes only with the fluid. Returns the largest change within one tick,
-/// divided by the change over the whole fluid step.
+/// Largest change of the force within one tick, divided by the change over the whole fluid step. The hand
+/// rests, so the force changes only with the fluid.
 double max_step_share(const StirLoad& load) {
     auto spec = reference_device(0.5, 0);
     const haptics::Servo servo = servo_of(spec, 1);

@@ -133,7 +133,7 @@ struct AttackBlock {
     std::array<vec3, block_ticks> outputs{};
 };
 
-/// Time of a tick (us).
+/// Runs a block of ticks. Returns the mean time of a tick (us).
 double run_block(AttackBlock& block, haptics::SafetyState& state) {
     return us_of([&] {
                for (std::size_t i = 0; i < block_ticks; ++i)

@@ -321,7 +321,7 @@ void carve_crystal(SceneMatch& scene, Tick tick) {
     scene.frame = carving(tick);
 }
 
-/// During this search, focus is unlimited.
+/// Two wizards search the orb all the time, with unlimited focus.
 void search_orb(SceneMatch& scene, Tick tick) {
     if (tick == 0) place_at_the_orb(*scene.match);
     scene.match->world_to_change().view<game::Focus>().each([](game::Focus& focus) { focus.points = 100; });

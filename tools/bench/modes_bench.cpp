@@ -4,8 +4,8 @@
 //     modes           time of each mode on fields of 128^3 samples, its reads of the field included
 //     sphere_normal   direction of the force on a sphere, compared with the true normal, by kernel and method
 //     shell_chatter   noise of the force of a tip that slides on a sphere at an even depth
-//     held_on_sphere  the same by a simulated hand and device, with the servo in the loop
-//     edge_vibration  the same on a block with hard edges: on a face, along an edge, across it
+//     held_on_sphere  noise of the force when a simulated hand slides a device on a sphere, servo in the loop
+//     edge_vibration  noise of the force on a block with hard edges: on a face, along an edge, across an edge
 //
 // Methods: "isosurface" holds the proxy at the true surface (local distance by Newton's method). "density" is
 // that of paper 003: a force along the gradient at the tip that grows with the density there. Kernels:
@@ -41,8 +41,8 @@ constexpr double spacing = 0.0008;         // spacing of the samples (m); the vo
 constexpr double stiffness = 300;          // N/m
 constexpr double depth = 1.0 / stiffness;  // depth of the tip (m), for a push of 1 N
 constexpr double level = 127.5;            // density at the surface: half of the full density
-constexpr double reach = 1.5 * spacing;    // m
-constexpr double radius = 40 * spacing;    // m
+constexpr double reach = 1.5 * spacing;    // distance from the surface within which the mode acts (m)
+constexpr double radius = 40 * spacing;    // radius of the ball (m)
 
 // ---- fields -----------------------------------------------------------------------------------------------
 
@@ -63,7 +63,7 @@ struct BallMean {
     }
 };
 
-/// The ways in which one volume is read.
+/// One volume, read with each kernel.
 struct Readings {
     explicit Readings(const ScannedVolume& v)
         : smooth(v.smooth()),
@@ -161,12 +161,13 @@ struct Noise {
     double rms{};    ///< root mean square of the difference from the mean over the nearest 64 ms (N)
     double worst{};  ///< largest such difference (N)
     double jump{};   ///< largest change from tick to tick (N)
-    double swing{};  ///< sum of all rises of the force that are followed by falls, or the reverse (N)
+    double swing{};  ///< half of the sum of all rises and falls of the force beyond its net change (N)
     std::uint64_t hash{};
 };
 
-/// Noise of forces after the tick `from`. A hand feels vibrations, not slow changes, so the noise is the
-/// force minus its mean over the nearest 64 ms.
+/// Half the length of the window (ticks) over which noise_of() takes the mean. A hand feels vibrations, not
+/// slow changes, so the noise is the force minus its mean over the nearest 64 ms. Only ticks after `from`
+/// count.
 constexpr int noise_half = 32;
 
 Noise noise_of(std::span<const vec3> forces, int from) {
@@ -215,7 +216,7 @@ Row slide_row(const char* name, const Slide& slide, const char* kernel, ScalarFi
             .hash = hex(noise.hash)};
 }
 
-/// Depth of a tip that comes in from outside during the first 100 ticks and then keeps its depth.
+/// Depth of a tip (m) that comes in from outside during the first 60 ticks and then keeps its depth.
 double depth_at(int tick, double full) {
     return full * std::min(1.0, tick / 60.0) - 0.5 * reach * std::max(0.0, 1 - tick / 60.0);
 }
@@ -320,7 +321,7 @@ std::array<Slide, 3> block_ways(const TurnedBlock& block, bool by_density, int t
     };
     const auto along_edge = [=, turn = block.turn](int t) {
         const double in = half_block - depth_at(t, inside);
-        // A little nearer to one of the two faces.
+        // The tip lies a little nearer to the face y than to the face x.
         return turn * vec3(in - 0.1 * depth, in, to_and_fro(t, 0.1, wide));
     };
     const auto across_edge = [=, turn = block.turn](int t) {
@@ -373,7 +374,7 @@ struct ModeRunner {
     }
 };
 
-/// Inputs for a tip that slides over the ball with a push of 1 N, while the proxy is on the surface.
+/// Inputs for a tip that slides over the ball with a push of 1 N, with the proxy on the surface.
 std::vector<haptics::ModeInput> inputs_near_surface() {
     std::vector<haptics::ModeInput> inputs;
     for (int i = 0; i < 1024; ++i) {
@@ -405,7 +406,7 @@ ModeRunner runner_of(const haptics::Mode& mode, const ModeFields& fields, Scalar
     return runner;
 }
 
-/// Evaluates the volume feel with all its parts, for comparison with the modes.
+/// Evaluates haptics::VolumeFeel with all its parts, for comparison with the modes.
 struct VolumeRunner {
     haptics::VolumeFeel feel{};
     std::vector<haptics::ModeInput> inputs = inputs_near_surface();

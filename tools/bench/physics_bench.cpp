@@ -249,7 +249,7 @@ std::vector<Setting> settings_of(const Case& one, bool quick) {
     const std::vector<int> iterations = iterations_of(one, quick);
     for (const auto* scheme : schemes) {
         if (one.has_iterations && scheme == std::string_view("half_start"))
-            continue;  // the scene starts at rest, where half_start does not apply
+            continue;  // the scene starts at rest and is not in flight, so half_start does not apply
         for (const auto step : steps_ms) {
             for (const int count : iterations) result.push_back({scheme, step, count});
         }
@@ -317,7 +317,7 @@ double worst_rebound(Shape shape) {
             world.step(1e-3);
             rebound = world.velocity(2).y;
         }
-        for (int i = 0; i < 3; ++i) {  // because a rim may touch some steps later
+        for (int i = 0; i < 3; ++i) {  // because another point of the rim may touch later
             world.step(1e-3);
             rebound = std::max(rebound, world.velocity(2).y);
         }

@@ -3,8 +3,8 @@
 //
 // "exact" is the shipped method. "iterative" is the usual method, which minimises the length of the sum in
 // eq. 8 numerically: damped steps along the sum, halved if the length does not fall, at most 200.
-// "gauss_seidel" is the method of physics engines: 20 rounds in which each primitive in turn takes that
-// force, within its strength, which puts the proxy on its kink.
+// "gauss_seidel" is the method of physics engines: 20 rounds in which each primitive in turn takes the force,
+// within its strength, that puts the proxy on its kink (the point, line or plane where its force jumps).
 #include <algorithm>
 #include <array>
 #include <functional>

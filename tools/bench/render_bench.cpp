@@ -17,7 +17,7 @@ namespace {
 
 using render::Quality;
 
-// Ticks between two pictures (ms); long enough for objects to move.
+// Ticks (of 1 ms) between two pictures; long enough for objects to move.
 constexpr Tick between_pictures = 16;
 
 struct RenderScene {

@@ -53,7 +53,7 @@ Json row_json(const Row& row) {
     return out;
 }
 
-/// Texts in rows and columns. The first row holds the headings, and a row may be shorter than it.
+/// Texts in rows and columns. The first row holds the headings, and other rows may be shorter.
 class Grid {
 public:
     void begin_row() { rows_.emplace_back(headings_.size()); }

@@ -77,8 +77,8 @@ std::string shown(double value);
 /// A text unchanged, an integer in full, any other number with four significant digits.
 std::string shown(const Value& value);
 
-/// One table per area, with a column for each setting and metric that some row of the area has. '*' marks
-/// the front, 'd' the default, '!' a row that breaks an invariant.
+/// One table per area, with a column for each setting and metric that some row of the area has. '*' marks the
+/// Pareto front, 'd' the shipped setting, '!' a row that breaks an invariant.
 std::string to_table(const Report& report);
 
 }  // namespace thaum::bench

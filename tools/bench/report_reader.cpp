@@ -21,7 +21,7 @@ const Json& member(const Json& object, std::string_view key) {
     return found == nullptr ? nothing : *found;
 }
 
-/// Members sorted by key, whatever their order in the file.
+/// Members of a JSON object sorted by key, whatever their order in the file.
 std::vector<const JsonMember*> sorted_members(const Json& object) {
     std::vector<const JsonMember*> members;
     for (const auto& item : object.members()) members.push_back(&item);
@@ -67,7 +67,7 @@ Expected<const Json*> object(const Json& row, const char* key) {
     return &value;
 }
 
-/// Puts what was read where it belongs.
+/// Stores a value that was read in `to`, or returns the error of reading it.
 template <class Read, class To>
 Expected<void> take(Expected<Read> read, To& to) {
     if (!read) return read.error();

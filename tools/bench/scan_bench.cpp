@@ -20,10 +20,10 @@ namespace {
 
 using render::ScanDetail;
 
-constexpr int side = 128;          // samples
-constexpr int picture_side = 512;  // px
+constexpr int side = 128;          // samples along each side of the scan
+constexpr int picture_side = 512;  // width and height of the picture (px)
 constexpr int bricks = side / render::scan_brick;
-constexpr int carve_radius = 6;    // samples
+constexpr int carve_radius = 6;    // radius of a carved ball (samples)
 constexpr std::size_t spots = 64;  // number of places that are carved
 
 /// Density of an ellipsoid: 1 inside, 0 outside, with a soft edge one and a half samples wide.
@@ -198,7 +198,8 @@ Row row_of(ScanScene& scene, const char* look, const ScanRow& which, const std::
             .metrics = {{"pictures_per_s", 1e6 / median(samples)}}};
 }
 
-/// Draws one look in all ways, alternately.
+/// Times one look (surface, translucent or lit) in quick and sharp detail while it turns, and while it is
+/// carved.
 void draw_look(ScanScene& scene, const char* look, const Options& options, Report& report) {
     scene.look_like(look);
     const auto turn = [&] { scene.angle += 0.02F; };

@@ -2,8 +2,8 @@
 //
 // The step consists of tip -> modes -> balance -> force only, without safety stage and passivity controller,
 // whose limits are counted in ticks of 1 ms. The device is the reference device without a hand, pressed on
-// the wall with 1 N. The passive bound b / (T / 2) says what to expect: five times the rate, five times the
-// stiffness.
+// the wall with 1 N. By the passive bound b / (T / 2), with damping b and step T, five times the rate should
+// allow five times the stiffness.
 #include <array>
 #include <cmath>
 
@@ -25,7 +25,7 @@ constexpr std::array rates_ms{0.2, 0.5, 1.0};
 
 /// A device that rests on a wall at the origin, which the mode `isosurface` renders.
 struct WallRun {
-    double dt{};         ///< s
+    double dt{};         ///< time step (s)
     double stiffness{};  ///< stiffness between tip and proxy (N/m)
     haptics::HalfSpace ground{.place = {}, .normal = {0, 1, 0}};
 
@@ -78,7 +78,7 @@ void servo_rates(const Options& options, Report& report) {
         const WallRun run{dt, 300};
         const Contestant contestant{{}, [&] { run.play(1, end); }};
         auto samples = measure(std::span(&contestant, 1), {.seconds = options.quick ? 0.2 : 1.0});
-        // Converts to the time for each second, which has 1 / dt steps.
+        // Converts the time of a run to that of a step: the run simulates a second, which has 1 / dt steps.
         for (double& us : samples[0]) us *= dt;
         report.rows.push_back(
             {.area = "haptics",

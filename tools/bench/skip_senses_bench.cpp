@@ -16,7 +16,7 @@ namespace {
 constexpr std::array<std::uint32_t, game::players> both{0, 1};
 constexpr double max_share = 0.01;  ///< largest cost while nothing is heard or felt, as a share of a tick
 
-/// Mean without the longest hundredth of the samples, during which other programs ran (us).
+/// Mean (us) without the longest hundredth of the samples, during which other programs ran.
 double usual_mean(std::vector<double> samples) {
     std::sort(samples.begin(), samples.end());
     const auto count = samples.size() - samples.size() / 100;
@@ -75,7 +75,7 @@ struct SkippedJacket {
 
 struct SenseTimes {
     double tick_us{};
-    std::vector<double> sound_us{}, mixing_us{}, jacket_us{};  ///< by frame
+    std::vector<double> sound_us{}, mixing_us{}, jacket_us{};  ///< one time for each frame (us)
 };
 
 /// Measures `frames` frames; `run` plays eight ticks.
@@ -93,7 +93,7 @@ SenseTimes measure_senses(const game::Simulation& match, std::size_t frames, Ski
     return out;
 }
 
-/// Time that is measured for an empty piece of work (us).
+/// Time that a measurement gives for no work at all (us).
 double us_of_nothing() {
     std::vector<double> samples(2000);
     for (auto& sample : samples) sample = us_of([] {});
@@ -125,7 +125,7 @@ std::optional<LoadedSenses> load_skipped_senses() {
     return LoadedSenses{*data, std::move(*jacket)};
 }
 
-/// One state of both features, and the match that brings it about.
+/// One state of sound and jacket, such as absent or silent, and the match that brings it about.
 struct SenseCase {
     const char* state;
     bool present{};

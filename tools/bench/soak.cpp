@@ -121,7 +121,7 @@ void look_at_memory(const Course& course, Tick tick, Soaked& soaked) {
     }
 }
 
-/// Computes sound and tactile output of the tick, if the course asks for it.
+/// Computes sound and tactile output of the tick; does nothing if `senses` is null.
 void follow(const game::Simulation& match, game::Senses* senses, Soaked& soaked) {
     if (senses == nullptr) return;
     senses->follow(match);

@@ -29,7 +29,7 @@ struct Wave {
 constexpr std::array round_waves{Wave{7, 0}, Wave{5, 5}};
 constexpr std::array one_wave{Wave{3, 2}};
 
-/// Shape of a mode; its numbers are those of mode_frequency().
+/// Height of a wave's mode at a node, at most 1. The numbers of the wave count as in mode_frequency().
 double wave_shape(const SpringSurfaceSettings& s, Wave wave, std::size_t x, std::size_t z) {
     const auto X = static_cast<double>(x), Z = static_cast<double>(z);
     if (s.rim == fluid::Rim::pinned)
@@ -62,7 +62,7 @@ double membrane_frequency(const SpringSurfaceSettings& s, Wave wave) {
 /// Result of simulating waves for a second.
 struct WaveRun {
     SpringSurfaceSettings settings{};
-    double dt{};  ///< time of a call (s)
+    double dt{};  ///< time by which one call advances the surface (s)
     std::span<const Wave> waves{};
     double error{}, energy_lost{}, steps{};
     std::uint64_t hash{};

@@ -117,7 +117,8 @@ void mixing(const Options& options, const Layout& layout, Report& report) {
 
 // ---- places between actuators ----------------------------------------------------------------------------
 
-/// Wanted places on the chart of the torso, within the cells of the front.
+/// Places on the chart (the flattened map) of the torso, on a grid within the rectangle of the front
+/// actuators.
 std::vector<vec2> wanted_places(const Layout& layout) {
     vec2 low(1e9), high(-1e9);
     for (std::size_t i = 0; i < layout.actuators.size(); ++i) {
@@ -149,7 +150,7 @@ Amplitudes nearest_actuator(const Layout& layout, vec2 place) {
     return result;
 }
 
-/// Baseline: amplitudes of a Gaussian about the place, without balancing.
+/// Baseline: amplitudes of a Gaussian about the place, not corrected so that their centroid is the place.
 Amplitudes gaussian(const Layout& layout, vec2 place) {
     Amplitudes result{};
     const double sigma = 0.7 * layout.pitch(Region::torso);

@@ -29,12 +29,12 @@ physics::Physics world_with(double mass, vec3 place) {
 
 // ---- an object held by the hand ---------------------------------------------------------------------------
 
-constexpr double held_mass = 20;         // kg
-constexpr double held_stiffness = 4000;  // N/m
-constexpr double held_damping = 25;      // N s/m
+constexpr double held_mass = 20;         // mass of the object (kg)
+constexpr double held_stiffness = 4000;  // stiffness of the coupling (N/m)
+constexpr double held_damping = 25;      // damping of the coupling (N s/m)
 constexpr double held_seconds = 2;
 constexpr double hand_swing = 0.2;  // amplitude of the hand in the world (m): 10 mm at the device
-constexpr double hand_rate = 2;     // Hz
+constexpr double hand_rate = 2;     // frequency of the hand (Hz)
 
 double hand_at(double t) { return hand_swing * std::sin(2 * pi * hand_rate * t); }
 
@@ -122,7 +122,7 @@ constexpr double rope_seconds = 60;
 const vec3 let_go_at{6, -4.2, 0};  // position at which the wizard lets go, relative to the anchor (m)
 
 struct Swung {
-    double energy_drift{};  ///< drift, as a share of the swing's energy
+    double energy_drift{};  ///< drift of the energy, as a share of the swing's energy
     double period{};        ///< mean period over the run (s)
     std::uint64_t hash{};
 };

@@ -26,8 +26,8 @@ struct Tick {
 /// Axis for all values, which must be finite.
 LogAxis log_axis(std::span<const double> values, double low_px, double high_px);
 
-/// Ticks at 1, 2, 5, 10 ... if there are few of them, otherwise at powers of ten, or of a power of ten. At
-/// most 9, and one for 0.
+/// Ticks at 1, 2, 5, 10 ... if there are few of them; otherwise at every power of ten, or at every second,
+/// third or further power. At most 9, and one for 0.
 std::vector<Tick> ticks(const LogAxis&);
 
 }  // namespace thaum::plot

@@ -1,4 +1,4 @@
-// tools/mutants/mutant_switch.h: chooses at run time which mutant of a mutated build is active (mutation
+// tools/suite/mutant_switch.h: chooses at run time which mutant of a mutated build is active (mutation
 // testing). Every C++ source of the copied tree includes it first (see tree.py). The original tree does not
 // use it.
 #pragma once
