@@ -9,10 +9,10 @@
 //     overrun        the stack overflows
 //     pipe           a write to a pipe without a reader
 //     raise=SIGNAL   that signal
-//     tick_...       one of these in the arm's own thread
-//     beside_...     one of these at the same time in two threads beside the main thread
+//     tick_...       one of the ends above, in the arm's own thread
+//     beside_...     one of the ends above, at the same time in two threads beside the main thread
 //     wait           the program runs until it is killed
-//     ending         the same, after it has told the arm to give no force
+//     ending         as wait, but the arm has been told to give no force
 //     impatient      the program is asked to end before it opens the arm
 #include <dlfcn.h>
 #include <unistd.h>

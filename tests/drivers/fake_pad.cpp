@@ -188,14 +188,15 @@ Model xbox_360() { return xbox(0x028e, 0x0114, "Microsoft X-Box 360 pad", true);
 Model xbox_one() { return xbox(0x02d1, 0x0101, "Microsoft X-Box One pad", false); }
 
 std::uint16_t button_code(std::size_t number) {
-    // Buttons per block; the block of joystick buttons is followed by that of pad buttons.
+    // Linux has 32 codes in a row for buttons of joysticks and pads. Codes of further buttons begin at
+    // another place.
     constexpr std::size_t block = 32;
     return static_cast<std::uint16_t>(number < block ? BTN_JOYSTICK + number
                                                      : BTN_TRIGGER_HAPPY + number - block);
 }
 
 std::uint16_t axis_code(std::size_t number) {
-    // The codes after this one are those of hats (direction pads)
+    // Codes from here on are those of hats (direction pads), so further axes begin after them.
     constexpr std::size_t first = ABS_BRAKE + 1;
     return static_cast<std::uint16_t>(number < first ? number : ABS_PRESSURE + number - first);
 }

@@ -62,7 +62,7 @@ void start(Runner& runner, std::uint64_t seed, std::int64_t life_ns) {
 /// Fault of a log after the kill; empty if the log replays and contains enough ticks.
 std::string fault_of(const Runner& runner, Tick killed_at, Tick& kept) {
     auto playback = game::Playback::open(runner.log, game::find_assets());
-    // The process was killed before it created the file.
+    // A process that was killed before its first tick may not have created the file.
     if (!playback) return killed_at == 0 ? "" : playback.error().message;
     kept = playback->log().ticks();
     if (playback->log().ending() != input::LogEnding::cut_off) return "does not read as cut off";

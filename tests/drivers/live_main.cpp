@@ -2,8 +2,8 @@
 //
 //     live_session LOG SECONDS [SEAT SEAT [STALLED_THREAD EVERY_MS MS]]
 //
-// SEAT: mouse, half, pad, arm (with the mouse), bot, or probe (a mouse that moves by itself). The program
-// prints how well the session kept time.
+// SEAT: mouse, half (of a keyboard), pad, arm (with the mouse), bot, or probe (a mouse that moves by itself).
+// The program prints how well the session kept time.
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>

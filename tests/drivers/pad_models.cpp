@@ -36,7 +36,7 @@ struct Part {
     char half{};          ///< '+' or '-': only the positive or negative half of the axis; 0: all of it
     bool turned = false;  ///< true: the axis acts in the opposite direction
     std::size_t number{};
-    unsigned direction{};  ///< of a hat
+    unsigned direction{};  ///< bit of the hat's direction
 };
 
 std::optional<Part> part_of(std::string words) {
@@ -54,7 +54,7 @@ std::optional<Part> part_of(std::string words) {
     return part;
 }
 
-/// A mapping, and what its joystick needs.
+/// A mapping of SDL, with the numbers of buttons, axes and hats that its joystick needs.
 struct Mapping {
     std::string guid{}, name{};
     std::vector<std::pair<std::string, Part>> parts{};
@@ -93,10 +93,10 @@ std::uint16_t number_of(const std::string& guid, std::size_t byte) {
     return static_cast<std::uint16_t>(byte_of(guid, byte) | byte_of(guid, byte + 1) << 8U);
 }
 
-/// Whether a mapping is for a Linux device. SDL's own drivers mark theirs at the end of the guid, and some
-/// mappings are identified by name.
+/// Whether a mapping is for a Linux device. Mappings for SDL's own drivers have a mark at the end of the
+/// guid, and some mappings name the device instead of giving its numbers.
 bool is_of_device(const Mapping& mapping) {
-    // Some mappings have higher numbers, for which Linux has no codes.
+    // Some mappings have button numbers above these, for which Linux has no codes.
     constexpr std::size_t max_buttons = 64;
     return mapping.guid.size() == 32 &&
            mapping.guid.find_first_not_of("0123456789abcdef") == std::string::npos &&

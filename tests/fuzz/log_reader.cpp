@@ -46,7 +46,7 @@ std::vector<std::string> recorded_logs(const Places& places) {
     return logs;
 }
 
-/// Whether blocks can be found in a seed; those in the folder may be damaged.
+/// Whether blocks can be found in a seed. Seeds of the folder tests/fuzz/seeds may be damaged.
 bool has_blocks(const std::string& seed) {
     if (seed.size() < detail::preamble_size) return false;
     const auto log = bytes_of(seed);

@@ -8,7 +8,7 @@
 
 namespace thaum::bench {
 
-/// Places the first player in front of a crystal, and the second behind it or far away.
+/// Places the first player in front of a crystal. The second stands behind it if `both`, else far away.
 inline void place_at_the_crystal(game::Simulation& match, bool both = true, std::uint32_t number = 0) {
     const vec3 middle = match.world().get<game::Crystal>(game::crystal_entity(match.world(), number)).middle;
     for (std::uint32_t player = 0; player < game::players; ++player) {

@@ -56,7 +56,8 @@ public:
     /// Largest energy that the changes have created (J). Energy that the hand has put into the spring and the
     /// spring still holds does not count.
     double most_created() const { return max_created_; }
-    /// Largest change of force in a tick (N), beyond that by a spring and a damper with the device's limits.
+    /// Largest change of force in a tick (N), beyond the change that a spring and a damper with the device's
+    /// limits may cause.
     double max_jump() const { return max_jump_; }
 
 private:

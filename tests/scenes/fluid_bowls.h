@@ -105,7 +105,7 @@ inline void drive(Fluid& fluid, const std::array<Samples, 3>& force, double dt) 
 
 // ---- between two cylinders --------------------------------------------------------------------------------
 
-inline constexpr double couette_inner = 0.17, couette_outer = 0.43;  ///< m
+inline constexpr double couette_inner = 0.17, couette_outer = 0.43;  ///< radii of the cylinders (m)
 inline constexpr double couette_viscosity = 0.01, couette_swirl = 0.01;
 
 /// Speed around an axis along y (m/s): A r + B / r is the general steady circular flow, and a force of
@@ -200,7 +200,7 @@ inline double turn_error(const Fluid& fluid) {
 
 // ---- the slowest swirl in a ball --------------------------------------------------------------------------
 
-inline constexpr double swirl_radius = 0.45;  ///< m
+inline constexpr double swirl_radius = 0.45;  ///< radius of the ball (m)
 inline constexpr double swirl_viscosity = 0.01, swirl_end = 0.5;
 /// Angular speed at the centre (rad/s). So small that advection is negligible: at a hundred times this speed,
 /// advection causes a cross flow of 0.0017 of the whole, which does not become smaller on finer grids.
@@ -208,8 +208,8 @@ inline constexpr double swirl_turn = 3e-5;
 
 inline bool in_ball(vec3 place) { return glm::length(place - vec3(0.5)) < swirl_radius; }
 
-/// Velocity of the swirl (m/s): j1(k r) sin(theta) around the y axis. It is 0 on the wall and decays as
-/// exp(-nu k^2 t).
+/// Velocity of the swirl (m/s): j1(k r) sin(theta) around the y axis, with the spherical Bessel function j1
+/// and the wave number k. It is 0 on the wall and decays as exp(-nu k^2 t).
 inline vec3 ball_swirl(vec3 place, double time) {
     static const double wave = roots_of_tan()[0] / swirl_radius;
     const vec3 off = place - vec3(0.5);
@@ -229,7 +229,7 @@ inline Expected<Fluid> swirling_ball(int n) {
     return fluid;
 }
 
-/// Relative error at the time swirl_end.
+/// Relative L2 error of the velocity at the time swirl_end.
 inline double swirl_error(const Fluid& fluid) {
     return faces_error(fluid, in_ball, [](vec3 place) { return ball_swirl(place, swirl_end); });
 }

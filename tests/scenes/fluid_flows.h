@@ -88,7 +88,7 @@ inline double error_at(const Flow& flow, const Fluid& fluid, double time) {
         [&](vec3 place) { return flow.velocity(place, flow.fades ? 0 : time) - flow.mean; });
 }
 
-/// Whole steps until `end`, with a shorter last one if necessary (s).
+/// Lengths of the steps until `end` (s): whole steps, and a shorter last one if necessary.
 inline std::vector<double> steps_until(double end, double dt = step) {
     std::vector<double> result(static_cast<std::size_t>(end / dt + 1e-9), dt);
     const double rest = end - dt * static_cast<double>(result.size());
@@ -101,8 +101,9 @@ inline std::vector<double> steps_until(double end, double dt = step) {
 inline constexpr double vortex_viscosity = 1e-3;
 
 /// The vortices of Taylor and Green as a sum of two plane waves of equal length: sin(k1 . x) along d1 and
-/// sin(k2 . x) along d2. Any two such waves in one plane solve eq. 1 exactly, because their vorticity is a
-/// function of their stream function. The waves decay as exp(-k^2 nu t) and drift with a mean flow.
+/// sin(k2 . x) along d2. Any two such waves in one plane solve the momentum equation (eq. 1, FLUID.md)
+/// exactly, because their vorticity is a function of their stream function. The waves decay as exp(-k^2 nu t)
+/// and drift with a mean flow.
 struct Waves {
     vec3 k1, k2;  ///< wave vectors (1/m)
     vec3 d1, d2;  ///< amplitudes, perpendicular to k1 and k2 in one plane (m/s)
@@ -146,8 +147,8 @@ inline Flow taylor_green_oblique() {
                                              .d2 = 0.5 * glm::cross(across, b)});
 }
 
-/// u = sin pi x cos pi y, v = -cos pi x sin pi y between free-slip walls, where x is the axis `first`
-/// and y the next one.
+/// The vortex u = sin pi x cos pi y, v = -cos pi x sin pi y between free-slip walls, where x is the axis
+/// `first` and y the next one.
 inline Flow taylor_green_box(int first) {
     Flow flow{.name = "taylor_green_box"};
     flow.settings.viscosity = vortex_viscosity;
@@ -281,7 +282,7 @@ struct Profile {
     std::vector<double> places, values;
 };
 
-/// Adds the values at the two walls. A row of values on faces has the lower one already.
+/// Adds the values at the two walls. If the values lie on faces, the first one already is at the lower wall.
 inline Profile with_walls(const Profile& row, double low, double high) {
     Profile result = row;
     if (result.places.front() > 1e-9) {

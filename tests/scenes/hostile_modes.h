@@ -109,7 +109,7 @@ public:
 
     double cap() const { return servo_.limits.cap; }
 
-    /// Chooses other settings. The servo fades to the new forces.
+    /// Chooses other modes and settings at random. The servo fades to the new forces.
     void choose_modes() {
         uses_.clear();
         const bool bounded = random_.below(2) == 0;
@@ -175,7 +175,6 @@ private:
         move_target();
         const vec3 from = hand_.position;
         hand_ = haptics::step(device_, hand_, target_, force);
-        // Energy that was dissipated earlier must not count in favour of the forces later.
         const double work = glm::dot(hand_.force, hand_.position - from);
         created_ += work;
         // At rest no energy is stored. Energy that was dissipated before must not count in favour of the

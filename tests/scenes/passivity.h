@@ -77,8 +77,8 @@ public:
     void add(const HandRow& now, PassiveEnergy& out) {
         out.max_booked = std::max(out.max_booked, now.booked);
         if (rows_ >= 2) {
-            // The force of the previous tick, for which the position at its end and the next surface are now
-            // known.
+            // Uses the force of the previous tick, because only now the position at its end and the next
+            // surface are known.
             const HandRow &first = before_[0], &row = before_[1];
             const vec3 step = row.real ? now.at - row.at : row.at - first.at;
             const double out_at_hand = glm::dot(row.passive, step);
@@ -96,7 +96,7 @@ private:
         const vec3 end = hangs                        ? row.anchor - first.anchor
                          : row.touches && now.touches ? now.surface - row.surface
                                                       : vec3(0);
-        // A spring that appears already stretched has not created that energy itself.
+        // A spring that appears already stretched holds energy that it has not created.
         const vec3 stretch = row.at - row.anchor;
         double held = row.stiffness * glm::dot(stretch, stretch) / 2;
         if (row.touches) {
@@ -108,7 +108,7 @@ private:
         if (row.stiffness > 0 && first.stiffness == 0) created_ = -held;
         if (row.stiffness == 0 && first.stiffness > 0) created_ = 0;
         created_ += out_at_hand - glm::dot(row.passive, end);
-        // The rest was dissipated by damping; only stored energy may come back.
+        // Only stored energy may come back; damping has dissipated the rest.
         created_ = std::max(created_, -held);
         out.created = std::max(out.created, created_);
         out.moved += std::abs(out_at_hand);

@@ -57,7 +57,8 @@ inline void degenerate(Random& random, const Scale& scale, const Primitive& olde
     }
 }
 
-/// A random set. Every second set is degenerate, often with the spring's centre on a kink.
+/// A random set. Every second set is degenerate, often with the spring's centre on a kink, which is the
+/// point, line or plane where a primitive's force jumps.
 struct Case {
     PrimitiveSet set;
     Spring spring;

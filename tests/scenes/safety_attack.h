@@ -68,7 +68,7 @@ private:
     }
     vec3 hostile_vector() { return {hostile_number(), hostile_number(), hostile_number()}; }
 
-    /// Spring part of the force: none, all of the requested force, or a random force.
+    /// Part of the force that springs cause: none, all of the requested force `all`, or a random force.
     vec3 spring_of(vec3 all) {
         if (kind_ == 0 && once_in(2)) return hostile_vector();
         return kind_ % 2 == 0 ? vec3(0) : all;
@@ -81,7 +81,7 @@ private:
             case 0: return hostile_vector();
             case 1: return once_in(60) ? hostile_vector() : peak * direction_;
             case 2:
-                return 2 * peak * direction_;  // hot
+                return 2 * peak * direction_;  // heats the motors
             // A force that alternates its direction.
             case 3: return (at_ / 40 % 2 == 0 ? 3.0 : -3.0) * peak * direction_;
             case 4:
@@ -93,8 +93,8 @@ private:
         }
     }
 
-    /// Braking force: none in most phases, else along the motion or against it, because the stage need not
-    /// know which.
+    /// Braking force: none in most phases, else along the motion or against it. The safety stage must be safe
+    /// with either.
     vec3 brake() {
         if (lateness_ == 3 && once_in(100)) return hostile_vector();
         return haste_ == 4 && once_in(3) ? random_.uniform(-1, 1) * spec_.peak_force * direction_ : vec3(0);
@@ -121,7 +121,7 @@ private:
     }
 
     std::uint32_t next_age() {
-        if (lateness_ == 0) return static_cast<std::uint32_t>(random_.below(30));  // jumps
+        if (lateness_ == 0) return static_cast<std::uint32_t>(random_.below(30));  // the age jumps
         if (lateness_ > 1 || once_in(60)) return 0;
         return once_in(500) ? std::numeric_limits<std::uint32_t>::max() - 1 : age_ + 1;
     }

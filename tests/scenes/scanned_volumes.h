@@ -31,8 +31,8 @@ struct ScannedVolume {
     haptics::SmoothGrid smooth() const { return {grid(field::Kernel::catmull_rom)}; }
 };
 
-/// Share of the voxel at a position that lies in the object, from 8 x 8 x 8 points. |f| must not exceed the
-/// distance to the surface.
+/// Share of the voxel at a position that lies in the object, from 8 x 8 x 8 points. The absolute value of the
+/// object's potential must not exceed the distance to the surface.
 template <class Object>
 double covered_share(const Object& object, vec3 place, double spacing) {
     const double here = object(place).value;

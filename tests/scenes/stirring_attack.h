@@ -99,8 +99,8 @@ private:
         tip_ = haptics::step(device_, tip_, goal_, force);
         const double out = glm::dot(tip_.force, tip_.position - from);
         energy_.moved += std::abs(out);
-        // The newest flow carries the ladle along, which receives energy through resistance, the only force
-        // in a flow.
+        // The newest flow drags the ladle along and so gives it energy. Resistance is the only mode that acts
+        // in a flow here.
         const vec3 flow = flow_at(touch.newer, state_.fluid.place).velocity;
         last_ =
             out - glm::dot(touch.frame.turn * state_.fluid.force, flow) * (tick_seconds / metres_per_metre);

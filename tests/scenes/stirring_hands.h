@@ -1,4 +1,4 @@
-// bench/stirring_hands.h: two players who stir the cauldron, for benchmarks and tests of a match.
+// tests/scenes/stirring_hands.h: two players who stir the cauldron, for benchmarks and tests of a match.
 #pragma once
 #include <cmath>
 

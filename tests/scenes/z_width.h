@@ -49,9 +49,10 @@ inline bool is_stable(std::vector<double> p) {
     return true;
 }
 
-/// Characteristic polynomial of a bare device (mass and damping > 0) at a wall of the given stiffness, with
-/// the force held constant between samples (zero-order hold): z^latency (z - 1)(z - e) + stiffness (b1 (z -
-/// e) + a b2) = 0.
+/// Characteristic polynomial of a bare device (mass m and damping b > 0) at a wall of the given stiffness,
+/// with the force held constant between samples (zero-order hold): z^latency (z - 1)(z - e) + stiffness (b1
+/// (z - e) + a b2) = 0, where e = exp(-b T / m), a = (1 - e) m / b, b1 = (T - a) / b, b2 = (1 - e) / b and T
+/// is the tick.
 inline std::vector<double> wall_polynomial(const haptics::DeviceSpec& spec, double stiffness) {
     const double b = spec.damping, t = tick_seconds;
     const double lost = -std::expm1(-b * t / spec.mass), e = 1 - lost;

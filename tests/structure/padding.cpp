@@ -56,7 +56,7 @@ struct LongDouble {
 
 }  // namespace
 
-// World::declare uses the same description.
+// World::declare describes a component by the same function, so it makes the same checks.
 const auto tight = ecs::component_info<Tight>();
 #ifdef PADDED
 const auto padded_inside = ecs::component_info<PaddedInside>();

@@ -54,7 +54,7 @@ const std::set<std::pair<std::string, std::string>> level_includes = {{"input", 
 const std::set<std::string, std::less<>> numerical = {"field", "fluid", "haptics", "tactile", "gesture"};
 
 /// Folders of the engine with baselines and audits, each a library of its own. Commands, benchmarks and tests
-/// may include them, and nothing that a program needs.
+/// may include them; other parts of a program may not.
 const std::set<std::string, std::less<>> folders_apart = {"fluid/classic", "gesture/trials", "haptics/audit",
                                                           "render/audit"};
 
@@ -365,7 +365,7 @@ Faults internal_headers(const fs::path& root) {
     std::map<std::string, std::set<std::string>> includes;
     for (const auto& file : own_sources(root))
         includes[relative_to(root, file)] = engine_headers_of(root, file);
-    // What a file of another folder includes is public, and so is what that includes.
+    // A header that a file of another folder includes is public, and so are the headers that it includes.
     std::set<std::string> open;
     std::vector<std::string> next;
     const auto reach = [&](const std::string& header) {
@@ -410,7 +410,7 @@ Faults long_files(const fs::path& root) {
 }
 
 Faults long_comments(const fs::path& root) {
-    // Tables, drawings and code in comments are indented.
+    // Longer lines are allowed for tables, drawings and code in comments, which are indented.
     static const std::regex comment(R"(^\s*///?\s?\s?[^\s|/])");
     Faults faults;
     for (const auto& file : own_sources(root)) {

@@ -21,8 +21,8 @@ Faults unbuilt_tests(const std::filesystem::path& root);
 /// Every header directly in an engine folder must open with "// part/name.h: purpose".
 Faults headers_without_title(const std::filesystem::path& root);
 
-/// Headers of engine/ beside detail/ that nothing outside their folder includes,
-/// itself or by a header of that folder.
+/// Finds headers of engine/ outside of detail/ that no file of another folder includes, neither directly nor
+/// through another header of the same folder. Such a header belongs into detail/.
 Faults internal_headers(const std::filesystem::path& root);
 
 /// No file of engine/, game/ or tools/ may open files itself, except those listed: other readers would

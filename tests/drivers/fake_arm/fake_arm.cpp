@@ -46,7 +46,7 @@ std::vector<std::string> scripts() {
     return all;
 }
 
-/// State of an arm that continues when a program stops using the arm.
+/// State that an arm keeps while no program uses it.
 struct Plugged {
     bool went_wrong = false, came_back = false;
     std::uint64_t refused = 0;

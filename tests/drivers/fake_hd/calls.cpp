@@ -43,8 +43,8 @@ Device* device_of(Library& l, unsigned int handle) {
     return nullptr;
 }
 
-/// An exported function must not call another one: two of these libraries may be loaded, and then the call
-/// would reach the first library.
+/// Shared by the exported functions that report. An exported function must not call another one: two of these
+/// libraries may be loaded, and then the call would reach the first library.
 FakeHdReport report_of(std::size_t arm) {
     auto& l = library();
     const Lock lock(l.mutex);

@@ -17,8 +17,8 @@ namespace thaum::fake_hd {
 using Callback = unsigned int (*)(void*);
 
 constexpr unsigned int first_handle = 7, second_handle = 8, no_handle = 0xffffffff;
-constexpr double max_force = 3.3;  // N
-// Force so large that mN, or N/m for a stiffness, must have been used by mistake (N)
+constexpr double max_force = 3.3;  // peak force of an arm (N)
+// Force (N) from which on a unit must have been mistaken, such as mN for N
 constexpr double absurd_force = 100;
 
 enum Error : unsigned int {
@@ -97,9 +97,9 @@ bool on_own_thread(const Library& l);
 bool may(Library& l);
 
 Device& current(Library& l);
-/// To be called when a program opens the device.
+/// Must be called when a program opens the device. Resets its state.
 void take_device(Library& l, Device& d);
-/// To be called when the program closes the device.
+/// Must be called when the program closes the device. Records its last force.
 void let_go(Device& d);
 /// Force that the arm exerts now (N).
 vec3 exerted(const Device& d);

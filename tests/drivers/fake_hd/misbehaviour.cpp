@@ -10,7 +10,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// The value `well`, changed by a scripted fault for numbers.
+/// Returns the correct value `well`, or the wrong value that the scripted fault `how` puts in its place.
 double spoilt(const std::string& how, double well) {
     if (how == "nan") return std::nan("");
     if (how == "inf") return infinite;

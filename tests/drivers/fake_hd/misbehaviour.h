@@ -19,7 +19,8 @@ void put_transform(const Device& d, double* to);
 /// Writes a limit of the device; returns false if there is none of this name.
 bool put_limit(const Library& l, unsigned int name, double* to);
 int degrees_of_freedom(const Library& l, int well);
-/// Text that the script's option `strings` or `error_strings` asks for; `well` without such a fault.
+/// Returns the wrong text that the script's option `strings` or `error_strings` asks for, else the correct
+/// text `well`.
 const char* said(const Library& l, const char* word, const char* well);
 
 }  // namespace thaum::fake_hd
