@@ -14,9 +14,9 @@ double bell_in_ball(double c) {
     return std::pow(pi / c, 1.5) * std::erf(std::sqrt(c)) - 2 * pi / c * std::exp(-c);
 }
 
-/// Integral of 1 - exp(-amount w) over the ball of radius 1, where w is the weight of the Gaussian extent: w
-/// = (exp(-4.5 r^2) - rim) / (1 - rim). Each term of the exponential series is a Gaussian with a closed-form
-/// integral.
+/// Integral of 1 - exp(-amount w) over the ball of radius 1, where w is the weight of a place at the radius r
+/// in a tool's Gaussian extent: w = (exp(-4.5 r^2) - rim) / (1 - rim). Each term of the exponential series is
+/// a Gaussian with a closed-form integral.
 double melted_volume(double amount) {
     const double rim = std::exp(-4.5), k = amount / (1 - rim);
     double sum = 0, factor = 1;

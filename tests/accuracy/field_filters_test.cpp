@@ -1,5 +1,5 @@
-// Tests of filters: compared with formulas, and with samples of these at several spacings; also that samples
-// are smoothed only when necessary.
+// Compares filters of fields with formulas, and with samples of these formulas at several spacings. Also
+// tests that samples are smoothed only when necessary.
 #include "field/filters.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ FilterSource formula(AnyField field, double spacing) {
 FilterSource of_gyroid(double spacing) { return formula({field_of<Scalar>(wavy), {}}, spacing); }
 FilterSource of_beltrami(double spacing) { return formula({{}, field_of<Vector>(twist)}, spacing); }
 
-/// Samples of that formula, with a different spacing along each axis.
+/// Samples of a source that is given by a formula, with a different spacing along each axis.
 struct SampledSource {
     Volume volume;
     Grid grid;
@@ -208,7 +208,7 @@ TEST(Filters, ThePlacesAtTheEdgeAndBeyondAreFinite) {
 
 // ---- smoothing --------------------------------------------------------------------------------------------
 
-/// Smooths a sample along one axis exactly as the sum is defined, in the same order.
+/// Smooths a sample along one axis by the definition of the sum, adding in the same order.
 float smoothed_sample(const Volume& v, std::array<int, 3> at, int axis, int component,
                       const std::vector<double>& weights) {
     const auto a = static_cast<std::size_t>(axis);

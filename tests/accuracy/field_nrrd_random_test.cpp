@@ -52,7 +52,7 @@ constexpr std::array unit_forms{UnitForm{"", mm},     UnitForm{"mm", mm},   Unit
 
 struct ExtraForm {
     const char* kind;
-    int size;        ///< 0: any
+    int size;        ///< size of the axis; 0: any
     int components;  ///< number of components that the reader returns: 1 or 3
 };
 constexpr std::array extra_forms{ExtraForm{"", 1, 1},          ExtraForm{"time", 0, 1},
@@ -222,7 +222,7 @@ protected:
         if (c.type->bytes > 1 && encoding != "ascii")
             c.header += text("endian: ", c.is_big ? "big" : "little", "\n");
         const bool several = chance(0.3, random);
-        // Lines are skipped in the file, bytes in the unpacked data.
+        // NRRD skips lines of the file as it is stored, but bytes of the unpacked data.
         std::string skipped_line, skipped_bytes;
         if (chance(0.3, random)) {
             c.header += "line skip: 1\n";

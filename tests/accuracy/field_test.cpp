@@ -270,7 +270,7 @@ TEST(FieldVector, FormulasAndSamplesAreReadAlike) {
     EXPECT_NEAR(height({0.7, 0.9, 1.1}).gradient.x, 3, 1e-12);
 }
 
-/// u = sin pi x cos pi y, v = -cos pi x sin pi y. The flow crosses no wall of the unit box.
+/// Velocity of a vortex: u = sin pi x cos pi y, v = -cos pi x sin pi y. It crosses no wall of the unit box.
 Vector box_vortex(vec3 p) {
     const double sx = std::sin(pi * p.x), cx = std::cos(pi * p.x), sy = std::sin(pi * p.y),
                  cy = std::cos(pi * p.y);

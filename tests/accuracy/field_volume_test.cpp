@@ -64,7 +64,7 @@ TEST(AnalyticField, GradientsAreTheValues) {
             vec3 step(0);
             step[axis] = h;
             for (const auto& [name, field] : scalars()) {
-                if (glm::length(place - sphere.middle) < 0.05) continue;  // the kink
+                if (glm::length(place - sphere.middle) < 0.05) continue;  // no gradient at the centre
                 const double slope = (field(place + step).value - field(place - step).value) / (2 * h);
                 EXPECT_NEAR(field(place).gradient[axis], slope, 1e-6) << name;
             }
@@ -72,7 +72,7 @@ TEST(AnalyticField, GradientsAreTheValues) {
                 const Vector low = field(place - step), high = field(place + step), here = field(place);
                 for (int i = 0; i < 3; ++i) {
                     const auto row = static_cast<std::size_t>(i);
-                    // skips the edge of a core, where the gradient jumps
+                    // skips the edge of a vortex's core, where the gradient jumps
                     if (std::abs(high.gradient[row][axis] - low.gradient[row][axis]) > 0.1) continue;
                     EXPECT_NEAR(here.gradient[row][axis], (high.value[i] - low.value[i]) / (2 * h), 1e-6)
                         << name;

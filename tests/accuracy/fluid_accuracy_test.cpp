@@ -14,8 +14,7 @@ using flows::Scheme;
 
 constexpr Scheme fourth{Solver::thaum, 4}, second{Solver::thaum, 2}, stam{Solver::classic};
 
-/// Bounds for the relative error of the drifting vortex after 1 s, in 16^3 and
-/// 32^3 cells.
+/// Bounds for the relative error of the drifting vortex after 1 s, in 16^3 and 32^3 cells.
 constexpr double gate_16 = 0.0058, gate_32 = 3.9e-4;
 
 Fluid begun(const Flow& flow, const Scheme& scheme, int n) { return flows::start(flow, scheme, n).value(); }
@@ -51,7 +50,8 @@ TEST(FluidAccuracy, ADriftingVortexConvergesInSecondOrder) {
 }
 
 TEST(FluidAccuracy, ADoubleShearLayerRollsUpAsOnAFinerGrid) {
-    // With neighbours at distances of 1 and 3 cells in the advection scheme, the error was 0.033.
+    // For comparison: with neighbours at distances of 1 and 3 cells in the advection scheme, the error was
+    // 0.033.
     const Flow flow = flows::double_shear();
     Fluid fluid = begun(flow, fourth, 64);
     for (const double dt : flows::steps_until(flow.end)) advance(fluid, dt);
@@ -82,7 +82,8 @@ TEST(FluidAccuracy, ALidDragsTheFluidAsTheSeriesSays) {
     }
 }
 
-/// The fluid after a spin-down. Fails if a step leaves more divergence than allowed.
+/// The fluid after a spin-down, in which a bowl's wall slows a rigid rotation. Fails if a step leaves more
+/// divergence than allowed.
 Fluid spun_down(int n) {
     auto fluid = flows::turning_bowl(second, n).value();
     for (const double dt : flows::steps_until(flows::bowl_end))
@@ -137,8 +138,8 @@ TEST(FluidAccuracy, AVortexBesideTheAxisOfABowlStaysSteady) {
 }
 
 TEST(FluidAccuracy, ATurningFluidSlipsAlongABowl) {
-    // For comparison: 0.306 and 0.287 when advection read closed faces as fluid at rest; 0.022 and 0.012, and
-    // 0.016 with 48 cells, when small openings were missed or closed.
+    // For comparison: the errors were 0.306 and 0.287 when advection read closed faces as fluid at rest;
+    // 0.022 and 0.012, and 0.016 with 48 cells, when small openings were missed or closed.
     for (const auto& [n, most] : {std::pair{16, 0.0115}, std::pair{32, 0.005}}) {
         auto fluid = flows::slipping_bowl(n).value();
         for (const double dt : flows::steps_until(1)) {
@@ -278,7 +279,7 @@ TEST(FluidAccuracy, PushesAddTheirMomentumToTheFluid) {
     const vec3 impulse(0.02, -0.05, 0.03);
     for (const int order : {2, 4}) {
         for (const int n : {15, 16, 32}) {
-            // Viscosity that is zero, solved explicitly, or solved implicitly.
+            // Viscosities of zero, and such that are solved explicitly or implicitly.
             for (const double viscosity : {0.0, 0.002, 0.02, 1.0}) {
                 flow.settings.viscosity = viscosity;
                 Fluid fluid = begun(flow, {Solver::thaum, order}, n);

@@ -1,5 +1,5 @@
 // Energy of heavy and light substances: the flow gains no more energy than pushes and falling release, and
-// not too little.
+// not much less.
 #include <gtest/gtest.h>
 
 #include "core/text.h"
@@ -61,9 +61,9 @@ TEST(FluidBuoyancy, TheReportAccountsForRemovedEnergy) {
     for (int i = 0; i < 20; ++i) EXPECT_EQ(advance(box, flows::step).rescaled, 0);
 }
 
-/// A standing wave in a layered box with frequency N / sqrt(2), N^2 = -g dw/dy. In every half period all its
-/// energy becomes kinetic again. With a force of first order in time and a flow with divergence, the wave was
-/// amplified 23 times in five periods.
+/// A standing wave in a layered box with frequency N / sqrt(2), where N is the buoyancy frequency: N^2 = -g
+/// dw/dy for a relative weight w. In every half period all its energy becomes kinetic again. With a force of
+/// first order in time and a flow with divergence, the wave was amplified 23 times in five periods.
 TEST(FluidBuoyancy, AWaveInLayersIsNeitherAmplifiedNorDamped) {
     const double weight = 0.5, height = 0.02;
     Settings settings = flows::settings_of(flows::Flow{}, {Solver::thaum, 4}, 16);

@@ -51,8 +51,8 @@ Fluid striped(Edge edge, double waves, double diffusion, int sweeps) {
     return fluid;
 }
 
-// Backward Euler on the grid: a wave with second difference -q times itself shrinks by 1 / (1 + k dt q
-// / h^2).
+// Backward Euler on the grid: a wave whose second difference is -q times the wave itself shrinks by 1 / (1 +
+// k dt q / h^2) in a step.
 TEST(FluidClassic, DiffusionOfAWaveFollowsBackwardEuler) {
     for (const auto& [edge, waves] : {std::pair{Edge::periodic, 2.0}, {Edge::free_slip, 1.5}}) {
         const double diffusion = 0.05;

@@ -97,7 +97,7 @@ TEST(FluidSolids, AProjectionStartsFromTheLastOneAndABadGuessDoesNoHarm) {
     solids.project(projected, known, share, 100);
     const int without = iterations(make_samples(lattice), flow);
     EXPECT_LE(iterations(known, flow), 1);
-    // A start potential of another magnitude, as from a shorter sub-step.
+    // The search starts from a potential of another magnitude, as after a change of the sub-step.
     auto half = flow;
     for (Samples& u : half)
         for (float& value : u) value *= 0.5F;
@@ -153,8 +153,8 @@ TEST(FluidSolids, AFastTurningFluidKeepsItsEnergyAlongASlippingBowl) {
 }
 
 TEST(FluidSolids, AStirredBowlWithoutFrictionKeepsMostOfItsEnergy) {
-    // When the energy of small openings counted as that of whole faces, the whole flow was
-    // slowed for it, and kept two thirds.
+    // When the energy of small openings counted as that of whole faces, the whole flow was slowed for it, and
+    // kept only two thirds of its energy.
     auto fluid = flows::slipping_bowl(24).value();
     const Solids solids(fluid.lattice, fluid.settings.solid, open_least_where_slipping);
     Random random = random_stream(1, 0);
@@ -208,7 +208,7 @@ void stir_a_bowl(int n) {
         ASSERT_LE(report.divergence, 1e-4) << i;
         ASSERT_FALSE(report.fell_back) << i;
     }
-    // The position is on the path of the ladle.
+    // Both positions are on the ladle's path.
     EXPECT_GT(velocity_at(fluid, {0.75, 0.5, 0.5}).z, 0.01);
     EXPECT_LT(velocity_at(fluid, {0.25, 0.5, 0.5}).z, -0.01);
     EXPECT_NEAR(amount(fluid, 0), mass, 1e-6 * mass);

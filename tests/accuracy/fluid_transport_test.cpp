@@ -229,7 +229,7 @@ Velocity times(double factor, Velocity velocity) {
     return velocity;
 }
 
-/// LeVeque's deforming flow, forward and back again.
+/// Transports a shape by LeVeque's deforming flow, forward and back again.
 Deformed deformed(double (*shape)(vec3), int n, double courant) {
     const Lattice l = make_lattice({n, n, n}, 1.0 / n, {Edge::free_slip, Edge::free_slip, Edge::free_slip});
     const Samples before = field(l, shape);

@@ -81,8 +81,9 @@ TEST(GestureConfusion, OtherUsersAreReadAndScribblesAreNot) {
     }
 }
 
-/// One stroke each of a gentle and a harsh figure of the same shape by a careless user, among the other
-/// shipped gestures. The two differ only in force, half and twice the usual, with a scatter of 15 %.
+/// Recognises twins, a gentle and a harsh figure of the same shape, from one stroke each by a careless user,
+/// among the other shipped gestures. Twins differ only in force, half and twice the usual, with a scatter of
+/// 15 %.
 TEST(GestureConfusion, TwinsOfOneStrokeEachAreToldApartByForce) {
     const auto shipped = shipped_gestures();
     RecogniserSpace space;

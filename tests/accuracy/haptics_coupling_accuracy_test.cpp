@@ -109,7 +109,7 @@ TEST(HapticsCoupling, DragAndWeightAreIntegratedToo) {
         s.object_velocity += r.velocity_change;
         total += r.impulse;
     }
-    // e = HIP - object oscillates freely around the static deflection due to drag and weight.
+    // The stretch e = hand - object oscillates freely around the static deflection due to drag and weight.
     const Real sag = (Real(drag) * (Real(w) - Real(vf)) - Real(m) * Real(g)) / Real(k);
     const auto exact = oracle::free_motion((Real(b) + Real(drag)) / (2 * Real(m)), Real(k) / Real(m),
                                            {0.1L - sag, Real(w) + 0.4L}, 1);

@@ -98,10 +98,10 @@ TEST(DrawnBody, ACutFaceIsAWallWithThePlanesNormal) {
 
 TEST(DrawnBody, ItIsFeltWhereItIsDrawnAndNowhereElse) {
     const std::array bodies{
-        Body({24, 24, 24}, vec3(fine), ball_at({0.006, 0.003, 0}, 0.009, fine)),            // cut
-        Body({24, 24, 24}, vec3(fine), ball_at({0.001, 0.0004, 0.0007}, 0.008, 1e-9)),      // mask
-        Body({24, 24, 8}, {fine, fine, 3 * fine}, ball_at({0, 0.004, 0.01}, 0.009, fine)),  // slices
-        Body({10, 12, 14}, vec3(fine), [](vec3) { return 1.0; }),                           // full
+        Body({24, 24, 24}, vec3(fine), ball_at({0.006, 0.003, 0}, 0.009, fine)),            // ball, cut off
+        Body({24, 24, 24}, vec3(fine), ball_at({0.001, 0.0004, 0.0007}, 0.008, 1e-9)),      // mask: 0 or 1
+        Body({24, 24, 8}, {fine, fine, 3 * fine}, ball_at({0, 0.004, 0.01}, 0.009, fine)),  // thick slices
+        Body({10, 12, 14}, vec3(fine), [](vec3) { return 1.0; }),                           // full box
     };
     Random random{7};
     for (const Body& body : bodies) {
@@ -146,7 +146,7 @@ TEST(DrawnBody, ASheetOfOneSampleIsFeltInEveryDirection) {
     }
 }
 
-/// Largest angle between force and normal, on a ball with a diameter of 20 samples (degrees).
+/// Largest angle between force and normal, on a ball with a radius of 20 samples (degrees).
 double worst_direction(const Body& body, vec3 middle) {
     constexpr double radius = 20 * fine;
     const SmoothGrid felt = body.felt();
@@ -170,7 +170,8 @@ TEST(DrawnBody, MasksAndSlicesFarApartHaveSmoothDirections) {
     EXPECT_LE(worst_direction({{64, 64, 22}, {fine, fine, 3 * fine}, hard}, middle), 6);
 }
 
-/// Largest change of force per tick for a tip that slides on a ball of 32 samples with 1 N, at 50 mm/s (N).
+/// Largest change of force per tick (N) for a tip that slides with 1 N, at 50 mm/s, on a ball with a radius
+/// of 32 samples.
 double max_step(const Body& body, double stiff = stiffness) {
     constexpr double radius = 32 * fine, speed = 5e-5;
     const double deep = 1 / stiff;

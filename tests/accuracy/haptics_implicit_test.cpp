@@ -122,7 +122,7 @@ TEST(LevelContact, ATipDoesNotFallThroughWhatItCrossesInOneTick) {
     TouchedModes hand{{wall_of(field_of<Scalar>(thick), 20)}};
     hand.start({0, 0.01, 0});
     vec3 force(0);
-    for (int tick = 0; tick <= 12; ++tick) force = hand.move({0, 0.01 - 0.001 * tick, 0});  // 1 m/s
+    for (int tick = 0; tick <= 12; ++tick) force = hand.move({0, 0.01 - 0.001 * tick, 0});  // moves at 1 m/s
     EXPECT_LE(glm::distance(force, vec3(0, 300 * (0.002 + 0.0007), 0)), 1e-9);
 }
 
@@ -177,7 +177,7 @@ TEST(LevelContact, AHollowHoldsAHandThatSlidesUpToTheStatedForceWithItsFriction)
             double largest = 0, least = HUGE_VAL, most = 0;
             int held = 0;
             for (int tick = 0; tick <= 3000; ++tick) {
-                const double turn = 0.002 * tick, deep = radius + 0.0000015 * tick;  // 0.06 m/s
+                const double turn = 0.002 * tick, deep = radius + 0.0000015 * tick;  // sliding at 0.06 m/s
                 const vec3 out = std::cos(turn) * first + std::sin(turn) * second;
                 const vec3 force = hand.move((tick == 0 ? 0.028 : deep) * out);
                 largest = std::max(largest, glm::length(force));
@@ -263,7 +263,7 @@ TEST(LevelContact, AMagneticSurfaceHoldsATipThatLeavesUpToItsStrength) {
 }
 
 TEST(LevelContact, AMagneticSurfaceTakesHoldAndLetsGoOverATenthOfAMillimetre) {
-    constexpr double step = 1e-6;                  // m a tick
+    constexpr double step = 1e-6;                  // motion of the tip (m per tick)
     for (const double magnet : {0.1, 0.4, 3.0}) {  // the last one is stronger than the spring at the reach
         auto use = wall_of(field_of<Scalar>(ball), 20);
         use.settings.magnet = magnet;

@@ -30,7 +30,7 @@ field::AnyField vector_field(const Source& source) {
     return any_field(field_of<Vector>(source));
 }
 
-/// Primitives of one mode at a proxy.
+/// Primitives that one mode adds for an input.
 PrimitiveSet set_of(const ModeUse& use, const ModeInput& input) {
     PrimitiveSet set;
     EXPECT_EQ(add_modes(std::span(&use, 1), input, set), 0U);
@@ -299,7 +299,7 @@ TEST(HapticModes, FieldsWithoutDirectionAndFaultyFieldsGiveNoForce) {
                                     field::constant(3));
             const auto set = set_of(use, {.proxy = {0.001, 0, 0}});
             EXPECT_EQ(set.items().size(), mode.primitives) << mode.name << " " << i;
-            // A vector of length 1, for which a force is right.
+            // In cases 2 and 3 the vector has the length 1, so there may be a force.
             const bool good = (i == 2 || i == 3) && !is_scalar;
             for (const Primitive& p : set.items()) {
                 EXPECT_TRUE(good || p.strength == 0) << mode.name << " " << i;

@@ -88,7 +88,7 @@ Errors slide_round(Probe& probe, const Circle& c, double friction, double height
     return errors;
 }
 
-constexpr double steady_chatter = 1e-6;  // N
+constexpr double steady_chatter = 1e-6;  // largest error of the force in steady sliding (N)
 constexpr double judged_to = 1e-4;       // tolerance (N): accuracy of the Runge-Kutta solution of a transient
 
 TEST(RoundBodies, SteadySlidingOverASphereIsTheClosedForm) {

@@ -11,7 +11,7 @@ namespace {
 
 using oracle::Real;
 
-constexpr double max_error = 1e-9;  // relative
+constexpr double max_error = 1e-9;  // largest relative error
 
 /// Hands that hold the reference device under-damped, critically damped and over-damped.
 struct Grip {

@@ -11,7 +11,7 @@ namespace thaum::game::test {
 namespace {
 
 constexpr double per_metre = 8;  // metres in the orb per metre of the hand
-constexpr double k = 300;        // N/m
+constexpr double k = 300;        // stiffness of the spring between tip and proxy (N/m)
 
 /// The orb's flow at a position in the device frame of a hand that looks along `yaw`, with derivatives by
 /// differences.
@@ -70,7 +70,7 @@ struct FeltFlow {
     }
 };
 
-/// What the expected position of the proxy in a mode is computed from: proxy, tip, flow and strength.
+/// Values from which the expected position of the proxy in a mode is computed.
 struct Felt {
     vec3 proxy{}, tip{};
     const FeltFlow& flow;

@@ -10,8 +10,8 @@
 namespace thaum::haptics {
 namespace {
 
-constexpr double k = 300;        // N/m
-constexpr double close = 1e-15;  // m
+constexpr double k = 300;        // stiffness of the spring (N/m)
+constexpr double close = 1e-15;  // tolerance of positions (m)
 
 PrimitiveSet set_of(const std::vector<Primitive>& list) { return checked(list).value(); }
 Primitive point(vec3 p, double s) { return {PrimitiveKind::point, p, {}, s}; }
@@ -89,9 +89,9 @@ TEST(Primitives, APlaneHoldsBesideAPointThatPullsThroughIt) {
 
 TEST(Primitives, APointOnAPlaneAndOnALineAddsUp) {
     const auto set = set_of({plane({}, {0, 1, 0}, 1), point({}, 1), line({}, {0, 0, 1}, 1)});
-    expect_at(balance(set, {{0, -0.009, 0}, k}), {}, {0, -0.009, 0});  // the plane exerts 2.7 of its 3 N
-    expect_at(balance(set, {{0, -0.011, 0}, k}), {0, -0.001, 0}, {0, -0.011, 0});  // 3.3 N
-    expect_at(balance(set, {{0, 0.006, 0}, k}), {}, {0, 0.006, 0});  // the point exerts 1.8 of its 2 N
+    expect_at(balance(set, {{0, -0.009, 0}, k}), {}, {0, -0.009, 0});  // together they exert 2.7 of their 3 N
+    expect_at(balance(set, {{0, -0.011, 0}, k}), {0, -0.001, 0}, {0, -0.011, 0});  // 3.3 N are too much
+    expect_at(balance(set, {{0, 0.006, 0}, k}), {}, {0, 0.006, 0});  // point and line exert 1.8 of their 2 N
 }
 
 TEST(Primitives, CoincidentAndOppositeOnesAreOne) {

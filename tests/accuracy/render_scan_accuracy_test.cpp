@@ -107,7 +107,8 @@ TEST_F(ScanSurface, IsLitByItsNormal) {
     environment.sun.colour = fvec3(1);
     environment.sun.direction = glm::normalize(fvec3(1, 1, 2));
     auto scan = surface_of(samples, n);
-    // A scale along one axis: normals must be transformed by the inverse transpose, not like directions.
+    // The scale differs between axes, so normals must be transformed by the inverse transpose, not like
+    // directions.
     const fvec3 scale(1, 1.4F, 0.8F);
     scan.model = scaled(scale);
     const auto image = drawn(scan);
@@ -129,7 +130,7 @@ TEST_F(ScanSurface, IsLitByItsNormal) {
 class ScanLight : public ScanTest {
 protected:
     static constexpr int n = 17;
-    static constexpr float absorption = 1.2F;  // 1/m
+    static constexpr float absorption = 1.2F;  // absorption of the matter (1/m)
     const std::vector<std::uint16_t> even = sampled(n, [](fvec3) { return 0.5F; });
     const int middle = picture_side / 2;
 

@@ -54,7 +54,7 @@ double max_error(const Layout& layout, bool front, double sigma) {
         low = glm::min(low, layout.chart_of(Region::torso, i));
         high = glm::max(high, layout.chart_of(Region::torso, i));
     }
-    if (!front) {  // the chart of the back has a cut in its middle
+    if (!front) {  // the chart is cut along the middle of the back, so only a part beside the cut is tested
         low.x = layout.torso.round() / 2 - 0.09;
         high.x = low.x + 0.18;
     }

@@ -140,7 +140,7 @@ TEST(FluidHostile, AHeavyThickLumpComesToRest) {
         StepReport report;
         for (int i = 0; i < 25; ++i) report = advance(fluid, flows::step);
         EXPECT_TRUE(all_finite(fluid)) << viscosity;
-        // The energy that it can release.
+        // Bound: the energy that the lump can release by falling.
         EXPECT_LT(report.energy, 10 * 10 * 100 * 2 * flows::bowl_radius) << viscosity;
     }
 }

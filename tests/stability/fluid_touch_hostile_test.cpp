@@ -200,7 +200,8 @@ TEST(FluidTouchHostile, InvalidInputIsBlockedAndValidInputIsFeltAgain) {
             model.rearm = tick == 1000;
             servo_step(servo, state, model, {vec3(1e-5 * tick, 0, 0), 0});
         }
-        // the force for 0.01 m/s, of which 1/16 (2 4 + 1/2 8) = 0.75 acts; the mass has followed by now
+        // Drag at 0.01 m/s, with the coefficient (viscous 2 * 4 + form 1/2 * 8) / 16 = 0.75 N s/m. The
+        // ladle's mass has followed the hand by now.
         EXPECT_NEAR(state.fluid.force.x, -0.01 * 0.75, 1e-6);
         EXPECT_NEAR(state.safety.output.x, -0.01 * 0.75, 1e-4) << run << " " << state.safety.cause;
     }

@@ -134,8 +134,8 @@ TEST(LiftStress, StaysBoundedForAnyStiffnessAndMass) {
             shake = true;
             rig.run(2500);
             rig.watch.expect_tame(0.4);
-            // Bound: energy of a spring stretched by lost_m, or of a thing as fast as its hand, plus the
-            // energy of a fall.
+            // Bound: energy of a spring stretched by lost_m (where lift loses a thing), or of a thing as fast
+            // as its hand, plus the energy of a fall.
             constexpr double lost = 2.5, hand = 20 * 0.4;
             const double most =
                 std::max(stiffness * lost * lost / 2, mass * hand * hand * 2) + mass * 9.81 * 3;
@@ -406,7 +406,7 @@ TEST_P(StressedHands, StayTameWhileTheMatchStalls) {
         arm.run(300);
         EXPECT_EQ(arm.stall(stalled), 0) << "no force by a model that old";
         arm.run(1000);
-        // For that time the hand moves while forces come from an old model.
+        // While the match stalls, for at most 80 ticks, the hand moves under forces of an old model.
         rig.watch.expect_tame(0.2 * std::min(stalled, 80) / 30);
         EXPECT_EQ(arm.audit().violations(haptics::SafetyRule::cap), 0U);
         EXPECT_EQ(arm.audit().violations(haptics::SafetyRule::finite), 0U);

@@ -73,8 +73,8 @@ double depth_in(const Surface& s, vec3 p) {
     return depth;
 }
 
-/// Smallest violation of Coulomb's law, over all ways to share the load among the normals (m of pull);
-/// negative inside the cone.
+/// Smallest violation of Coulomb's law, as a distance by which the pull lies outside the cone (m), over all
+/// ways to share the load among the normals; negative inside the cone.
 double beyond_cone(const std::vector<vec3>& normals, vec3 pull, double friction) {
     double best = glm::length(pull);
     for (std::size_t i = 0; i < normals.size(); ++i) {
@@ -322,7 +322,7 @@ TEST(RoundBodies, AtTheEndOfThePatchTheProxyStaysOnItsSurface) {
 
 /// A cylinder and a box that overlap, rotated at random, without friction.
 SurfacePatch cylinder_in_box(Random& random) {
-    constexpr double size = 0.01;  // m
+    constexpr double size = 0.01;  // size of both bodies (m)
     SurfacePatch patch = rubbing_patch(0);
     const auto turned = [&] {
         return rotation(glm::normalize(random_vec(random) + vec3(0.01, 0, 0)), random.uniform(0, 6));
@@ -411,8 +411,8 @@ struct Ground {
 /// How much nearer to the tip a free point within 0.1 um of the proxy can be (m). Tries random steps, moves
 /// the points out of the solids, and takes the best.
 double downhill(const std::array<Ground, 2>& grounds, vec3 proxy, vec3 tip, Random& random) {
-    constexpr double step = 1e-7, exact = 1e-13;  // m
-    std::array<double, 2> allowed{};              // the rounded edge lies below the gap over its faces
+    constexpr double step = 1e-7, exact = 1e-13;  // length of a random step, and tolerance for a depth (m)
+    std::array<double, 2> allowed{};  // allowed depths (m): at a rounded edge, nearer than the gap
     for (std::size_t i = 0; i < 2; ++i)
         allowed[i] = std::max(grounds[i].nearest_face(proxy).depth, -surface_gap);
     double best = 0;

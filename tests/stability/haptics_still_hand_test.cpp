@@ -20,7 +20,7 @@ using field::field_of;
 using field::Scalar;
 using field::Vector;
 
-constexpr double max_change = 1e-3;  // N a tick
+constexpr double max_change = 1e-3;  // largest change of a resting hand's force (N per tick)
 
 /// Speed of a flow, with its gradient, which has a ridge around each vortex.
 struct Speed {

@@ -7,7 +7,7 @@ namespace thaum::bench {
 namespace {
 
 TEST(HapticsZWidth, TheExactLimitIsThatOfTheClosedForm) {
-    // Without latency, Jury's condition on the constant term is K (a b2 - b1 e) < 1 - e.
+    // Without latency, Jury's condition on the constant term of wall_polynomial() is K (a b2 - b1 e) < 1 - e.
     for (const double b : {0.2, 0.5, 1.0, 5.0}) {
         const double lost = 1 - std::exp(-b * 1e-3 / 0.1), e = 1 - lost;
         const double a = lost * 0.1 / b;
@@ -109,8 +109,8 @@ TEST(HapticsZWidth, WithDampingAndControllerAWallOf1000IsDeliveredAtOneTickOfDel
         const Pressed at = pressed(spec, {stiffness, 2, 5}, newtons);
         EXPECT_LE(at.depth + at.shake, 1.1 * newtons / stiffness) << stiffness;
         EXPECT_NEAR(at.depth, newtons / stiffness, 1e-3 * newtons / stiffness)
-            << stiffness;  // the depth is not larger than that of the pushing hand
-        EXPECT_LE(at.added_later, 0.05) << stiffness;  // (N) after settling, only the wall acts
+            << stiffness;                              // the wall is as stiff as its setting says
+        EXPECT_LE(at.added_later, 0.05) << stiffness;  // after settling, only the wall acts (N)
         EXPECT_LE(at.created, 0.02) << stiffness;
     }
     // Without damping and controller, the same wall throws the hand off.
