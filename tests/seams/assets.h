@@ -1,4 +1,4 @@
-// The game's assets with further files, or with more in some of them.
+// A copy of the game's assets to which tests add files, or lines in files.
 #pragma once
 #include <cstdlib>
 #include <filesystem>

@@ -22,7 +22,7 @@ int hum(const std::vector<std::string>& words) {
 const CommandRegistration registration_of_hum(
     {.name = "hum", .help = "usage: thaum hum TUNE\n", .run = hum, .summary = "hum a tune"});
 
-/// What a command line prints, after its exit code.
+/// Exit code of a command line, followed by what it prints.
 std::string printed(std::vector<std::string> words) {
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();

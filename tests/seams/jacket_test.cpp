@@ -1,5 +1,5 @@
-// A maker of jackets that no file of the game knows: this source alone. A real one
-// stands in game/jackets/makers/NAME.cpp.
+// A maker of jackets (here drums) that no file of the game knows: this source alone. A real maker stands in
+// game/jackets/makers/NAME.cpp.
 #include <gtest/gtest.h>
 
 #include <thread>
@@ -13,7 +13,7 @@
 namespace thaum::game {
 namespace {
 
-/// What the one drum feels.
+/// Frames that the drum has got. All jackets of this maker share one drum.
 const std::shared_ptr<input::rig::Felt>& drum() {
     static const auto felt = std::make_shared<input::rig::Felt>();
     return felt;

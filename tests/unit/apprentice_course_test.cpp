@@ -121,7 +121,7 @@ void brew(Player& p) {
 /// Draws a circle within a second, with Trace held.
 void draw_circle(Player& p) {
     constexpr Tick begin = 100, length = 1000;
-    constexpr double radius = 350;  // counts
+    constexpr double radius = 350;  // radius of the circle (counts of the mouse)
     if (p.tick >= begin + length) return;
     p.sample.press(Button::trace);
     if (p.tick < begin) return;

@@ -402,7 +402,8 @@ void expect_a_lively_round(const MatchReport& report, double upper_level) {
 }
 
 TEST(ArenaMatch, BotsOfEveryLevelPlayTheWellToTheEnd) {
-    // The easiest bots need more than 120 s for a kill in a fifth of the rounds.
+    // Rounds last up to 240 s, because the easiest bots need more than 120 s for a kill in a fifth of the
+    // rounds.
     const auto data = arena_data("the_well", assets(), {"quick.kills=1", "quick.seconds=240"});
     for (int level = 1; level <= hardest_bot; ++level) {
         SCOPED_TRACE(level);

@@ -53,7 +53,7 @@ void start(Probe& p, const std::filesystem::path& file) {
     std::ofstream(file, std::ios::binary).flush();
     p.pid = ::fork();
     if (p.pid != 0) return;
-    // The process that runs the tests may ignore some signals.
+    // The process that runs the tests may ignore some signals, so all get their default effect here.
     for (int signal = 1; signal < SIGRTMIN; ++signal) std::signal(signal, SIG_DFL);
     ::setenv("FAKE_HD", script.c_str(), 1);
     constexpr const char* little_ms = "500";
@@ -133,7 +133,8 @@ void expect_modes(const std::vector<Mode>& modes) {
 TEST(ArmModes, AFunctionThatFailsHangsOrCallsBack) { expect_modes(fake_hd::modes_of_calls()); }
 TEST(ArmModes, MeasurementsWordsAndTicksThatAreWrong) { expect_modes(fake_hd::modes_of_answers()); }
 
-/// The ticks arrive before hdScheduleAsynchronous returns, so it may still fail.
+/// The ticks arrive before hdScheduleAsynchronous returns. The function may still fail then, so no force may
+/// act yet.
 TEST(ArmModes, NoForceBeforeTheLibraryHasTakenTheTicksUp) {
     std::vector<Probe> probes{{.words = "hdScheduleAsynchronous=returns_late", .opens = false}};
     run_all(probes);

@@ -83,7 +83,7 @@ struct Mirror {
     }
 };
 
-/// Returns the number of compared forces.
+/// Compares the forces of arm and simulation at each position. Returns the number of compared forces.
 std::size_t expect_same_forces(const Arm& arm, const Mirror& mirror) {
     for (const auto& [place, force] : mirror.forces) {
         const auto& told = arm.forces[static_cast<std::size_t>(place)];
@@ -152,7 +152,7 @@ TEST_F(ArmServoTest, AfterGapsTheForcesAgreeAgain) {
             case 2:  // the arm stops
                 for (int i = 0; i < stall; ++i) mirror.tick();
                 break;
-            default:  // a new simulation
+            default:  // the simulation begins anew
                 gaps += mirror.arm.gaps;
                 mirror.arm = {};
                 mirror.kept.assign(remembered_models, {});

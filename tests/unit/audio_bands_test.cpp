@@ -17,7 +17,7 @@ Sound sound_of(std::vector<float> samples, bool loops) {
     return {.name = "test", .description = "test", .loops = loops, .samples = std::move(samples)};
 }
 
-/// Levels of a lasting sine.
+/// Levels, by band, in the middle of a lasting sine.
 BandLevels levels_of(double hz, double amplitude) {
     const auto course = band_course(sound_of(sine(hz, 1, amplitude), true), bands);
     return course.at(0.5 * sample_rate);

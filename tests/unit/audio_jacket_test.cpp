@@ -1,5 +1,6 @@
-// Shakers on the channels of a sound device: the right channel has the wave, nothing clicks, and it ends
-// after its time to live. OpenAL renders into memory, and a second fake keeps the blocks themselves.
+// Tests of jackets whose motors (shakers) hang on the channels of a sound device: the right channel has the
+// wave, nothing clicks, and the wave ends after its time to live. One fake device lets OpenAL render into
+// memory, another keeps the blocks themselves.
 #include "game/jackets/makers/audio.h"
 
 #include <gtest/gtest.h>
@@ -137,7 +138,7 @@ TEST(AudioJacket, AfterItsTimeToLiveTheCardIsSilent) {
     const auto right = channel_of(heard, 2, 1);
     const auto last = std::find_if(right.rbegin(), right.rend(), [](double s) { return s != 0; });
     const auto sounding = static_cast<std::size_t>(right.rend() - last);
-    // 80 ms, plus the block in which the wave ends, plus the two blocks that wait in the queue.
+    // Expected: 80 ms, plus the block in which the wave ends, plus the two blocks that wait in the queue.
     EXPECT_GE(sounding, 10 * frame_samples);
     EXPECT_LE(sounding, 13 * frame_samples);
     EXPECT_NEAR(peak_of(right), 1, 0.01);

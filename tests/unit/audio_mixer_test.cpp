@@ -228,7 +228,7 @@ TEST_F(MixerTest, ALouderVoiceTakesASourceAndTheOtherFades) {
     recorder.play(frame, 10);
     EXPECT_EQ(mixing.report().stolen, 10U);
     EXPECT_EQ(mixing.report().begun, 74U);
-    // A voice that is missing from the frame was not stolen.
+    // A voice that ends because the frame lacks it does not count as stolen.
     frame.lasts.count = 20;
     recorder.play(frame, 5);
     EXPECT_EQ(mixing.report().stolen, 10U);

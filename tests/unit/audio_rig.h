@@ -13,7 +13,7 @@
 
 namespace thaum::audio::rig {
 
-inline constexpr std::size_t second = sample_rate / frame_samples;  // blocks
+inline constexpr std::size_t second = sample_rate / frame_samples;  // blocks in a second
 
 enum SoundNumber : std::uint32_t { bell, hiss, hum, loud, song, verse, wood, sound_count };
 
@@ -117,8 +117,8 @@ public:
             most = std::max(most, std::abs(samples[i] - samples[i - 2]));
         return most;
     }
-    /// Energy of the left channel from `low` to `high` (Hz), by a Fourier
-    /// transform of the last 4,096 samples.
+    /// Energy of the left channel from `low` to `high` (Hz), by a Fourier transform of the last 4,096
+    /// samples.
     double band(double low, double high) const {
         constexpr std::size_t size = 4096;
         double energy = 0;

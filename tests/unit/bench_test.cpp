@@ -149,7 +149,7 @@ TEST(BenchMeasure, ContestantsAreCalledEquallyOftenAndSetupIsNotTimed) {
     ASSERT_EQ(samples.size(), 2U);
     EXPECT_EQ(samples[0].size(), 5U);
     EXPECT_EQ(samples[1].size(), 5U);
-    EXPECT_EQ(setups, 6);  // the first round is not counted
+    EXPECT_EQ(setups, 6);  // 5 rounds, and the first one, which is not counted
     EXPECT_EQ(runs, (std::array{18, 18}));
     EXPECT_LT(times(samples[0]).min, 5000);
 }

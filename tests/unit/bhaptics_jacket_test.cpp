@@ -1,5 +1,6 @@
-// A vest of bHaptics: the texts of requests and replies, and the connection to a Player that behaves, is
-// slow, lies, or goes away. The Player is a fake. Tests wait for what it got, not for a time.
+// A vest of bHaptics: the texts of requests and replies, and the connection to a Player (the maker's program)
+// that behaves, is slow, lies, or goes away. The Player is a fake. Tests wait for what it got, not for a
+// time.
 #include "game/jackets/makers/bhaptics.h"
 
 #include <gtest/gtest.h>

@@ -328,7 +328,7 @@ TEST(Bot, KnowsTheGapsThatAnAnchorSpans) {
     }
 }
 
-/// Lowest height of the wizard's feet during that time (m).
+/// Lowest height of the wizard's feet (m) during `duration` (s).
 template <class Foe>
 double lowest_feet(Scene& scene, std::uint32_t player, double duration, Foe&& foe) {
     double lowest = 100;

@@ -141,7 +141,7 @@ TEST_F(BrewLookTest, LayersFollowTheSurfaceLessTheDeeperTheyAre) {
     for (auto& height : brew.surface.height) height = lift;
     fluid::refresh_after_edit(brew.surface);
     const auto lifted = texels();
-    // The cover is linear in the density, so the density of each layer follows from it.
+    // The texel's alpha is linear in the density, so the density of each layer follows from it.
     const auto density = [&](const std::vector<render::Texel>& all, double y) {
         return static_cast<double>(texel_at(all, {0.02, y, 0.02}).a) / 255;
     };

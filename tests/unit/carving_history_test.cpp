@@ -114,7 +114,7 @@ TEST(CarvingHistory, AStrokeThatChangesSomethingLateForgetsWhatCouldBeRedone) {
         const std::uint64_t one = hash_of(rig.body);
         rig.carve_step(1, 0, 0);
         undo(rig.history, rig.body.view());
-        rig.carve(0, 0, 0);  // nothing
+        rig.carve(0, 0, 0);  // changes nothing
         rig.carve(0, 2, 0);
         EXPECT_FALSE(can_redo(rig.history));
         rig.carve(2, 2, 0);

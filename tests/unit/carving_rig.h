@@ -92,7 +92,7 @@ inline Tool random_tool(Random& random) {
     return tool;
 }
 
-/// A dab in or near a body of about 25 voxels along each axis.
+/// A dab (one use of a tool) in or near a body of about 25 voxels along each axis.
 inline Dab random_dab(Voxels& body, Random& random) {
     const vec3 voxel{random.uniform(-5, 30), random.uniform(-5, 30), random.uniform(-5, 30)};
     const vec3 axis = glm::normalize(vec3{random.uniform(-1, 1), random.uniform(-1, 1), 0.7});

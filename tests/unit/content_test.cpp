@@ -97,7 +97,7 @@ const std::string quick = "rules/quick.toml", bolt = "wands/bolt.toml", lob = "w
                   wizard = "wizards/wizard.toml", settings = "settings.toml", lessons = "apprentice.toml",
                   v = "gestures/v.toml";
 
-/// Mistakes in how a number is written, and a line with a key.
+/// Mistakes in how numbers, and lines with a key, are written.
 std::vector<Mistake> slips_of_numbers() {
     return {
         {quick, "seconds = 240 ", "seconds = 240,5 ", {"240.5"}},

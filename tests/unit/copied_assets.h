@@ -4,7 +4,7 @@
 
 namespace thaum {
 
-/// The copy is removed at the end.
+/// A copy of the data folder, removed by the destructor.
 struct CopiedAssets {
     CopiedAssets() {
         std::filesystem::copy(THAUM_SOURCE_DIR "/assets", path, std::filesystem::copy_options::recursive);

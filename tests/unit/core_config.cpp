@@ -392,7 +392,7 @@ TEST(CoreConfig, OneFaultIsToldOfATableInPlaceOfNumbers) {
     EXPECT_TRUE(fault.more.empty());
 }
 
-/// At this value the parser stops with an assertion that names no line.
+/// The TOML parser stops at the value 1:.2 with an assertion that names no line.
 TEST(CoreConfig, AWrongTimeNamesItsLine) {
     EXPECT_TRUE(parse_fault("version = 1\n\nx = 1:.2\ny = 2\n").starts_with("wand.toml:3: "));
 }
@@ -567,7 +567,7 @@ TEST(CoreConfigFuzz, AMegabyteOfGarbage) {
     for (const char c : fuzz_bits) survive(std::string(1 << 20, c));
 }
 
-/// A terminal would act on these characters.
+/// A terminal would act on control characters.
 TEST(CoreConfig, ControlCharactersOfAFileDoNotReachAMessage) {
     const auto file = Config::parse("version = 1\nkind = \"a\\tb\\u001B[2J\\u007F\"\n", "f.toml", 1).value();
     const auto kind = file.root().string("kind");

@@ -127,7 +127,7 @@ TEST_F(CoreFile, AFullDiskIsAnError) {
     EXPECT_EQ(read_text_file(path, 100), "old");
 }
 
-/// A link with the temporary name must not redirect the bytes to another file.
+/// A link at the name of the writer's temporary file must not redirect the bytes to another file.
 TEST_F(CoreFile, ALinkAtTheTemporaryNameIsNotFollowed) {
     const auto path = in_folder("a"), precious = in_folder("precious");
     ASSERT_TRUE(write_text_file(precious, "precious"));

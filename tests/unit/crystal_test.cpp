@@ -1,5 +1,5 @@
-// Tests of crystals in a match: touching, carving, chips, the Lens, rounds,
-// restored states, and hostile input.
+// Tests of crystals in a match: touching, carving, chips, the Lens, rounds, restored states, and hostile
+// input.
 #include "game/stations/crystal/crystal.h"
 
 #include <gtest/gtest.h>

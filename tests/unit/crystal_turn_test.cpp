@@ -73,7 +73,7 @@ TEST(Crystal, TurningUnderTheHandStaysWithinTheCapsAndCreatesNoEnergy) {
         for (Tick t = 0; t < 8000; ++t) {
             auto frame = carving(t);
             frame.devices[0].counts[input::hand::strafe] = t % 1400 < 700 ? 127 : -127;
-            // Presses during the first half of every 3 s.
+            // The hand presses forward during the first half of every 3 s.
             if (t % 3000 < 1500) frame.devices[0].counts[input::hand::forward] = 127;
             match->tick(frame);
             turned += std::abs(std::remainder(crystal_in(*match).yaw - before, 2 * pi));

@@ -161,7 +161,7 @@ bool FakeBhaptics::answer(int peer) {
                      accept_key(request) + "\r\n\r\n");
 }
 
-/// Sends what `manner` requires before any request.
+/// Sends what the fake's manner prescribes before any request.
 void FakeBhaptics::speak(int peer) {
     switch (manner_) {
         case Manner::sends_noise: write(peer, noise(100'000)); break;
@@ -241,7 +241,7 @@ void FakeBhaptics::stay(int peer) {
     }
 }
 
-/// Returns false if the connection or the test has ended.
+/// Reads `size` bytes. Returns false if the connection or the test has ended.
 bool FakeBhaptics::read(int peer, void* to, std::size_t size) {
     for (std::size_t done = 0; done < size;) {
         pollfd state{peer, POLLIN, 0};

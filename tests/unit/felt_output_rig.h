@@ -35,7 +35,7 @@ struct Felt {
         changed.notify_all();
         return change();
     }
-    /// Must be called with the mutex locked.
+    /// Waits while `hangs` is true. Must be called with the mutex locked.
     void hang(std::unique_lock<std::mutex>& lock) {
         in_hang = hangs;
         changed.notify_all();

@@ -109,7 +109,7 @@ TEST(FeltSound, ALastingVoiceEndsWithTheFramesAndStopForgetsAll) {
     EXPECT_EQ(felt.strengths(0, {1, FeltGroups::both}), BandStrengths{});
     audio::AudioFrame begins = frame_with({});
     for (int i = 0; i < 200; ++i) begins.begins.add({.sound = low_effect, .at_ear = true});
-    felt.follow(begins);  // more loops than there is room for, which nothing ends
+    felt.follow(begins);  // more sounds than there is room for; they loop, so they do not end by themselves
     felt.follow(begins);
     felt.follow(begins);
     EXPECT_EQ(felt.strengths(0, {1, FeltGroups::both})[0], 1);

@@ -110,7 +110,7 @@ TEST(FeltWords, CaptionsCoverEveryEvent) {
     for (const auto& wand : data->wands) EXPECT_FALSE(wand.look.steady_force.empty());
 }
 
-/// Number of players who get a caption for an event that happens to the first one.
+/// Whether the first player gets a caption for an event that happens 3 m away.
 bool is_told(const std::shared_ptr<const SenseData>& data, EventKind kind) {
     WordsRig rig(data);
     rig.happen(kind, rig.middle() + vec3(0, 0, 3));

@@ -58,7 +58,7 @@ TEST(TransferFunction, EachPieceIsMonotoneAndWithinItsEnds) {
         for (std::size_t i = 1; i < points.size(); ++i) {
             const vec2 a = points[i - 1], b = points[i];
             double before = a.x, y = a.y;
-            // Includes the numbers just before the end, where rounding could exceed it.
+            // Includes the last numbers before the end, where rounding could exceed the end's value.
             std::vector<double> places{std::nextafter(b.x, a.x),
                                        std::nextafter(std::nextafter(b.x, a.x), a.x)};
             for (int n = 0; n < 20; ++n) places.push_back(random.uniform(a.x, b.x));

@@ -12,7 +12,7 @@
 namespace thaum::haptics {
 namespace {
 
-/// s_f s_x: damping felt at the hand for 1 N s/m in the bowl.
+/// Damping at the hand (N s/m) for 1 N s/m in the bowl: the product s_f s_x of both scales.
 constexpr double felt_share = 16.0 / 256;
 
 vec3 in_device(const FluidTouch& touch, vec3 bowl) { return glm::transpose(touch.frame.turn) * bowl; }
@@ -71,7 +71,7 @@ TEST(FluidTouch, AMixtureIsFeltAsTheWeightedSumOfItsSubstances) {
     };
     const vec3 sum = force_of(1, 0) + force_of(0, 1);
     EXPECT_LE(glm::length(force_of(1, 1) - sum), 1e-12);
-    // c = 2 (1/4 2 + 1/2 3) + 1/2 (1/4 4 + 1/2 1)
+    // Expected damping: 2 times the viscosity 1/4 2 + 1/2 3, plus 1/2 times the density 1/4 4 + 1/2 1.
     EXPECT_NEAR(force_of(1, 1).x, -0.1 * felt_share * (2 * 2.0 + 0.5 * 1.5), 1e-12);
 }
 
@@ -92,8 +92,9 @@ TEST(FluidTouch, AFreeHandReachesTheVelocityOfTheFlow) {
     }
 }
 
-/// Solves 1 - z = gain (1 + z) / 2 (1/8) sum z^-j: the motion of a mass that is braked in proportion to its
-/// mean velocity over the last 8 ticks, with a force that is constant within each tick.
+/// Share z of its velocity that a mass keeps in a tick: solves 1 - z = gain (1 + z) / 2 (1/8) sum z^-j. The
+/// mass is braked in proportion to its mean velocity over the last 8 ticks, with a force that is constant
+/// within each tick.
 double decay_per_tick(double gain) {
     double low = 0.9, high = 1;
     for (int i = 0; i < 200; ++i) {
@@ -226,8 +227,8 @@ TEST(FluidTouch, AnOldModelContinuesLikeANewOne) {
 
 // ---- wall -------------------------------------------------------------------------------------------------
 
-/// Distance of a place from the inside of the bowl, the largest over the segments of
-/// the profile (m); negative inside.
+/// Distance of a place from the inside of the bowl, the largest over the segments of the profile (m);
+/// negative inside.
 double outside_by(const BowlWall& wall, vec3 place) {
     const vec3 off = place - wall.centre;
     const vec2 at{std::sqrt(off.x * off.x + off.z * off.z), off.y};

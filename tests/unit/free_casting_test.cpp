@@ -108,8 +108,8 @@ TEST(FreeCasting, TwoSpellsAreAWhileApart) {
     EXPECT_EQ(play.casts(), 2U);
 }
 
-/// Draws circles again and again, with pauses, so that some are drawn during a keyframe. Returns the hash of
-/// the state at every 128th tick after `from`.
+/// Draws circles again and again, with pauses, so that some circles are unfinished at a keyframe. Returns the
+/// hash of the state at every 128th tick after `from`.
 std::vector<std::uint64_t> hashes_of(Free& play, Tick from, Tick until) {
     std::vector<std::uint64_t> hashes;
     for (Tick t = play.match->now(); t < until; ++t) {
@@ -162,7 +162,7 @@ TEST(FreeCasting, FindsTheStrokesOfManyUsersAndSeldomTakesOneForAnother) {
         if (spell_of(*data, stroke.gesture) == nullptr) continue;
         const auto draw = [&](vec2 begin) {
             for (const auto& p : stroke.points) {
-                const vec2 way = 1e4 * vec2(p.at - stroke.points[0].at);  // counts
+                const vec2 way = 1e4 * vec2(p.at - stroke.points[0].at);  // way of the mouse (counts)
                 for (Tick i = 0; i < gameplay_period; ++i) play.move_to(begin.x + way.x, begin.y + way.y);
             }
         };

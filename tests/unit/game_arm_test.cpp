@@ -401,7 +401,7 @@ TEST(Arm, DrawsALobByPullingBack) {
     m.arm_buttons = 1;
     m.run(50);
     for (int t = 0; t < 600; ++t) {
-        m.back_um += 100;  // 0.1 m/s
+        m.back_um += 100;  // towards the user at 0.1 m/s
         m.run(1);
     }
     m.run(100);

@@ -28,7 +28,7 @@ inline const LoadedWand& wand_of(const MatchData& data, std::string_view name) {
                          [&](const LoadedWand& wand) { return wand.kind->name == name; });
 }
 
-/// Number of a match's events of a kind.
+/// Number of events of one kind in a match.
 inline std::size_t count_of(const Simulation& match, EventKind kind) {
     std::uint64_t from = 0;
     std::size_t count = 0;

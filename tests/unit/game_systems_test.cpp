@@ -84,7 +84,7 @@ TEST_F(GameSystems, AnUndeclaredCallOfTheGameIsCaught) {
     const auto add_event = [&] { record(context, {.kind = EventKind::dry}); };
     EXPECT_DEATH(runs({}, world.mask<EventLog>(), add_event), "system sneak writes event journal");
     EXPECT_DEATH(runs({}, world.mask<resource::Journal>(), add_event), "system sneak writes EventLog");
-    // A body that enters or leaves the World also enters or leaves the physics.
+    // Removing a body from the World also removes it from the physics, so a system must declare both.
     const auto thing = world.view<const Prop, const Body>().first();
     ASSERT_TRUE(thing);
     const auto remove_body = [&] { context.world.remove<Body>(thing); };
@@ -110,8 +110,8 @@ std::set<std::string_view> systems_of(Simulation& match) {
     return names;
 }
 
-// The schedule checks every access. Matches in which every system runs therefore show
-// whether each declaration is wide enough.
+// The schedule checks every access. Matches in which every system runs therefore show whether each
+// declaration is wide enough.
 TEST(GameSystemsOfBots, EverySystemRunsWithinItsDeclarations) {
     Simulation by_arm(duel_data(), {.devices = {{.player = 0, .kind = DeviceKind::arm, .name = "arm"}}});
     auto idle = systems_of(by_arm);
@@ -137,7 +137,7 @@ TEST(GameSystemsOfBots, EverySystemRunsWithinItsDeclarations) {
     strike_out(at_the_orb, idle);
 
     auto duel = make_bot_duel(assets(), duel_data(), {3, 3}, 1).value();
-    // Bots cast it too seldom.
+    // Bots cast fog too seldom, so the test makes it.
     duel.match->world_to_change().create(Motion{}, Fog{.radius = 1, .sight = 1, .until = 5000});
     for (int s = 0; s < 245 && !idle.empty(); ++s) {
         duel.run(1000);

@@ -159,7 +159,7 @@ TEST(Gesture, TwinsOfOneShapeAreToldApartByForce) {
     EXPECT_FALSE(between.probability > 0.6) << "as near to one as to the other";
 }
 
-/// As in the test above, but each template, too, is only one of the ways in which the hand draws the shape.
+/// As in the test above, but the templates, too, are random variations of the shape, as a hand would draw it.
 TEST(Gesture, TwinsAreToldApartByForceWhicheverTemplateIsMoreAlike) {
     const VariationSettings hand{
         .tilt = 0.02, .stretch = 0.03, .bend = 0.006, .hurry = 0.1, .ends = 0.01, .force = 0.15};
@@ -176,7 +176,7 @@ TEST(Gesture, TwinsAreToldApartByForceWhicheverTemplateIsMoreAlike) {
         const auto recogniser =
             recogniser_of({gesture_of("gentle", {drawn(0.7)}), gesture_of("harsh", {drawn(1.4)}),
                            gesture_of("circle", {pressed(circle(), 1)})});
-        // Here the forces of the gesture's two strokes happen to be too similar.
+        // Skipped, because the forces of the two templates happen to be too similar for twins.
         if (!recogniser.are_twins(0, 1)) continue;
         for (std::uint32_t i = 0; i < 40; ++i, ++tries)
             right += read(recogniser, drawn(i % 2 == 0 ? 0.7 : 1.4)).gesture == i % 2;

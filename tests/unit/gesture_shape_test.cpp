@@ -158,7 +158,7 @@ TEST(GestureShape, ForceInAnotherUnitIsTheSame) {
     EXPECT_LT(elastic_distance(shape_of(newtons), shape_of(grams)), 1e-6F);
 }
 
-/// The recurrence computed plainly over all pairs of points, without a band.
+/// The elastic distance by its recurrence, computed plainly over all pairs of points, without a band.
 double full_distance(const Shape& a, const Shape& b) {
     constexpr std::size_t n = shape_points;
     std::vector<std::vector<double>> sum(n + 1, std::vector<double>(n + 1, 1e30));

@@ -45,7 +45,7 @@ TEST(HapticsCoupling, NothingPullsWhenTaken) {
 TEST(HapticsCoupling, AHandThatMovesRightPullsRightAndIsPulledBackLeft) {
     auto f = crooked();
     const vec3 right_of_player = f.player_to_world * vec3(1, 0, 0);
-    // Unit vector to the player's right.
+    // The player's right in the device frame (unit).
     const vec3 right_of_device = glm::transpose(f.device_to_player) * vec3(1, 0, 0);
     const vec3 force = pull(f, lift, 0.01 * right_of_device);
     EXPECT_NEAR(glm::dot(glm::normalize(force), right_of_player), 1, 1e-9);

@@ -261,7 +261,8 @@ TEST(HapticsEnergy, ARampKeepsThePartsOfTheForceThatItEnds) {
 
 TEST(HapticsEnergy, AStiffSpringThatWouldRingForEverIsKeptPassive) {
     for (const int latency : {0, 1}) {
-        // Beyond 2 b / T, and with a delay beyond the smaller limit that it leaves.
+        // The stiffness is beyond the passive bound 2 b / T, or with a tick of delay beyond the smaller bound
+        // that this delay leaves.
         const double stiffness = latency == 0 ? 2500 : 1500;
         const auto bare = meet_spring(stiffness, false, latency);
         const auto kept = meet_spring(stiffness, true, latency);

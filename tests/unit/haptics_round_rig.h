@@ -9,7 +9,7 @@
 namespace thaum::haptics::round_rig {
 
 inline constexpr double dt = tick_seconds;
-inline constexpr double stiffness = 500;  // N/m
+inline constexpr double stiffness = 500;  // stiffness of the surfaces (N/m)
 
 /// A patch with one body with the given friction, without surfaces.
 inline SurfacePatch rubbing_patch(double friction) {

@@ -51,7 +51,7 @@ Arrange from_500(const std::function<void(SafetyInput&)>& change) {
     };
 }
 
-/// Replaces the output from tick 500 on by another force (N, along y).
+/// Replaces the output of tick 500 by a force along y (N).
 Spoil at_500(double bad) {
     return [bad](int tick, vec3 output) { return tick == 500 ? vec3(0, bad, 0) : output; };
 }
@@ -99,7 +99,8 @@ TEST(HapticsSafetyAudit, ReportsJumpsAtSwitches) {
 }
 
 TEST(HapticsSafetyAudit, ReportsAForceThatFollowsASwingingSpringForEver) {
-    // A former fault of the safety stage: the output followed at 40 N/s.
+    // A former fault of the safety stage: the output followed the swinging force at 40 N/s and never reached
+    // it.
     const auto swings = [](int tick, SafetyInput& input) {
         input.switched = tick == 500;
         if (tick >= 500) input.wanted = {std::sin(0.2 * tick), 0, 0};
@@ -152,7 +153,7 @@ TEST(HapticsSafetyAudit, CountsTicksAndHeat) {
     for (int tick = 0; tick < 25'000; ++tick) audit.record(limits, {.wanted = {0.5, 0, 0}}, {0.5, 0, 0});
     EXPECT_EQ(audit.ticks(), 25'000U);
     EXPECT_NEAR(audit.warmth(), 0.5, 1e-12);
-    EXPECT_EQ(audit.violations(), audit.violations(SafetyRule::slew));  // the change came without any limit
+    EXPECT_EQ(audit.violations(), audit.violations(SafetyRule::slew));  // only the jump at the start
     for (int tick = 0; tick < 9000; ++tick) audit.record(limits, {}, {});
     EXPECT_NEAR(audit.warmth(), 0.5 * std::sqrt(0.1), 1e-12);
 }

@@ -75,7 +75,8 @@ TEST(HapticsSafety, NothingIsFeltBeforeAForceInRange) {
     EXPECT_NEAR(stage.feel({2, 0, 0}).x, 0.04, 1e-12);  // the gate opens, which counts as a switch
     EXPECT_NEAR(stage.feel({2, 0, 0}).x, 0.08, 1e-12);
     EXPECT_NEAR(stage.feel({.wanted = {2, 0, 0}}, 48).x, 2, 1e-12);
-    EXPECT_EQ(stage.feel({-2, 0, 0}).x, -2);  // the output has arrived, and follows freely
+    EXPECT_EQ(stage.feel({-2, 0, 0}).x, -2);  // the output has reached the wanted force, and follows it
+                                              // freely
     EXPECT_EQ(stage.feel({-2, 0, 0}), vec3(-2, 0, 0));
     EXPECT_EQ(stage.cause(), SafetyCause::none);
 }
@@ -203,7 +204,7 @@ TEST(HapticsSafety, PanicIsZeroAtOnceAndComesBackSlowly) {
     Stage stage;
     stage.feel({.wanted = {2, 0, 0}}, 60);
     EXPECT_EQ(stage.feel({.wanted = {2, 0, 0}, .panic = true}), vec3(0));
-    EXPECT_EQ(stage.feel({.wanted = {2, 0, 0}}, 100'000), vec3(0));  // latched
+    EXPECT_EQ(stage.feel({.wanted = {2, 0, 0}}, 100'000), vec3(0));  // forces stay off after a panic
     EXPECT_EQ(stage.cause(), SafetyCause::panic);
     // A panic key that is still down has priority, and a force out of range keeps the gate shut.
     EXPECT_EQ(stage.feel({.wanted = {2, 0, 0}, .panic = true, .rearm = true}), vec3(0));

@@ -177,7 +177,7 @@ TEST(HapticsServo, AStrongPlaneStopsTheHandWithStiffnessTimesDepth) {
             EXPECT_LT(glm::length(pressed.state.proxy - vec3(0.01, 0, 0.03)), 1e-12);
         }
     }
-    // Pressed beyond the plane's strength, it yields.
+    // Pressed beyond its strength, the plane yields.
     Rig through = rig_at({0, -0.005, 0}, primitives_of({floor_plane(0.5)}));
     expect_force(through, {0, 0.5, 0});
 }

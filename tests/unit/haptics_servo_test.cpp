@@ -85,7 +85,7 @@ TEST(HapticsServo, AThingCaughtBehindACornerDoesNotShutTheForcesOff) {
         // The spring of the lift wand, stretched as far as a small object may be away, then released.
         rig.model.tether = {.anchor = {0.4, 0, 0}, .stiffness = 300, .number = rig.model.tether.number + 1};
         for (int tick = 0; tick < 200; ++tick) rig.feel();
-        // Smaller after some time, because the motors are warm.
+        // The force becomes smaller after some time, because the motors are warm.
         EXPECT_GT(rig.state.safety.output.x, 0.1) << time;
         rig.model.tether = {.number = rig.model.tether.number + 1};
         for (int tick = 0; tick < 200; ++tick) rig.feel();

@@ -12,8 +12,8 @@
 namespace thaum::haptics::surface_tests {
 
 inline constexpr double dt = tick_seconds;
-inline constexpr double stiffness = 500;  // N/m
-// Known error of the force with friction (N).
+inline constexpr double stiffness = 500;  // stiffness of the surfaces (N/m)
+// Known error of the force with friction (N), which comes from the gap between proxy and surface.
 inline constexpr double gap_force = 1.5 * stiffness * surface_gap;
 inline constexpr double rounding = 1e-9;  // accepted rounding error of a force (N)
 

@@ -11,7 +11,7 @@
 namespace thaum::haptics {
 namespace {
 
-constexpr double viscosity = 3.5;  // N s/m
+constexpr double viscosity = 3.5;  // viscosity of the space (N s/m)
 
 TEST(Viscosity, AnEvenMotionIsResistedInProportionToItsSpeed) {
     for (const auto& spec : shipped_devices()) {

@@ -1,5 +1,6 @@
-// A HID jacket: its bytes, and that one which is pulled out, refuses, or is slow leaves no motor on. The byte
-// traces in tests/tactile were written by hand from the layout in game/jackets/hid_report.h.
+// Tests of HID jackets: the bytes of their reports, and that a jacket that is pulled out, refuses reports or
+// is slow leaves no motor on. The byte traces in tests/tactile were written by hand from the layout in
+// game/jackets/hid_report.h.
 #include "game/jackets/makers/hid.h"
 
 #include <gtest/gtest.h>

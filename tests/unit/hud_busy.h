@@ -29,7 +29,7 @@ void each_view(F f) {
     }
 }
 
-/// Em of the smallest text that has a part, and how many views have it.
+/// Em of the smallest text that contains `part` (px), and the number of such texts.
 struct Found {
     float least{1e6F};
     std::size_t number{};

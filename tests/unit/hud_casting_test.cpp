@@ -1,5 +1,5 @@
-// Tests of what a player sees of strokes and spells: captions, the strip of
-// spells, focus, trail, shield and fog.
+// Tests of what a player sees of strokes and spells: captions, the strip of spells, focus, trail, shield and
+// fog.
 #include "game/hud/casting_overlay.h"
 
 #include "core/text.h"
@@ -126,7 +126,7 @@ TEST(StrokeWords, TellTheReasonOfTheSpellItself) {
         return stroke_caption(picture.wizards[0].casting, *picture.shown).words;
     };
     EXPECT_EQ(recall(), "[4] Recall, but it calls the thing lifted last; lift one first");
-    // An object out of the spell's reach.
+    // Now there is an object, but out of the spell's reach.
     auto& world = match->world_to_change();
     ecs::Entity thing;
     world.view<const Prop, const Body>().each([&](ecs::Entity e, const Prop&, const Body&) { thing = e; });

@@ -128,7 +128,7 @@ protected:
         return {std::move(with), renderer->read_pixels()};
     }
 
-    /// Expects that on each of these lines some place has the required contrast for all eyes.
+    /// Expects that on each line of `mark` some place has the required contrast for all eyes.
     static void expect_seen(const Drawn& drawn, const std::vector<Across>& mark, const char* where) {
         for (const auto& eyes : kinds_of_eyes)
             for (std::size_t i = 0; i < mark.size(); ++i)

@@ -193,7 +193,7 @@ TEST(FeltSource, IsTheStrongestOfAll) {
     EXPECT_NEAR(strongest_source(forces_on(hand), "Weight").newtons, 1, 1e-12);
     hand.servo.pulses[0] = {.peak = {0, 0, 2}, .length = 20, .at = 10};
     EXPECT_EQ(strongest_source(forces_on(hand), "Weight").name, "Recoil");
-    hand.servo.pulses[0].at = 20;  // over
+    hand.servo.pulses[0].at = 20;  // this pulse is over
     EXPECT_EQ(strongest_source(forces_on(hand), "Weight").name, "Spring");
     hand.servo.fluid.force = {1.5, 0, 0};
     EXPECT_EQ(strongest_source(forces_on(hand), "Weight").name, "Current");

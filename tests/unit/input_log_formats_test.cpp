@@ -272,7 +272,7 @@ TEST(InputLogFormat2, ASettingOfAnotherSizeOrBeyondItsLimitIsRefused) {
     ASSERT_EQ(decoded(sample.file), sample.header);
     const auto settings_at = behind(sample.body, "device 0");
     auto body = sample.body;
-    // The last setting's last byte is the last byte of this device, and its size precedes its seven values.
+    // The device ends with its last setting: a size of four bytes, then seven values of one byte each.
     const auto last = settings_at + 4 + samples::u32_at(body, settings_at) - 1;
     ASSERT_EQ(body[last], std::byte{77});
     body[last] = std::byte{101};

@@ -199,7 +199,7 @@ TEST(InputLog, HugeFileIsRefusedWithoutReadingIt) {
     const Folder folder;
     auto log = samples::small_log(folder);
     ASSERT_TRUE(samples::put_file(folder / "file", log));
-    ASSERT_EQ(::truncate((folder / "file").c_str(), off_t{10} << 30U), 0);  // sparse
+    ASSERT_EQ(::truncate((folder / "file").c_str(), off_t{10} << 30U), 0);  // a sparse file
     EXPECT_TRUE(contains(open_error(folder / "file"), "larger than a log"));
 }
 
@@ -478,7 +478,7 @@ TEST(InputLog, TooSlowADiskStopsRecordingAndKeepsAWholeLog) {
     EXPECT_GT(writer.extra_blocks(), 0U);
     const auto closed = writer.close("");
     auto reader = LogReader::open(folder / "log").value();
-    // This is always so, because memory is faster than zstd, unless this thread did not run for a while.
+    // Closing fails because memory is faster than zstd, unless this thread did not run for a while.
     if (!closed) {
         EXPECT_TRUE(contains(closed.error().message, text("kept up to tick ", reader.ticks())));
         EXPECT_EQ(reader.ending(), LogEnding::cut_off);

@@ -15,8 +15,8 @@ inline StrokeReading drawn(std::uint32_t gesture, double force, double turns = 0
     return {.gesture = gesture, .probability = 1, .force = force, .turns = turns};
 }
 
-/// A match whose first wizard stands at the rim and stirs. Its fluid is coarse, and the share that an
-/// ingredient has reached is what the test says.
+/// A match whose first wizard stands at the rim and stirs. Its fluid is coarse. The test sets to which share
+/// the newest ingredient is mixed in.
 class Kitchen {
 public:
     explicit Kitchen(std::vector<std::string> overrides = {}, std::uint64_t seed = 1,
@@ -55,7 +55,7 @@ public:
         }
     }
 
-    /// Drops an ingredient into a brew whose newest ingredient has reached this share.
+    /// Drops an ingredient into a brew whose newest ingredient is mixed in to the share `reached`.
     void drop(std::string_view name, double reached = 0.7) {
         const auto& all = match_->data().cauldron->ingredients;
         const auto found =
@@ -72,7 +72,7 @@ public:
     void draw(const StrokeReading& reading, double reached = 0.7, std::uint32_t player = 0) {
         draw_from(reading, reached, reached, player);
     }
-    /// A stroke that began when the brew was mixed to `begun_at`, and stirred it up to `reached`.
+    /// Draws a stroke that began when the brew was mixed to `begun_at`, and stirred it up to `reached`.
     void draw_from(const StrokeReading& reading, double begun_at, double reached, std::uint32_t player = 0) {
         cauldron().reached = reached;
         brew_by_stroke(match_->context_to_change(), wizard(player), {reading, begun_at}, now());

@@ -144,7 +144,7 @@ TEST(LikelySpell, StandsOnAPlateInItsPanelWithTheStrokeOnAPageBesideIt) {
         render::Overlay out;
         add_stroke(out, casting, *picture.shown, 0, layout);
         const auto within = [](const Panel& box, fvec2 p) {
-            constexpr float rounding = 0.01F;  // px
+            constexpr float rounding = 0.01F;  // tolerance (px)
             const fvec2 low = box.low - rounding, high = box.high + rounding;
             return p.x >= low.x && p.y >= low.y && p.x <= high.x && p.y <= high.y;
         };

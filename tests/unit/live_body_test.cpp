@@ -41,7 +41,7 @@ struct FeltDuel {
         for (Tick t = 0; t < ticks(seconds); ++t) {
             duel.run(1);
             match.follow(*duel.match, words);
-            // Up to 32 frames wait in a queue.
+            // Waits for the output's thread, because its queue holds only 32 frames.
             const auto wanted = before + t / tactile::frame_ticks;
             while (t % 128 == 0 && given() + 8 < wanted) std::this_thread::yield();
         }

@@ -79,7 +79,7 @@ protected:
         return shared_.screen.newest();
     }
     auto& requests() { return shared_.requests; }
-    /// Whether the oldest request that waits is this one to the range. Takes it.
+    /// Takes the oldest waiting request. Returns whether it is a request T to the range.
     template <class T>
     bool asked_range() {
         const auto request = requests().take();

@@ -175,7 +175,7 @@ TEST_F(LiveTactileSession, MotorsFollowThePadsOfTheSeats) {
     step();
     EXPECT_EQ(motors.made, 2);
     played(tactile, 1, *felt, frame_of(1, 0, long_life));
-    // Unplugged again, so the player continues with the free pad.
+    // The pad is unplugged again, so the player continues with the free pad.
     pads_[0] = {};
     step();
     pads_[1].buttons = 1;

@@ -7,7 +7,7 @@
 namespace thaum::game {
 namespace {
 
-/// A request of this test alone: the whole of it stands here.
+/// A request that only this test has. This struct is all that it needs.
 struct BecomeDummy {
     game::DummyKind kind{};
     void carry_out(Practice& practice) const { practice.set_dummy(kind); }

@@ -28,7 +28,7 @@ void expect_rows_change(const MenuState& page, const std::vector<std::size_t>& s
         const MenuEvent less{.kind = Kind::left, .device = keyboard, .row = row};
         const MenuEvent more{.kind = Kind::right, .device = keyboard, .row = row};
         auto changed = step(page, more, context());
-        // The value was already at the end of its range.
+        // The value was already at the end of its range, so it is changed the other way.
         if (changed.settings == page.settings) changed = step(page, less, context());
         const auto edits = changes(page.settings, changed.settings);
         const auto& setting = all_settings()[settings[row]];

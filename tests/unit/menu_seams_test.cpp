@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t usual_bells = 2;
 
-/// A request of this test alone: rings into the caller's memory.
+/// A request that only this test has: it counts rings in the caller's memory.
 struct RingBells {
     std::size_t* rung{};
     void carry_out(Practice&) const { ++*rung; }
@@ -31,7 +31,7 @@ void add_bell_rows(const MenuState& s, const MenuContext&, Rows& rows) {
                     .confirm = [](const RowPress& press) { ask_range(press.state, RingBells{&rung}); }});
 }
 
-/// A page of this test alone: the whole of it stands here.
+/// A page that only this test has. This registration is all that it needs.
 const PageRegistration bells_page{{
     .name = "bells",
     .title = [](const MenuState&, const MenuContext&) { return std::string("Bells of the tower"); },
@@ -42,7 +42,7 @@ const PageRegistration bells_page{{
             return std::string("bells");
         },
 }};
-/// A page that opens it.
+/// A page with a row that opens bells_page.
 const PageRegistration tower_page{{
     .name = "tower",
     .title = [](const MenuState&, const MenuContext&) { return std::string("Tower"); },
@@ -93,7 +93,7 @@ TEST(MenuSeams, EveryRowThatOpensAPageFindsIt) {
         for (const auto& row : rows_of(opened({}, name), context()))
             if (!row.opens.empty()) opened_ones.insert(row.opens);
     for (const auto name : opened_ones) EXPECT_TRUE(names.contains(name)) << name;
-    // A session opens these two itself, and the test its tower.
+    // A session opens the pages start and pause itself, and this test its tower.
     for (const auto name : names)
         EXPECT_TRUE(opened_ones.contains(name) || name == page_name::start || name == page_name::pause ||
                     name == "tower")

@@ -184,7 +184,7 @@ TEST(StartScreen, AnotherDeviceJoinsWhateverRowIsChosen) {
     EXPECT_EQ(s.request, MenuRequest::none);
     EXPECT_EQ(s.seats[0], first_pad);
     EXPECT_EQ(with(s, Kind::confirm, half).seats[1], half);
-    // Both a device that has a seat and a third device can use the row.
+    // Both a device that has a seat and a third device can use the row Quit.
     EXPECT_EQ(with(s, Kind::confirm, first_pad).request, MenuRequest::quit);
     EXPECT_EQ(with(with(s, Kind::confirm, half), Kind::confirm, second_pad).request, MenuRequest::quit);
     // A click acts on the row under the mouse.
@@ -312,7 +312,7 @@ TEST(PauseMenu, OnTheRangeAPressDrawsAnOwnGesture) {
     EXPECT_EQ(s.request, MenuRequest::ask_range);
     ASSERT_TRUE(s.range_request.as<DrawGesture>());
     EXPECT_EQ(s.range_request.as<DrawGesture>()->number, 2U);
-    // While it is drawn, the same row of the next pause gives it up.
+    // While the gesture is being drawn, the same row of the next pause gives it up.
     range.drawn_gesture = 3;
     s = opened(std::move(s), "pause");
     EXPECT_EQ(s.pages.back().cursor, own);

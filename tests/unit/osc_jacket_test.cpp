@@ -1,5 +1,6 @@
-// A jacket by UDP and OSC: its bytes, when they go out, and that a dead jacket costs nothing. The byte traces
-// in tests/tactile are of the VRCH server's protocol, and were not made by this program.
+// Tests of jackets that get OSC messages by UDP: the bytes, when they go out, and that a dead jacket costs
+// nothing. The byte traces in tests/tactile are of the VRCH server's protocol, and were not made by this
+// program.
 #include "game/jackets/makers/osc.h"
 
 #include <gtest/gtest.h>
@@ -151,7 +152,7 @@ TEST(OscJacket, AnAddressWithoutAMeaningIsAnErrorOfOneLine) {
     const auto message = message_of(jacket->open());
     EXPECT_TRUE(message.starts_with("no address for 'no..host\\x0a': ")) << message;
     EXPECT_TRUE(message.ends_with("; correct the jacket in the settings file"));
-    // A closed jacket takes all calls.
+    // A closed jacket ignores all calls.
     jacket->silence();
     jacket->close();
 }

@@ -16,7 +16,7 @@ inline render::Overlay overlay_of(const Picture& picture, const HudSettings& set
     return overlay;
 }
 
-/// Items of one kind, in the order of drawing. They are the overlay's own.
+/// Items of one kind, in the order of drawing. The pointers point into the overlay.
 template <class Item>
 std::vector<const Item*> items_of(const render::Overlay& overlay) {
     std::vector<const Item*> found;
@@ -26,7 +26,7 @@ std::vector<const Item*> items_of(const render::Overlay& overlay) {
     return found;
 }
 
-/// Texts that contain a part. Most have a dark copy, which is drawn first.
+/// Texts that contain `part`. Most have a dark copy, which is drawn first.
 inline std::vector<const render::TextItem*> texts_with(const render::Overlay& overlay,
                                                        std::string_view part) {
     auto found = items_of<render::TextItem>(overlay);

@@ -31,8 +31,8 @@ TEST(PhysicsMaths, ProcessSeesOurFunctionsFirst) {
     }
 }
 
-/// btRigidBody::applyDamping is compiled into Bullet's library and multiplies the
-/// velocity by pow(1 - damping, dt).
+/// btRigidBody::applyDamping is compiled into Bullet's library. It multiplies the velocity by
+/// pow(1 - damping, dt).
 TEST(PhysicsMaths, DampingInsideBulletsLibraryIsOurs) {
     auto* const machine_pow = of_libm<double(double, double)>("pow");
     ASSERT_NE(machine_pow, nullptr);

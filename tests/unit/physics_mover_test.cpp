@@ -101,7 +101,7 @@ TEST(Mover, JumpsAsFarAsTheLawSays) {
     const double start = w.position().x;
     w.tick({4.5, 0, 0}, true);
     while (!w.last.grounded && w.physics.counters().steps < 5000) w.tick({4.5, 0, 0});
-    EXPECT_NEAR(w.position().x - start, 4.5 * 2 * w.settings.jump_speed / 9.81, 0.05);  // 4.26 m
+    EXPECT_NEAR(w.position().x - start, 4.5 * 2 * w.settings.jump_speed / 9.81, 0.05);  // expected: 4.26 m
 }
 
 TEST(Mover, FallsFromFiveMetres) {
@@ -113,7 +113,7 @@ TEST(Mover, FallsFromFiveMetres) {
         ++ticks;
     }
     EXPECT_NEAR(ticks * dt, std::sqrt(2 * 5 / 9.81), 0.01);
-    // 9.90 m/s; a little less, because the ground is found 3 cm early.
+    // Expected: 9.90 m/s, or a little less, because the ground is found 3 cm early.
     EXPECT_NEAR(w.landing, std::sqrt(2 * 9.81 * 5), 0.06);
     w.run(500, {});
     EXPECT_NEAR(w.position().y, standing, 2e-3);

@@ -14,7 +14,7 @@ namespace {
 
 using namespace scenes;
 
-constexpr double exact = 1e-12;  // m
+constexpr double exact = 1e-12;  // tolerance of distances (m)
 
 std::vector<Nearby> near_point(const Physics& physics, vec3 point, double radius) {
     std::array<Nearby, 64> found{};
@@ -86,8 +86,8 @@ double sampled_distance(const TriangleMesh& mesh, std::uint32_t triangle, vec3 p
     return nearest;
 }
 
-/// Checks that exactly those triangles were found that are within the radius. Triangles within the grid's
-/// error of it may be found or not.
+/// Checks that exactly those triangles were found that are within the radius. If a triangle's distance
+/// differs from the radius by less than the grid's error, it may be found or not.
 void expect_all_within(const TriangleMesh& mesh, const std::vector<Nearby>& found, vec3 place,
                        double radius) {
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {

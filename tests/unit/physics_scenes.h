@@ -29,7 +29,7 @@ inline BodyDesc wizard() {
     return {.shape = Shape::capsule, .size = {0.35, 0.55, 0}, .mass = 75, .friction = 0, .upright = 1};
 }
 
-/// Adds the bodies of the reference table's duel: a floor, 14 boxes stacked askew, 2 capsules.
+/// Adds a floor, 14 boxes stacked askew, and two wizards.
 inline void add_pile(Physics& physics) {
     add_floor(physics);
     for (Key i = 0; i < 14; ++i) {

@@ -74,7 +74,8 @@ TEST(Range, AStillDummyStaysAndDoesNothing) {
     EXPECT_EQ(of<Health>(range, practising).points, 100);
 }
 
-/// Largest distances of a dummy to each side, and number of its turns.
+/// Largest distances of a dummy from its first place to the west (negative), to the east and along z (m), and
+/// number of its turns.
 struct Strafed {
     double west = 0, east = 0, along = 0;
     int turns = 0;

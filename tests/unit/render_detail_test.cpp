@@ -96,7 +96,7 @@ TEST(Levels, TheCoarsestWhoseErrorIsWithinAPixel) {
     EXPECT_EQ(drawn_at(200, {}), 0U);
 }
 
-/// Number of open cells, computed from the cells' runs.
+/// Number of cells in which sky may be visible, counted from the runs of such cells.
 int open_cells(const Camera& camera, std::span<const Block> blocks) {
     detail::SkyCells cells;
     detail::open_sky_cells(camera, 2, blocks, cells);

@@ -13,8 +13,8 @@ constexpr Tick paused_at = 2040, resumed_at = 2300;
 
 /// The log of a duel in which bolts kill quickly. The file is removed after the test.
 struct RecordedDuel {
-    /// `twisted`: from this tick on the recorded hashes are wrong, as if the
-    /// program had computed another match.
+    /// `twisted`: from this tick on the recorded hashes are wrong, as if the program had computed another
+    /// match.
     explicit RecordedDuel(std::string_view name, Tick ticks, std::optional<Tick> twisted = {})
         : path(folder.path() / name), length(ticks) {
         auto duel = make_bot_duel(assets(), duel_data({"bolt.shot.damage=100"}), {3, 3}, 5).value();

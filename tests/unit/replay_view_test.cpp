@@ -95,7 +95,7 @@ TEST(ReplayView, NoKeyIsPartedFromItsWordsAtAnySizeOfText) {
             std::string all;
             for (const auto* line : game::hud_tests::items_of<render::TextItem>(overlay)) {
                 if (line->position.y < bar.keys.low.y - 1) continue;
-                if (line->colour != game::paints.soft) continue;  // the shadow
+                if (line->colour != game::paints.soft) continue;  // skips the text's shadow
                 all += text(all.empty() ? "" : "   ", line->text);
             }
             EXPECT_EQ(all, replay_keys()) << window.width << ", " << scale;

@@ -12,7 +12,7 @@
 
 namespace thaum::render {
 
-inline constexpr int picture_side = 120;  // px
+inline constexpr int picture_side = 120;  // width and height of a picture (px)
 inline constexpr float colour_tolerance = 2.0F / 255;
 
 /// Samples of a cube, `n` along a side; 65,535 stands for a density of 1. `density` maps a position (in

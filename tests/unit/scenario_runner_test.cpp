@@ -94,7 +94,7 @@ TEST_F(ScenarioRunner, ADifferenceBetweenTheRunsIsFoundAndNamed) {
     EXPECT_TRUE(has(result.message, "points: 100 and 99.99")) << result.message;
 }
 
-/// The log does not hold a change from outside, so its replay cannot make it.
+/// The log does not hold a change from outside, so its replay cannot repeat the change.
 TEST_F(ScenarioRunner, ADifferenceBetweenTheRunAndItsReplayIsFound) {
     options.spoil = [](Simulation& match, int) {
         if (match.now() == 700)

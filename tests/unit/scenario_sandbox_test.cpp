@@ -213,8 +213,8 @@ TEST(Sandbox, PatternsAreNotAvailable) {
     EXPECT_TRUE(mentions(error_of("('a'):find('a')"), "string.sub"));
 }
 
-/// Without this rule, a call that goes through a long text or list would take no steps and could run for
-/// minutes despite the limit on steps.
+/// Operations on texts and lists cost steps in proportion to their length. Otherwise a call that goes through
+/// a long one would take no steps, and could run for minutes despite the limit on steps.
 TEST(Sandbox, LongTextsAndListsCostSteps) {
     for (const auto* source : {
              "local s = ('a'):rep(500000) while true do s:byte(1, 100) end",

@@ -193,8 +193,8 @@ void Player::follow_lesson(const Screen& seen, Hands& hands) {
 /// Holds the control that the text names, draws a circle within a second, releases the control, and waits for
 /// the message about the stroke.
 void Player::draw_circle(Hands& hands) const {
-    constexpr int begin = 10, length = 62, all = 160;  // looks
-    constexpr float radius = 350;                      // counts
+    constexpr int begin = 10, length = 62, all = 160;  // begin, length and period of a circle (looks)
+    constexpr float radius = 350;                      // radius of the circle (counts of the mouse)
     const int look = static_cast<int>(looks_) % all;
     if (look >= begin + length + 3) return;
     hold(matched(words_, "Hold \\[([^\\]]+)\\]"), hands);

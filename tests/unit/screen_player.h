@@ -85,7 +85,7 @@ private:
     std::string confirm_{};      ///< key that confirms the chosen row, as the menu page says
     std::string words_{};        ///< text of the menu or lesson that was read last
     std::string wand_{};         ///< wand that the lesson is about
-    int looks_ = 0;              ///< number of looks since that text appeared
+    int looks_ = 0;              ///< number of looks since the text in words_ appeared
     int pause_ = 0;              ///< number of looks for which the player is still reading
     int hung_ = 0, firing_ = 0;  ///< number of looks since a rope attached, and since fire was pressed
     int lost_ = 0;               ///< number of looks since the foe was last seen

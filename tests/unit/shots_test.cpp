@@ -45,7 +45,8 @@ TEST(ShotsTest, APictureShowsTheWordsAndTheFigureOfTheLiveView) {
     ASSERT_EQ(shots->taken(), 1U) << "nobody is hit";
     const auto hit = playback.match().now();
     for (Tick t = 0; t < 16; ++t) playback.step();
-    // The picture of the hit itself has the words of the shots before; one 16 ms later has the hit's.
+    // In the picture of the hit itself the captions are still those of the shots before. The one 16 ms later
+    // has the caption of the hit.
     shots = Shots::create({.folder = folder.path(), .at = {hit + 16}, .size = {640, 360}},
                           playback.match().data(), assets);
     ASSERT_TRUE(shots) << shots.error().message;

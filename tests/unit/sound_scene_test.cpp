@@ -421,7 +421,7 @@ TEST(SoundScene, APauseAndAJumpOfTheClockBeginNothing) {
     rig.play(ticks(1));
     EXPECT_EQ(rig.heard.begun, before);
     rig.match.world_to_change().single<Match>().paused = 0;
-    // Two seconds whose sounds are not followed.
+    // The match plays for two seconds in which no frame of sound is taken.
     for (Tick t = 0; t < ticks(2); ++t) {
         input::InputFrame frame;
         frame.devices[0] = rig.device;

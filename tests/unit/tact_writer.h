@@ -6,8 +6,8 @@
 
 namespace thaum::tactile {
 
-/// Writes a clip as the text of a .tact file, with tracks and with frames.
-/// Reading the text gives the same clip.
+/// Writes a clip as the text of a .tact file, with tracks and with frames. Reading the text gives the same
+/// clip.
 std::string tact_of(const Clip& clip);
 
 }  // namespace thaum::tactile

@@ -1,5 +1,5 @@
-// Tests of the places and times at which effects are felt: sides of hits, waves,
-// apparent motion, heartbeats, poses.
+// Tests of the places and times at which effects are felt: sides of hits, waves, apparent motion, heartbeats,
+// poses.
 #include <cmath>
 
 #include "unit/tactile_rig.h"
