@@ -12,13 +12,14 @@ if(NOT THAUM_SANITIZE)
         SOURCES structure/rules.cpp structure/check_rules.cpp structure/check_tree.cpp)
     thaum_links_alone()
 
-    # The launcher with missing packages, in moved, copied, read-only and other users' trees, and in odd surroundings: a copy
-    # of it runs with stand-ins for apt-get and the other tools. It takes 6 s of a processor.
+    # Tests the launcher with missing packages, in moved, copied, read-only and other users' trees, and in odd
+    # surroundings: a copy of the launcher runs with stand-ins for apt-get and the other tools. It takes 6 s
+    # of a processor.
     add_test(NAME structure.launcher COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/structure/launcher.sh ${PROJECT_SOURCE_DIR})
     set_tests_properties(structure.launcher PROPERTIES TIMEOUT ${longest_test})
 
-    # What programs are built with against overruns, and that they name neither the source folder nor the build folder. It
-    # reads three files and takes half a second.
+    # Tests that programs are built with protections against buffer overruns, and that they name neither the
+    # source folder nor the build folder. It reads three files and takes half a second.
     if(THAUM_HARDENED AND CMAKE_BUILD_TYPE STREQUAL Release)
         add_test(NAME structure.hardened COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/structure/hardened.sh
             ${PROJECT_SOURCE_DIR}:${PROJECT_BINARY_DIR}

@@ -32,7 +32,7 @@ thread_program(thaum-tools)
 add_executable(passivity drivers/passivity.cpp)
 target_include_directories(passivity PRIVATE ${PROJECT_SOURCE_DIR})
 target_link_libraries(passivity PRIVATE thaum_flags thaum_core)
-if(NOT THAUM_SANITIZE)  # where most scenarios are left out
+if(NOT THAUM_SANITIZE)  # sanitizers' builds leave out most scenarios
     add_test(NAME haptics.passivity COMMAND ${timed} $<TARGET_FILE:passivity> ${CMAKE_CURRENT_BINARY_DIR}/scenarios 0.02)
     set_tests_properties(haptics.passivity PROPERTIES FIXTURES_REQUIRED scenarios)
 endif()
@@ -84,8 +84,8 @@ if(NOT THAUM_SANITIZE)
     set_tests_properties(replay.long_duel.older_libm PROPERTIES FIXTURES_REQUIRED long_duel LABELS long TIMEOUT ${longest_test}
         ENVIRONMENT GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4)
 
-    # An ordinary build on older processors: prints one line, without an illegal instruction. Each processor
-    # lacks at least the feature named first. A portable build starts on all of them but the
+    # Tests that an ordinary build on an older processor prints one line and executes no illegal instruction.
+    # Each processor lacks at least the feature named first. A portable build starts on all of them but the
     # one without bmi1, which no maker sells: there even the C library's own functions for AVX2 cannot run.
     find_program(qemu qemu-x86_64)
     if(qemu)

@@ -11,7 +11,8 @@ mkdir -p "$out"
 said=$out/said.txt
 cd "$root"
 
-# doxygen leaves out what stands in a namespace without a comment of its own; each gets its row of the table in engine/README.md.
+# doxygen leaves out what stands in a namespace without a comment. So each namespace gets one, the row of the
+# table in engine/README.md.
 {
     echo '/** @namespace thaum'
     echo ' Thaum: all that programs use of the engine. Ticks, maths, errors and files (engine/core) stand in it directly. */'

@@ -158,7 +158,7 @@ batches=$(configured batches -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
 sources_in "$batches" | find_new "$batches" batches
 check_new tidy_one "$batches"
 alone=$(configured alone -DCMAKE_UNITY_BUILD=OFF)
-# Not those that cmake makes for the precompiled headers.
+# Sources that cmake makes for the precompiled headers are left out.
 sources_in "$alone" | grep -v "^$alone/" | find_new "$alone" sources
 if [[ -s $cache/new ]]; then
     ninja -C "$alone" -t targets all | sed -n 's/^\(.*\.pch\): .*/\1/p' | xargs -d '\n' ninja -C "$alone" >"$alone.log" ||

@@ -59,8 +59,7 @@ benchmarks=false
 [[ ! -x $(dirname "$thaum")/thaum-bench ]] || benchmarks=true
 ! $benchmarks || expect 2 "no area" bench nothing
 # The benchmarks are a program of their own, so that the players' program does not replace malloc. It must
-# report a missing benchmark program.
-# (Clang links its address sanitizer's malloc into the program.)
+# report a missing benchmark program. (Clang links the malloc of its address sanitizer into every program.)
 symbols=$(nm --defined-only "$thaum" 2>/dev/null || true)
 if [[ $symbols != *__asan_init* ]] && grep -qE ' [TW] (malloc|calloc|realloc)$' <<<"$symbols"; then
     echo "failed: players' program replaces malloc"
@@ -286,7 +285,8 @@ cp -r "$(dirname "$0")/../../assets" "$folder/assets"
 echo 'loud = true' >>"$folder/assets/sounds/boil.toml"
 THAUM_ASSETS=$folder/assets expect 2 "sounds/boil.toml:" sounds
 
-# All data files: the shipped ones have no fault. Those of another folder are listed, and make the exit code.
+# All data files: the shipped ones have no fault. Faults of another folder's files are listed, and decide the
+# exit code.
 "$thaum" check >"$folder/said" || { echo "failed: the shipped data files have faults: $(head -1 "$folder/said")"; failures=$((failures + 1)); }
 echo nonsense >"$folder/assets/spells/heal.toml"
 "$thaum" check "$folder/assets" >"$folder/said" && { echo "failed: check finds no fault"; failures=$((failures + 1)); }

@@ -77,8 +77,9 @@ aims() {
     failed "$1 cannot aim"
 }
 
-# hits DOWN UP SCORE: fires a short burst and tests whether the score is reached once the log must show it.
-# Fire held until the score is seen would kill again on a slow machine.
+# hits DOWN UP SCORE: fires a short burst by the commands DOWN and UP, waits until the log must show its
+# effect, and tests whether the score is SCORE. If fire were held until the score is seen, it would kill again
+# on a slow machine.
 hits() {
     eval "$1"
     sleep 0.4

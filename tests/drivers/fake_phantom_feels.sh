@@ -47,7 +47,8 @@ compare() {
                 for (i = 0; i < 10 && w + i < n; i++) if (a + i >= m || !near(wanted[w + i], arm[a + i])) return 0
                 return 1
             }
-            # Goes past forces that were held back, and ticks without a new one among them. Returns whether it could.
+            # Skips forces that were held back, and ticks without a new force among them. Returns whether that
+            # was possible.
             function pass_held_back(   k, without) {
                 for (k = 1; k <= late + 50; k++)
                     for (without = 0; repeated + without <= 20; without++)
@@ -109,7 +110,7 @@ ends() {
 THAUM_LIBHD=$fake FAKE_HD="record=$folder/stop.exerted,live=$folder/stop.live" XDG_CONFIG_HOME=$folder/softly \
     "$thaum" replay "$log" --feel touch --at 2 >"$folder/stop.said" 2>&1 &
 pids[stop]=$!
-# Largest force so far (FakeHdLive).
+# Tests whether the largest force so far (a field of FakeHdLive) is above 0.8 N.
 was_felt() { od -An -tf8 -j24 -N8 "$folder/stop.live" 2>/dev/null | awk '{ exit !($1 > 0.8) }'; }
 eventually "nothing is felt" was_felt
 kill -INT ${pids[stop]}

@@ -11,7 +11,7 @@ need Xvfb xdotool import
 open_screen 1280x720
 fail() { failed "$1"; }
 at_failure() { cat "$folder/said"; import -window root "${SHOTS:-$folder}/failed.png"; }
-# The title of the window: words on the dark ground.
+# Tests whether the title of the window is drawn: words on the dark ground.
 drawn() { [ "$(import -window root -crop 600x60+340+30 -format %k info: 2>/dev/null)" -gt 10 ]; }
 picture() { import -window root -crop "$1" rgba:- 2>/dev/null | md5sum; }
 changed() { [ "$(picture 600x60+340+30)" != "$before" ]; }
@@ -57,12 +57,12 @@ grep -q "^3 strokes of 'circle'$" "$folder/said" || fail "other words than '3 st
 if "$thaum" gesture check "$folder/circle.toml" "$gestures/circle.toml" >"$folder/said"; then
     fail "the mouse's circle is another gesture than the shipped one"
 fi
-# 600 counts are 6 cm, against a field of 3.5 N s/m.
+# 600 counts of the mouse are 6 cm, drawn against a viscous field of 3.5 N s/m.
 awk -F'[][,]' '/^\[\[stroke/ { strokes++ } /^[xyft]/ { column = $1 } { gsub(/[a-z =]/, "")
     for (i = 1; i <= NF; i++) if (column ~ /^x/ && $i != "") { if ($i < low) low = $i; if ($i > high) high = $i }
 } END { exit !(strokes == 3 && high - low > 0.05 && high - low < 0.08) }' "$folder/circle.toml" || fail "circles of another size"
 
-# 2. Left before the first stroke: no file.
+# 2. The window is left before the first stroke, so no file is written.
 "$thaum" gesture record v --out "$folder/v.toml" >"$folder/said" 2>&1 &
 program=$!
 leaves() { xdotool key Escape; ! kill -0 "$program" 2>/dev/null; }

@@ -28,9 +28,10 @@ stroke() {
     xdotool mouseup 3
     sleep 0.2
 }
-# said WORDS: tests whether the wall has told that of a gesture.
+# said WORDS: tests whether the program has printed WORDS about a gesture on the wall.
 said() { grep -q "^gesture wall: $1" "$folder/said"; }
-# pause ROW [at_once]: pauses, chooses a row, at which the pause should open with at_once, and waits until the range goes on.
+# pause ROW [at_once]: pauses the range, chooses ROW, and waits until the range goes on. With at_once, the
+# pause must open at that row.
 pause() {
     presses Escape
     eventually "no pause of the range" paused
@@ -39,8 +40,9 @@ pause() {
     presses Return
     eventually "the pause is still there" no_pause_menu
 }
-# record WORDS DX DY STEPS...: draws strokes until the wall says WORDS of the gesture that is recorded. A stroke that a busy
-# machine takes in at once does not count, and one that was begun before the verdict on three is the first of the next.
+# record WORDS DX DY STEPS...: draws strokes until the wall says WORDS about the gesture that is recorded. A
+# stroke that a busy machine takes in at once does not count. A stroke that was begun before the verdict on
+# three strokes is the first of the next three.
 record() {
     local words=$1 times
     shift
@@ -53,8 +55,8 @@ record() {
 }
 own=$XDG_CONFIG_HOME/thaum/gestures/player-1/circle.toml
 
-# 1. A copy of another gesture is refused with a figure, and without a further key another shape is saved. The next
-# pause opens at the row that gives up.
+# 1. A copy of another gesture is refused with its likeness in percent, and another shape is saved without a
+# further key. The next pause opens at the row that gives the recording up.
 "$thaum" range --seconds 600 >"$folder/said" 2>&1 &
 game=$!
 eventually "no window" drawn

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# tests/drivers/hostile_files.sh THAUM [all]: whatever stands in the place of a file, its reader must refuse it at
-# once in one line with exit code 2. A disk that fills up during a recording may cost the rest of the log and
-# nothing else. Two programs may record into one folder. Each of ten kinds of wrong files stands for a quarter of the
-# data files, so that each data file is one of two or three kinds; with "all", for each of them.
+# tests/drivers/hostile_files.sh THAUM [all]: whatever stands in the place of a file, its reader must refuse
+# it at once in one line with exit code 2. A disk that fills up during a recording may cost the rest of the
+# log and nothing else. Two programs may record into one folder. Each of ten kinds of wrong files replaces a
+# quarter of the data files, so that each data file is replaced by two or three kinds; with "all", each kind
+# replaces each of them.
 set -uo pipefail
 thaum=$(readlink -f "$1") one_in=4
 [[ ${2:-} != all ]] || one_in=1

@@ -7,8 +7,8 @@ session=$1 thaum=$2
 need Xvfb
 open_screen 640x360
 
-# delay NAME [STALL...]: sets `median` and `p99` (whole ms), and `slow`: the longest that this machine kept a tick
-# waiting and the 99th percentile of its pictures' times, together (ms).
+# delay NAME [STALL...]: sets `median` and `p99` (whole ms), and `slow`: the longest delay of a tick on this
+# machine plus the 99th percentile of the times of its pictures (ms).
 delay() {
     local name=$1 said
     shift

@@ -9,7 +9,7 @@ need Xvfb setxkbmap
 open_screen 640x360
 
 while read -r layout labels; do
-    # "us,ru" and the like have several layouts, of which the first is on.
+    # "us,ru" and the like have several layouts, of which the first is active.
     setxkbmap -layout "${layout%:*}" -variant "$([[ $layout != *:* ]] || echo "${layout#*:}")"
     said=$("$probe" W A S D Z M Comma Semicolon 1 Space F3 KP_8 | cut -d ' ' -f 2 | paste -sd ' ')
     [ "$said" = "$labels 1 Space F3 KP_8" ] || failed "$layout: $said instead of $labels 1 Space F3 KP_8"

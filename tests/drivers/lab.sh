@@ -54,9 +54,10 @@ grids=$(awk -F, -v c="$(column cells)" -v s="$(column substeps)" 'NR > 1 && $s >
 [ "$grids" -ge 2 ] || fail "the grid did not change"
 poured=$(awk -F, -v p="$(column substance_1_m3)" 'END { print ($p > 0.01) }' "$folder/trace.csv")
 [ "$poured" = 1 ] || fail "what was poured is not there after reset and load"
-# Between the reset and the load, where the time jumps: what five presses pour at least, no step that pours more than
-# that, and steps that pour nothing once the key is up. A slow machine may take several presses into one step, or a press
-# and its release in two pictures, and then the lab pours for the steps between them.
+# The rows of the trace between the reset and the load, where the time jumps, must show at least what five
+# presses pour, no step that pours more than that, and steps that pour nothing once the key is up. A slow
+# machine may take several presses into one step, or a press and its release in two pictures; then the lab
+# pours for the steps between them.
 tapped=$(awk -F, -v t="$(column time_s)" -v p="$(column substance_1_m3)" '
     NR > 2 && ($t < last || $t > last + 0.02) { if (++jumps == 1) { amount = 0; still = 0 } }
     NR > 1 { last = $t }
@@ -66,7 +67,7 @@ tapped=$(awk -F, -v t="$(column time_s)" -v p="$(column substance_1_m3)" '
 [ "$tapped" = 1 ] || fail "five presses did not pour what five steps pour, or poured on"
 "$thaum" lab --fluid --headless --stir none --load "$folder/brew" --seconds 0.1 >"$folder/said" || fail "the state does not load"
 grep -q '32 cells across, thaum, bowl' "$folder/said" || fail "another solver or grid than was chosen"
-# A signal ends the lab as its window's close does.
+# A signal ends the lab as closing its window does.
 for room in --fluid "sphere --count 32"; do
     rm -f "$folder"/trace.csv*
     # shellcheck disable=SC2086

@@ -26,7 +26,7 @@ presses F3 F10 F6
 xdotool keyup w
 presses Escape
 eventually "no pause" pause_menu
-# A page of the menu and a key on it, then on with the match.
+# Opens a page of the menu and presses a key on it, then goes on with the match.
 presses Down Return Right Escape Escape
 eventually "Esc did not go on" no_pause_menu
 presses Escape

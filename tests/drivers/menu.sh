@@ -10,7 +10,7 @@ thaum=$1 harness=$2 probe=$3 press_keys=$4
 need Xvfb xdotool import convert umockdev-wrapper
 open_screen 1280x720
 settings=$XDG_CONFIG_HOME/thaum/settings.toml
-# Few pictures, as by few_pictures, in a file with the comments of ours.
+# Asks for few pictures as few_pictures does, but in a copy of the shipped settings file with its comments.
 mkdir -p "$XDG_CONFIG_HOME/thaum"
 sed 's/^quality = [^ ]*/quality = "low"/; s/^frames_per_second = [^ ]*/frames_per_second = 10/; s/^countdown_s = [^ ]*/countdown_s = 0/' \
     "$(dirname "$0")/../../assets/settings.toml" >"$settings"

@@ -72,7 +72,8 @@ writers=(
     "strokes.csv gesture spot path.csv --labels script.lua --train strokes.csv --json @"
     "strokes.csv gesture record circle --strokes strokes.csv --out @"
 )
-# All writers ask one rule, so the first tries every name of its input and every bad place, and the others some.
+# All writers follow the same rule (core/write_rule.h). So the first writer is tried with every name of its
+# input and every bad place, the others with some.
 for row in "${writers[@]}"; do
     input=${row%% *}
     words=${row#* }
@@ -196,7 +197,7 @@ for words in "replay log --verify" "doctor --json -" "bench primitives --quick -
     output=$("$thaum" $words 2>&1 >/dev/full </dev/null)
     [[ $? == 2 && $output == *"cannot write to standard output"* ]] || fail "thaum $words >/dev/full: said ${output:0:200}"
 done
-# A terminal acts on nothing that a name from outside has.
+# Names from outside may hold control codes of a terminal. No output may hold them.
 for words in "check odd" "--headless --seconds 1 --out odd" "replay odd/duel.thaumlog --dump 5 odd/d" "doctor" "odd" "--odd"; do
     THAUM_ASSETS=$([[ $words == doctor ]] && echo $'/gone/\e[2J' || echo "$folder/assets") XDG_CONFIG_HOME=$'/gone/\e[2J' \
         "$thaum" ${words//odd/$'\e[2J'} >said 2>&1 </dev/null

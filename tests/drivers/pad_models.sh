@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# tests/drivers/pad_models.sh PAD_MODELS: twenty models of SDL's table, drawn by a fixed seed and emulated by umockdev, and
-# two of own mappings, play (drivers/pad_models.cpp). It takes a second. Only this test runs SDL with other pads than those
-# of Xbox. Exits with 77 if umockdev is missing.
+# tests/drivers/pad_models.sh PAD_MODELS: twenty models of SDL's table, drawn by a fixed seed and emulated by
+# umockdev, and two with mappings of a player's own, work as pads (drivers/pad_models.cpp). It takes a second.
+# Only this test runs SDL with other pads than those of Xbox. Exits with 77 if umockdev is missing.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 need umockdev-wrapper

@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# tests/drivers/pads.sh THAUM PAD_HARNESS LOG_PROBE PRESS_KEYS: pads that did not play before, under Xvfb with devices by
-# umockdev. An Xbox pad of a version that no table has plays, and the match waits for the other player's missing pad. A
-# joystick that nobody knows is told, is set up in the menu, plays, and plays again after a restart; it is set up again and
-# forgotten. A pad that may not be read is told by the program and by the doctor. A signal stops the motors. Exits with 77 if a tool is missing.
+# tests/drivers/pads.sh THAUM PAD_HARNESS LOG_PROBE PRESS_KEYS: pads that no table knows or that may not be
+# read, under Xvfb with devices by umockdev. An Xbox pad of a version that no table has plays, and the match
+# waits for the other player's missing pad. A joystick that SDL does not know is reported, is set up in the
+# menu, plays, and plays again after a restart; it is set up again and forgotten. A pad that may not be read
+# is reported by the program and by `thaum doctor`. A signal stops the motors. Exits with 77 if a tool is
+# missing.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 thaum=$1 harness=$2 probe=$3 press_keys=$4
@@ -64,7 +66,7 @@ grep -q '^remove' "$folder/felt" || failed "the motors were not let go of"
 awk '/^play . 1$/ { on[$2] = 1 } /^play . 0$/ { on[$2] = 0 } /^remove/ { on[$2] = 0 } END { exit on[0] || on[1] }' "$folder/felt" ||
     failed "a motor runs on after a signal"
 
-# 2. A joystick that nobody knows.
+# 2. A joystick that SDL does not know.
 starts --stick --
 eventually "no start screen" menu_open
 eventually "no word on the joystick" says "^joystick 'Stick of wood and string' is not known: "
@@ -75,8 +77,9 @@ choose 'Set up Stick of wood and string' Up
 presses Return
 eventually "no question" says '^set up: 1 of 20: press A'
 picture set_up
-# answer NUMBER WHAT VALUE REST: moves a part for a question until the next one is asked. A slow machine may not see that
-# the part before was let go of, and then asks for another press.
+# answers NUMBER WHAT VALUE REST: moves the part WHAT from REST to VALUE, which answers a question, and tests
+# whether the next one is asked. A slow machine may not see that the part before was released; then it asks
+# for another press, so answer repeats this.
 answers() {
     pad "$2" "$4"
     sleep 0.2
@@ -138,8 +141,9 @@ eventually "the joystick's stick after a restart" logged 0 strafe 0..127
 ! says 'is not known' || failed "the joystick is still told"
 ends
 
-# 4. It is set up again: its old B answers a question and does not leave the page. Esc keeps the old answers. Then its
-# set-up is forgotten, and it is unknown at once. Lines that cannot be read are told with their place.
+# 4. The joystick is set up again: its old B answers a question and does not leave the page. Esc keeps the old
+# answers. Then its set-up is forgotten, and the joystick is unknown at once. Lines of the file that cannot be
+# read are reported with their place.
 printf '\xef\xbb\xbfrubbish\r\n03000000aabb00001122000001000000,Nothing,platform:Linux,\r\n' | cat - "$own" >"$folder/more"
 mv "$folder/more" "$own"
 starts --stick --

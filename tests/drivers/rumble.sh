@@ -84,7 +84,7 @@ eventually "no word on the second pad" says "player 2: pad '.*': no rumble: .*"
 [ "$(grep -c 'no rumble' "$folder/said")" = 1 ] || failed "several lines on the second pad"
 ! grep -q '^2\.' "$folder/felt" || failed "the second pad was called"
 
-# 5. The end takes the effects back.
+# 5. At its end the program removes its effects from the pad.
 exec 5>&-
 eventually "no counts" says 'sent .*'
 eventually "effect 0 was left" felt 'remove 0'

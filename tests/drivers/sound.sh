@@ -14,7 +14,7 @@ ALSOFT_DRIVERS=wave ALSOFT_CONF=$folder/alsoft.conf "$thaum" --demo --seconds 8 
     failed "the match with sound ended with an error"
 [ ! -s "$folder/said" ] || { cat "$folder/said"; failed "a working device is no news"; }
 [ -s "$folder/heard.wav" ] || failed "nothing was played"
-# Music and steps leave few bytes at zero; silence leaves hardly any other.
+# Music and steps leave few bytes at zero; in silence nearly all bytes are zero.
 sounding=$(tr -d '\0' <"$folder/heard.wav" | wc -c)
 ((sounding > 400000)) || failed "only $sounding bytes of the file are not zero"
 

@@ -56,7 +56,7 @@ expect_shots both 1 0
 expect_shots both 2 0
 both_were_felt || failed "an arm got no force"
 
-# An arm by number leaves the other for the word without a number.
+# If one player takes an arm by number, the word without a number gives the other player the other arm.
 play swapped 2 arm:1,arm "$first;$second"
 grep '^arm ' "$folder/swapped.txt" | head -n 1 | grep -q 'Fake A1' || failed "player 1 does not have arm:1"
 

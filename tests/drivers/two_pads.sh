@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# tests/drivers/two_pads.sh THAUM PAD_HARNESS LOG_PROBE PRESS_KEYS: two players with a pad each, under Xvfb with pads by
-# umockdev. A name is typed in the settings and stays in their file. Both pads are pulled out and put back in the other
-# order: each one still moves its own player. The cross moves the wheel, and the pause begins the match again. Exits with
-# 77 if a tool is missing.
+# tests/drivers/two_pads.sh THAUM PAD_HARNESS LOG_PROBE PRESS_KEYS: two players with a pad each, under Xvfb
+# with pads by umockdev. A name is typed in the settings and stays in their file. Both pads are pulled out and
+# put back in the other order: each one still moves its own player. The cross (direction pad) acts as the
+# mouse's wheel, and the pause begins the match again. Exits with 77 if a tool is missing.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 thaum=$1 harness=$2 probe=$3 press_keys=$4

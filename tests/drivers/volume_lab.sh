@@ -43,7 +43,8 @@ from=$(rows)
 touching
 eventually "the surface was not felt" seen "$from" "$pressing"
 
-# H holds the hand while the mouse is elsewhere, and gives it back.
+# The key H holds the hand in place while the mouse moves elsewhere, and pressed again gives the hand back to
+# it.
 held() { trace | tail -1 | awk -F, '{ d = ($2 - '"$1"')^2 + ($3 - '"$2"')^2; exit !(d < 2.5e-5) }'; }
 presses h
 tip=$(trace | tail -2 | head -1 | cut -d, -f2,3)
@@ -54,7 +55,7 @@ held ${tip/,/ } || fail "the mouse moves the hand that H holds"
 xdotool mousemove 855 360 sleep 0.3
 presses h
 
-# A tool held for a while carves, and what it took away comes back by undo and goes by redo.
+# A tool held for a while carves. Undo brings back what it took away, and redo removes it again.
 from=$(rows)
 xdotool mousedown 1
 eventually "nothing was carved" seen "$from" '$changed_voxels > 20'
@@ -99,7 +100,7 @@ grep -q '^kind = "opacity"' "$folder/lab.toml" || fail "the session lacks the fe
 presses Escape
 wait "$lab" || fail "the exit code"
 
-# The same body by its file, and the same settings by the session.
+# The saved file opens as the same body, and the session has the same settings.
 [ -s "$folder/body.nrrd" ] || fail "the body was not saved"
 "$thaum" lab "$folder/body.nrrd" --headless --seconds 0.001 >"$folder/again" || fail "the saved body does not open"
 "$thaum" lab "$folder/body.nrrd" --headless --seconds 0.001 --save "$folder/copy.nrrd" >/dev/null

@@ -3,7 +3,7 @@
 # ninja, so that nothing is installed or built. Prints each case; exits with 1 if one fails.
 # shellcheck disable=SC2016  # the fake tools expand their own variables
 set -euo pipefail
-for name in "${!CTEST_@}" "${!GTEST_@}"; do unset "$name"; done  # ctest sets some, which the launcher would tell of
+for name in "${!CTEST_@}" "${!GTEST_@}"; do unset "$name"; done  # ctest sets some, which thaum would report
 
 source=$1
 place=$(mktemp -d)
@@ -37,7 +37,8 @@ echo "apt-get $* with umask $(umask)" >>"$PLACE/calls"
 exit 0
 APT
     tool sudo <<<'[[ $1 == -n ]] && shift; [[ $1 == true ]] || exec "$@"'
-    # As the real one, it keeps the entries of a cache that it can take, and refuses that of another place.
+    # Like the real cmake, it keeps the entries of a cache that belongs here, and refuses the cache of another
+    # place.
     tool cmake <<'CMAKE'
 echo "cmake $*" >>"$PLACE/calls"
 env -0 >>"$PLACE/env"
@@ -97,8 +98,8 @@ ready_machine() {
     cut -d ' ' -f 2 "$source/tools/packages.txt" >"$place/installed"
 }
 
-# other_user: starts the launcher as a user who owns nothing here; without root's rights, as this user, who must then not be
-# able to write where it matters.
+# other_user: lets the next runs start the launcher as a user who owns nothing here. If this test does not run
+# as root, they start it as the same user, who then must not be able to write where it matters.
 other_user() {
     chmod -R a+rX "$place"
     chmod a+rwX "$place" "$place"/{calls,facts,env,installed} 2>/dev/null || true
@@ -299,8 +300,8 @@ mkdir -m 777 "$XDG_CACHE_HOME"
 run
 expect "builds where XDG_CACHE_HOME says" test -x "$(cache_place)/build/release/game/thaum"
 
-# An archive brings other sources with old times, which ninja does not see: all is made again. The same after a build by a
-# clock that was ahead.
+# An archive that is unpacked over the tree brings other sources with old times, which ninja does not see, so
+# everything is built again. The same holds after a build while the clock was ahead.
 ready_machine
 run
 echo archive >"$tree/engine/code"
@@ -315,7 +316,8 @@ echo later >"$tree/engine/code"
 run
 expect "makes what changed, too, after a build by a clock that was ahead" runs "" later usual
 
-# A build older than the packages is built again by who may, and is good enough for others if no package is missing.
+# A build older than the packages is built again by a user who may, and is good enough for others if no
+# package is missing.
 ready_machine
 find "$tree" -path "$tree/build" -prune -o -exec touch -d '20 years ago' {} +
 run
@@ -335,7 +337,7 @@ for other in other 'with space'; do
     other_user
     mkdir "$HOME/.cache"
     chmod a+rwx "$HOME/.cache"
-    export XDG_CACHE_HOME=relative  # does not count
+    export XDG_CACHE_HOME=relative  # a relative path does not count
     run
     expect "builds a read-only tree that was never built" runs "" first usual
     tree=$place/$other/tree
@@ -355,7 +357,7 @@ if ((EUID == 0)); then
     expect "builds elsewhere if only a part of the build folder can be written" runs "" second usual
 fi
 
-# Root writes everywhere but where nobody can.
+# Root can write everywhere except on a read-only file system.
 if ((EUID == 0)) && unshare -m true 2>/dev/null; then
     ready_machine
     # shellcheck disable=SC2016

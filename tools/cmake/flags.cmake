@@ -1,11 +1,11 @@
-# Compiler flags of the whole project (engine/ARCHITECTURE.md, "Build"). Optimisation and debug
-# symbols are the build type's; CMakePresets.json sets them for our own builds. Clang makes these: it compiles the game in
-# half of GCC's time, and the game spends less time in what it makes. Tests compare a match that GCC's build plays, and the
+# Compiler flags of the whole project (engine/ARCHITECTURE.md, "Build"). Optimisation and debug symbols are
+# the build type's; CMakePresets.json sets them for our own builds. These use clang, which compiles the game
+# in half of GCC's time and makes a faster game. Tests compare a match that GCC's build plays, and the
 # examples beside an installed engine: both compilers come to the same bits.
 #
 # -ffp-contract=off: a fused multiply-add rounds once instead of twice, so results would depend on the
 # compiler's choice of what to fuse. No fast-math for the same reason. With these flags all builds agree to
-# the bit, whatever their optimisation. Who gives flags of his own keeps them, but for this.
+# the bit, whatever their optimisation. A user's own flags are kept, except for fast-math.
 if(CMAKE_C_FLAGS OR CMAKE_CXX_FLAGS OR CMAKE_EXE_LINKER_FLAGS)
     string(APPEND CMAKE_C_FLAGS " -fno-fast-math")
     string(APPEND CMAKE_CXX_FLAGS " -fno-fast-math")
@@ -72,17 +72,17 @@ elseif(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
     # Loops carry a hint for GCC (ivdep) that clang does not know.
     target_compile_options(thaum_flags INTERFACE -Wno-unknown-pragmas)
 endif()
-# A program that reads files from strangers and has rights to devices should not become theirs by an overrun. Sanitizers
-# have better checks of their own, and their traces and tools/suite name files by whole paths.
+# Protections against buffer overruns, because the program reads files from strangers and may use devices.
+# Sanitizers have better checks of their own, and their traces and tools/suite name files by whole paths.
 if(THAUM_HARDENED AND NOT THAUM_SANITIZE)
-    # Where numbers alone are computed, neither stack nor copies are watched: it costs the fluid 4 to 9 %, mostly by
-    # _FORTIFY_SOURCE, which changes what is inlined. Debian's GCC may have its own value of that, and glibc warns where
-    # nothing is optimised.
+    # Code that only computes numbers (HOT) has no checks of stack and copies, which would cost the fluid 4 to
+    # 9 %, mostly by _FORTIFY_SOURCE, which changes what is inlined. Debian's GCC may define that already, so
+    # it is undefined first. glibc warns of it in code that is not optimised.
     set(watched "$<NOT:$<BOOL:$<TARGET_PROPERTY:THAUM_HOT>>>")
     set(optimised "$<AND:$<CONFIG:Release>,$<NOT:$<BOOL:$<TARGET_PROPERTY:THAUM_UNOPTIMISED>>>>")
     target_compile_options(thaum_flags INTERFACE $<${watched}:-fstack-protector-strong>
         "$<$<AND:${watched},${optimised}>:-U_FORTIFY_SOURCE;-D_FORTIFY_SOURCE=2>")
-    # Addresses of called functions are found at the start, and then cannot be changed.
+    # Addresses of called functions are found at the start, and their table is then made read-only.
     target_link_options(thaum_flags INTERFACE -Wl,-z,relro,-z,now,-z,noexecstack)
     # Assertions, failed tests and debuggers name files from the root of the tree.
     target_compile_options(thaum_flags INTERFACE
@@ -100,10 +100,10 @@ if(THAUM_SANITIZE)
         target_compile_options(thaum_flags INTERFACE -Wno-maybe-uninitialized)
     endif()
     if(THAUM_SANITIZE MATCHES "undefined")
-        # Without three checks that slow builds and tests down. A null pointer that is dereferenced ends the
-        # program anyway, with the same trace; unseen are a null that is only bound to a reference, and a call of a
-        # member function that reads no member. A pointer beyond its object is found by the address sanitizer when it
-        # is used; unseen is one that is only computed (pointer-overflow, object-size).
+        # Leaves out three checks that slow builds and tests down. A null pointer that is dereferenced ends
+        # the program anyway, with the same trace; unseen are a null that is only bound to a reference, and a
+        # call of a member function that reads no member. A pointer beyond its object is found by the address
+        # sanitizer when it is used; unseen is one that is only computed (pointer-overflow, object-size).
         target_compile_options(thaum_flags INTERFACE -fno-sanitize-recover=undefined
             -fno-sanitize=null,pointer-overflow,object-size)
         if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
@@ -116,7 +116,7 @@ endif()
 
 find_program(CCACHE ccache)
 if(CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
-    # Without these two, ccache takes no source with a precompiled header.
+    # Without these two settings, ccache does not cache a source with a precompiled header.
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE})
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
         target_compile_options(thaum_flags INTERFACE -fpch-preprocess)

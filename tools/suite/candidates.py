@@ -20,7 +20,7 @@ ERROR = 3
 
 BOUNDARY = {"<": "<=", "<=": "<", ">": ">=", ">=": ">"}
 NEGATION = {"<": ">=", "<=": ">", ">": "<=", ">=": "<", "==": "!=", "!=": "=="}
-# Dropping these changes how long the program takes, not what it does.
+# Calls of these functions are not dropped: that would change how long the program takes, not what it does.
 ONLY_SPEED = {"reserve", "shrink_to_fit"}
 
 INTEGER = re.compile(r"(0[xX][0-9a-fA-F']+|0[bB][01']+|[0-9][0-9']*)([uUlLzZ]*)\Z")
@@ -102,8 +102,8 @@ class Source:
                 self._walk(child, [])
 
     def _says_constant(self, cursor, end):
-        """Returns true if the cursor's text up to `end` makes its value a constant, or one that is made once. A static
-        function is no such thing."""
+        """Returns true if the cursor's text up to `end` declares a constant, or a static variable, which is
+        made once. A static function does not count."""
         words = CONSTANT.findall(COMMENT.sub("", self._text(cursor.extent.start.offset, end)))
         return any(word != "static" or cursor.kind == K.VAR_DECL for word in words)
 

@@ -17,9 +17,9 @@ from common import in_parallel, stop
 
 PASSED, FAILED, SKIPPED = "passed", "failed", "skipped"
 TIME_LIMIT = "time limit"
-USUAL_LIMIT = 1800  # s, of a case without a limit of its own
-MEMORY = 8 << 30    # bytes of address space of a case
-DISK = 2 << 30      # bytes of one file that a case writes
+USUAL_LIMIT = 1800  # limit of a case without one of its own (s)
+MEMORY = 8 << 30    # address space of a case (bytes)
+DISK = 2 << 30      # size of one file that a case writes (bytes)
 
 
 @dataclasses.dataclass
@@ -31,7 +31,7 @@ class Case:
 
     @property
     def limit(self):
-        """Seconds for the case and for those before it."""
+        """Limit for the case and the cases before it together (s)."""
         return float(self.properties.get("TIMEOUT", USUAL_LIMIT)) + sum(other.limit for other in self.before)
 
     def locks(self):
@@ -110,7 +110,8 @@ class Runner:
             end_session(session)
 
     def run(self, case, limit, variables):
-        """Runs a case, and what must run before it. `limit` (s) is for all together; `variables` are of the environment."""
+        """Runs a case, and the cases that must run before it. `limit` (s) is for all together; `variables`
+        are added to the environment."""
         with contextlib.ExitStack() as held:
             for name in sorted(case.locks()):
                 with self.guard:
@@ -130,7 +131,7 @@ class Runner:
         return outcome
 
     def _run_alone(self, case, limit, variables):
-        # A mutant may delete or fill what it should not: folders for temporary files and of the user are its own.
+        # A mutant may delete or fill folders, so each case has its own home and temporary folder.
         place = Path(tempfile.mkdtemp(dir=self.scratch, prefix=""))
         place.chmod(0o755)  # some cases run a program as another user
         (place / "t").mkdir()
@@ -247,7 +248,7 @@ def reach_each(folder, cases, runner, jobs, reach_one):
 
 
 def read_reach(folder):
-    """What the step reach knows of each case, by name."""
+    """Entries that the step reach has written about each case, by name."""
     path = folder / "reach.jsonl"
     if not path.exists():
         return {}

@@ -1,4 +1,4 @@
-"""What several steps share."""
+"""Helpers that several steps share."""
 import concurrent.futures
 import json
 import subprocess
@@ -66,7 +66,7 @@ def with_edits(data, mutants):
 
 
 def in_parallel(runner, jobs, function, items, what):
-    """Calls the function for each item, and says every half minute how far it is."""
+    """Calls the function for each item, and prints every half minute how many are done."""
     done, last = 0, time.monotonic()
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         futures = [pool.submit(function, item) for item in items]

@@ -33,8 +33,8 @@ FUZZ_HEAD = """\
 """
 FUZZ_RUNS = (100, 200, 400, 800, 1600)
 ENOUGH_BLOCKS = 0.995  # share of the blocks that the most inputs reach
-MOST_FUZZ_COST = 10  # s of a processor, after which a reader gets no more inputs
-LEAST_COST = 0.05  # s of a processor that starting a case takes at least
+MOST_FUZZ_COST = 10  # processor time after which a reader gets no more inputs (s)
+LEAST_COST = 0.05  # processor time that starting a case takes at least (s)
 MAGIC_64_BIT = 0xC0BFFFFFFFFFFF64
 BATCH = 20_000  # addresses that one call of the symbolizer gets
 
@@ -111,7 +111,7 @@ def read_addresses(path):
     data = path.read_bytes()
     words.frombytes(data[:len(data) // 8 * 8])
     if not words or words[0] != MAGIC_64_BIT:
-        return []  # of a process that was killed while it wrote
+        return []  # the file of a process that was killed while it wrote
     return words[1:]
 
 
@@ -127,7 +127,7 @@ def choose(options):
     cost = {name: max(entry["cost"], LEAST_COST) for name, entry in known.items()}
     chosen = cover(reached, cost, {name for name in known if ALWAYS.match(name)})
     left_out = sorted((set(known) - chosen) | skipped)
-    # Names of some cases end with the bytes of a parameter, which may be addresses: other in every run.
+    # Names of some cases end with the bytes of a parameter, which may be addresses and differ in every run.
     options.list.write_text(LIST_HEAD + "".join(f"{name.partition(PARAMETER)[0]}\n" for name in left_out))
     every = set().union(*reached.values())
     still = set().union(*(reached[name] for name in chosen))

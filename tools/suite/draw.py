@@ -1,4 +1,4 @@
-"""Step draw: which mutants. The result depends on the seed and the sources alone."""
+"""Step draw: chooses the mutants. The result depends on the seed and the sources alone."""
 import collections
 import hashlib
 import json
@@ -45,8 +45,8 @@ def compile_commands(source, folder):
 
 
 def draw_from(source, names, commands, options):
-    """Draws files by their number of lines, one for every three mutants, and in each a mutant of each kind. Files that
-    have too few make further ones be drawn."""
+    """Draws files with chances in proportion to their lines, one file for every three mutants, and in each a
+    mutant of each kind. If files have too few mutants, further files are drawn."""
     lines = {name: (source / name).read_bytes().count(b"\n") for name in names}
     chance = random.Random(f"files {options.seed}")
     wanted, drawn = collections.Counter(), {}

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# tools/suite/self_test.sh: the whole tool on a tiny project in which it is known what the tests find. Takes half a
-# minute if nothing else runs. Prints each check; exits with 1 if one fails.
+# tools/suite/self_test.sh: runs the whole tool on a tiny project in which it is known what the tests find.
+# Takes half a minute if nothing else runs. Prints each check; exits with 1 if one fails.
 set -euo pipefail
 
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")

@@ -11,7 +11,7 @@ from common import SWITCH_HEADER, add_assets, read_mutants, run_logged, say, sto
 INCLUDED = "tools/suite/mutant_switch.h"  # its place in the copy
 INCLUDE = ('add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:-include${CMAKE_CURRENT_SOURCE_DIR}/' + INCLUDED + '>")\n')
 MOST_ROUNDS = 20
-# What later steps write about a build.
+# Files that later steps write about a build.
 RESULTS = ("reach.jsonl", "results*.tsv")
 
 
