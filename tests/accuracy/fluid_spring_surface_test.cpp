@@ -191,7 +191,8 @@ TEST(SpringSurfaceAccuracy, ConvergesInFourthOrderUnderAProbeToo) {
     }
 }
 
-/// Weights of the probe's footprint, as the header defines them.
+/// Weights of the probe's footprint at all nodes: (1 - r^2)^2, where r is a node's distance from the probe
+/// divided by the probe's radius. Their sum is 1.
 std::vector<double> weights_of(const SpringSurfaceSettings& s, const SurfaceProbe& p) {
     std::vector<double> weights(make_spring_surface(s).height.size());
     const double a = surface_node_spacing(s), radius = std::max(p.radius, 1.5 * a);

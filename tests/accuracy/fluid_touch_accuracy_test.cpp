@@ -8,7 +8,7 @@
 namespace thaum::haptics {
 namespace {
 
-constexpr double brew_density = 8;  // kg/m^3
+constexpr double brew_density = 8;  // density of the brew (kg/m^3)
 
 /// A periodic box of 1 m, in which only the hand can absorb momentum.
 struct StirredBox {

@@ -62,7 +62,7 @@ double error_of_free_pair(double stiffness, double damping_ratio, double ratio, 
     const auto steps = static_cast<int>(std::lround(1 / dt));
     for (int i = 0; i < steps; ++i) {
         const auto r = couple(step, s);
-        const vec3 hand_change = -r.impulse;  // for 1 kg
+        const vec3 hand_change = -r.impulse;  // the hand's change of velocity, for its mass of 1 kg
         // The centre of mass is at rest, so the hand's displacement is the object's, scaled by the ratio of
         // masses.
         s.hand -= ratio * r.displacement;

@@ -97,11 +97,13 @@ TEST(DrawnBody, ACutFaceIsAWallWithThePlanesNormal) {
 }
 
 TEST(DrawnBody, ItIsFeltWhereItIsDrawnAndNowhereElse) {
+    // A ball that the box cuts off, a mask of samples 0 or 1, slices three times as thick as the samples are
+    // wide, and a body that fills its whole box.
     const std::array bodies{
-        Body({24, 24, 24}, vec3(fine), ball_at({0.006, 0.003, 0}, 0.009, fine)),            // ball, cut off
-        Body({24, 24, 24}, vec3(fine), ball_at({0.001, 0.0004, 0.0007}, 0.008, 1e-9)),      // mask: 0 or 1
-        Body({24, 24, 8}, {fine, fine, 3 * fine}, ball_at({0, 0.004, 0.01}, 0.009, fine)),  // thick slices
-        Body({10, 12, 14}, vec3(fine), [](vec3) { return 1.0; }),                           // full box
+        Body({24, 24, 24}, vec3(fine), ball_at({0.006, 0.003, 0}, 0.009, fine)),
+        Body({24, 24, 24}, vec3(fine), ball_at({0.001, 0.0004, 0.0007}, 0.008, 1e-9)),
+        Body({24, 24, 8}, {fine, fine, 3 * fine}, ball_at({0, 0.004, 0.01}, 0.009, fine)),
+        Body({10, 12, 14}, vec3(fine), [](vec3) { return 1.0; }),
     };
     Random random{7};
     for (const Body& body : bodies) {

@@ -62,7 +62,7 @@ TEST(ImplicitSurfaces, GradientsAreThoseOfTheValuesAndShapesAreDistances) {
             EXPECT_NEAR(glm::length(here.gradient), 1, 1e-12);
             if (here.value < 0.001) continue;  // skipped, because a block's distance has creases inside
             EXPECT_LE(gradient_error(shape, place), 1e-5);
-            // One step of the length of the value along the gradient ends on the surface.
+            // A step against the gradient, as long as the value, ends on the surface.
             EXPECT_NEAR(shape(place - here.value * here.gradient).value, 0, 1e-12);
         }
     }
@@ -264,7 +264,7 @@ TEST(LevelContact, AMagneticSurfaceHoldsATipThatLeavesUpToItsStrength) {
 
 TEST(LevelContact, AMagneticSurfaceTakesHoldAndLetsGoOverATenthOfAMillimetre) {
     constexpr double step = 1e-6;                  // motion of the tip (m per tick)
-    for (const double magnet : {0.1, 0.4, 3.0}) {  // the last one is stronger than the spring at the reach
+    for (const double magnet : {0.1, 0.4, 3.0}) {  // the last one exceeds the spring at the reach
         auto use = wall_of(field_of<Scalar>(ball), 20);
         use.settings.magnet = magnet;
         TouchedModes hand{{use}};

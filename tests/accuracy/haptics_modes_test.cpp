@@ -173,7 +173,8 @@ TEST(HapticModes, ASurfaceHoldsWithFrictionInProportionToItsPush) {
     EXPECT_LE(glm::distance(hand.move({0.001, -0.005, 0}), vec3(-0.3, 1.5, 0)), 1e-9);
     for (int tick = 0; tick < 100; ++tick) hand.move({0.001 + 1e-4 * tick, -0.005, 0});
     EXPECT_LE(glm::distance(hand.move({0.011, -0.005, 0}), vec3(-0.6, 1.5, 0)), 1e-9);
-    // A push above the mode's strength breaks through, and the friction is that for the mode's strength.
+    // A push above the mode's strength breaks through. The friction then follows from the mode's strength,
+    // not from the push.
     for (int tick = 0; tick < 300; ++tick) hand.move({0.011 + 1e-4 * tick, -0.005 - 1e-4 * tick, 0});
     const vec3 through = hand.move({0.041, -0.035, 0});
     EXPECT_NEAR(through.y, 5, 1e-6);

@@ -135,8 +135,8 @@ TEST(RoundBodies, SteadySlidingInTheGrooveOfTwoSpheresIsTheClosedForm) {
     }
 }
 
-/// A sphere stands on a floor, and the tip is inside both. Without friction the proxy is on the circle where
-/// they meet, beside the tip.
+/// A sphere stands on a floor, and the tip is inside both. Without friction the proxy is beside the tip, on
+/// the circle where the sphere meets the floor.
 TEST(RoundBodies, BetweenASphereAndTheFloorTheForceIsExact) {
     for (const Circle& c : all_circles()) {
         if (c.friction > 0) continue;

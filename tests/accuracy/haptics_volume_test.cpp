@@ -93,8 +93,8 @@ TEST(VolumeFeel, TheInvertedMappingDrawsTheTipIntoAThinStructure) {
     const vec3 pull = v.rest(start);
     EXPECT_GT(glm::length(pull), 0.1);
     EXPECT_LE(glm::distance(glm::normalize(pull), -glm::normalize(start)), 1e-9);
-    // A free hand that follows the pull ends on the fibre; without the inversion the force would push it
-    // away.
+    // A free hand that follows the pull ends on the fibre. If `attracts` were false, the force would push the
+    // hand away from the fibre.
     vec3 tip = start;
     for (int tick = 0; tick < 4000; ++tick) tip += 1e-5 * v.move(tip);
     EXPECT_LE(glm::length(tip), 3e-4);  // tolerance, because the pull fades out on the fibre
@@ -322,7 +322,7 @@ TEST(ScannedSurfaces, ATipThatSlidesAlongAHardEdgeFeelsNoVibration) {
         const double in = 0.024 - depth * std::min(1.0, tick / 60.0);
         return block.turn * vec3(in - from_bisector, in, 1e-4 * tick - 0.014);
     };
-    for (const double off : {0.0003, 0.01})  // offsets: just beside the bisecting plane, and on the face
+    for (const double off : {0.0003, 0.01})  // offsets (m): just beside the bisecting plane, and on the face
         EXPECT_LE(noise_of(
                       {{scan_wall(smooth)}}, [&](int tick) { return along(off, tick); }, 280),
                   0.01)

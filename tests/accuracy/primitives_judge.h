@@ -42,7 +42,7 @@ inline double fault(const PrimitiveSet& set, const Spring& spring, const Balance
             worst = std::max(worst, glm::length(force) - p.strength);
         }
         worst = std::max(worst, glm::length(outside));
-        if (distance <= touching) continue;  // on its kink (where its force jumps) it may exert any of these
+        if (distance <= touching) continue;  // near its kink, any force within its strength is right
         const double doubt = p.kind == PrimitiveKind::plane ? 0 : p.strength * 2 * touching / distance;
         worst = std::max(worst, glm::length(force - expected) - doubt);
     }

@@ -89,9 +89,9 @@ TEST(Primitives, APlaneHoldsBesideAPointThatPullsThroughIt) {
 
 TEST(Primitives, APointOnAPlaneAndOnALineAddsUp) {
     const auto set = set_of({plane({}, {0, 1, 0}, 1), point({}, 1), line({}, {0, 0, 1}, 1)});
-    expect_at(balance(set, {{0, -0.009, 0}, k}), {}, {0, -0.009, 0});  // together they exert 2.7 of their 3 N
-    expect_at(balance(set, {{0, -0.011, 0}, k}), {0, -0.001, 0}, {0, -0.011, 0});  // 3.3 N are too much
-    expect_at(balance(set, {{0, 0.006, 0}, k}), {}, {0, 0.006, 0});  // point and line exert 1.8 of their 2 N
+    expect_at(balance(set, {{0, -0.009, 0}, k}), {}, {0, -0.009, 0});  // all three: 2.7 N of their 3 N
+    expect_at(balance(set, {{0, -0.011, 0}, k}), {0, -0.001, 0}, {0, -0.011, 0});  // 3.3 N: too much for 3 N
+    expect_at(balance(set, {{0, 0.006, 0}, k}), {}, {0, 0.006, 0});  // point and line: 1.8 N of their 2 N
 }
 
 TEST(Primitives, CoincidentAndOppositeOnesAreOne) {

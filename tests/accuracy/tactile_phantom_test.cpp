@@ -29,8 +29,8 @@ TEST(TactileBody, TheChartIsTheArcOfTheEllipse) {
 
 TEST(TactileBody, DirectionsOfTheWorldBecomeDirectionsOfTheBody) {
     const auto expect_near = [](vec3 a, vec3 b) { EXPECT_NEAR(glm::length(a - b), 0, 1e-12); };
-    expect_near(to_body_frame({0, 0, -1}, 0), {0, 0, 1});  // ahead
-    expect_near(to_body_frame({1, 0, 0}, 0), {1, 0, 0});   // right
+    expect_near(to_body_frame({0, 0, -1}, 0), {0, 0, 1});  // straight ahead of the body
+    expect_near(to_body_frame({1, 0, 0}, 0), {1, 0, 0});   // to the right of the body
     // The body is turned left, so -x is ahead of it.
     expect_near(to_body_frame({-1, 0, 0}, pi / 2), {0, 0, 1});
     expect_near(to_body_frame({0, 0, 1}, pi / 2), {-1, 0, 0});

@@ -46,7 +46,7 @@ struct Pad {
     std::filesystem::path link{}, target{};
     std::string device{};  ///< path of the device in /sys
     std::string prefix{};  ///< prefix of the lines about the pad's motors
-    int felt = -1;         ///< file descriptor for these lines; below 0: none
+    int felt = -1;         ///< file for the lines about the motors; below 0: none
     std::atomic<bool> plugged{true};
     /// for each effect number, whether the program has uploaded an effect
     std::array<std::atomic<bool>, max_effects> effects{};

@@ -96,7 +96,7 @@ std::uint16_t number_of(const std::string& guid, std::size_t byte) {
 /// Whether a mapping is for a Linux device. Mappings for SDL's own drivers have a mark at the end of the
 /// guid, and some mappings name the device instead of giving its numbers.
 bool is_of_device(const Mapping& mapping) {
-    // Some mappings have button numbers above these, for which Linux has no codes.
+    // Some mappings have button numbers above `max_buttons`, for which Linux has no codes.
     constexpr std::size_t max_buttons = 64;
     return mapping.guid.size() == 32 &&
            mapping.guid.find_first_not_of("0123456789abcdef") == std::string::npos &&

@@ -56,7 +56,7 @@ public:
 
 private:
     double gives_{};  ///< health that a gentle stroke gives (HP)
-    double lasts_{};  ///< time over which it is given (s)
+    double lasts_{};  ///< time over which a stroke gives its health (s)
 };
 
 const SpellRegistration registration({

@@ -94,7 +94,7 @@ std::string with_body(const Bytes& log, const std::string& body) {
     out.insert(out.end(), bytes.begin(), bytes.end());
     samples::put_at(out, 12, static_cast<std::uint32_t>(body.size()));
     samples::put_at(out, 16, hash_bytes(bytes, hash_bytes(std::span(out).first(16))));
-    Bytes signing = out;  // signed_block reads the salt from these bytes
+    Bytes signing = out;  // a copy of the header, from which signed_block reads the salt
     for (const auto& place : samples::blocks_of(log)) {
         const auto block = std::span(log).subspan(place.begin, place.end - place.begin);
         const auto at = signing.size();

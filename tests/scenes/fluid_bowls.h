@@ -151,7 +151,8 @@ inline vec3 bowl_vortex_velocity(vec3 place) {
     return 0.15 * vec3(-by_z, 0, by_x);
 }
 
-/// Force that keeps this vortex steady: its own advection minus viscosity, computed by differences (m/s^2).
+/// Force that keeps the bowl's vortex steady: its own advection minus viscosity, computed by differences
+/// (m/s^2).
 inline vec3 bowl_vortex_force(vec3 place) {
     constexpr double d = 1e-4;
     const vec3 here = bowl_vortex_velocity(place);

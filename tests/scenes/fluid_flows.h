@@ -408,7 +408,7 @@ inline Densities densities_of(const Fluid& fluid, std::size_t substance,
 // ---- the bowl ---------------------------------------------------------------------------------------------
 
 /// Radius of the bowl: half a ball, open at the top along y, in a box half as high as wide.
-inline constexpr double bowl_radius = 0.46;  ///< m
+inline constexpr double bowl_radius = 0.46;  ///< radius (m)
 inline constexpr double bowl_viscosity = 0.01, bowl_end = 1;
 /// Initial angular speed (rad/s), so small that advection is negligible. The fluid rotates, and the wall
 /// slows it down.

@@ -98,9 +98,9 @@ struct ThickLayer {
     }
 };
 
-inline constexpr double thick_layer_end = 20;  ///< s
+inline constexpr double thick_layer_end = 20;  ///< time of the comparison with the steady flow (s)
 
-/// A fluid with that layer, initially at rest, uniform along x and z; n must be even.
+/// A fluid with the layers of a ThickLayer, initially at rest, uniform along x and z; n must be even.
 inline Expected<Fluid> layered_couette(const ThickLayer& layer, int n) {
     Flow flow{.fixed = {8, 0, 8}};
     flow.settings.edges = {Edge::periodic, Edge::no_slip, Edge::periodic};
@@ -133,7 +133,7 @@ inline double crept_out(const Fluid& fluid) {
 
 /// LeVeque's flow (1996): it stretches its contents into layers thinner than a cell and back again within
 /// `deformation_end`.
-inline constexpr double deformation_end = 3;  ///< s
+inline constexpr double deformation_end = 3;  ///< time after which the flow has returned its contents (s)
 
 /// Velocity of LeVeque's flow (m/s). It crosses no wall and is free of divergence on a staggered grid.
 inline vec3 deformation(vec3 place, double time) {

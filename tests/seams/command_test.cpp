@@ -1,6 +1,6 @@
-// A command of the program that no file of the game knows: this source alone. A real one stands
-// in game/app/tool_commands/NAME.cpp, and has a line in game/app/dispatch.cpp, so that `thaum`
-// lists it and leaves it to thaum-tools.
+// A command of the program in this source alone: no file of the game knows it. A real command stands in
+// game/app/tool_commands/NAME.cpp, and has a line in game/app/dispatch.cpp, so that `thaum` lists it and
+// leaves it to thaum-tools.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// An event that no file of the game knows: this source, which records it, and a row of events.toml.
+// An event in this source, which records it, and in a row of events.toml: no file of the game knows it.
 #include <gtest/gtest.h>
 
 #include "game/data/event_kinds.h"

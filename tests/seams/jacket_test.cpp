@@ -1,4 +1,4 @@
-// A maker of jackets (here drums) that no file of the game knows: this source alone. A real maker stands in
+// A maker of jackets (here drums) in this source alone: no file of the game knows it. A real maker stands in
 // game/jackets/makers/NAME.cpp.
 #include <gtest/gtest.h>
 

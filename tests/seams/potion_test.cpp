@@ -1,5 +1,5 @@
-// A potion that no file of the game knows, with an effect of its own: this source and one data file. A real
-// one stands in game/stations/potions/NAME.cpp and assets/potions/NAME.toml.
+// A potion with an effect of its own, in this source and one data file: no file of the game knows it. A real
+// potion stands in game/stations/potions/NAME.cpp and assets/potions/NAME.toml.
 #include <gtest/gtest.h>
 
 #include "game/data/potion_effect.h"
@@ -82,7 +82,7 @@ const std::filesystem::path& with_giggle() {
     return assets.path();
 }
 
-/// Number of the gesture "v" among those of the game.
+/// Index of the gesture "v" among the gestures of the game.
 constexpr std::uint32_t v = 3;
 
 void brew_giggle(Kitchen& kitchen) {

@@ -38,7 +38,8 @@ TEST(HapticsHostile, NothingMakesTheSimulatedDeviceLeaveItsLimits) {
             auto state = resting_at({});
             double fastest = 0;
             for (int tick = 0; tick < 60'000; ++tick) {
-                // Quiet at times, so that the motion also stops, stays and starts again.
+                // In every second period of 500 ticks no force acts, so that the motion also stops, stays and
+                // starts again.
                 const bool quiet = (tick / 500) % 2 == 1;
                 state = step(device, state, quiet ? vec3(0) : hostile_vector(random),
                              quiet ? vec3(0) : hostile_vector(random));

@@ -342,7 +342,7 @@ SurfacePatch cylinder_in_box(Random& random) {
 /// Without friction, the normal forces alone must balance the pull towards the tip. A former fault: where an
 /// edge of one body crosses the side of another, the proxy got stuck on the rounded edge, with up to 5 N.
 TEST(RoundBodies, NothingButPushHoldsAProxyBetweenACylinderAndTheEdgesOfABox) {
-    constexpr double rest = 1e-8;  // tolerance (m), equal to 5e-6 N
+    constexpr double rest = 1e-8;  // tolerance (m), which equals 5e-6 N at the surface's stiffness
     for (std::uint64_t seed = 0; seed < 150; ++seed) {
         Random random{seed};
         Probe probe{cylinder_in_box(random)};

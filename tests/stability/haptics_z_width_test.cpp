@@ -113,7 +113,7 @@ TEST(HapticsZWidth, WithDampingAndControllerAWallOf1000IsDeliveredAtOneTickOfDel
         EXPECT_LE(at.added_later, 0.05) << stiffness;  // after settling, only the wall acts (N)
         EXPECT_LE(at.created, 0.02) << stiffness;
     }
-    // Without damping and controller, the same wall throws the hand off.
+    // Without damping and controller, the wall of 1,000 N/m throws the hand off.
     EXPECT_GT(pressed(spec, {.stiffness = 1000}, newtons).shake, 0.5 * newtons / 1000);
 }
 

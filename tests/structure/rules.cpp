@@ -111,7 +111,7 @@ struct Place {
     std::string part;    ///< key of `floors`; empty for files outside engine/ and game/
     std::string folder;  ///< folder whose detail/ the file may include
     bool in_detail = false;
-    std::string apart{};  ///< its folder among `folders_apart`; empty: it is in none
+    std::string apart{};  ///< folder of `folders_apart` that holds the file; empty: none
 };
 
 Place place_of(const std::string& path) {

@@ -22,7 +22,7 @@ Faults unbuilt_tests(const std::filesystem::path& root);
 Faults headers_without_title(const std::filesystem::path& root);
 
 /// Finds headers of engine/ outside of detail/ that no file of another folder includes, neither directly nor
-/// through another header of the same folder. Such a header belongs into detail/.
+/// through another header of the same folder. Such a header belongs in detail/.
 Faults internal_headers(const std::filesystem::path& root);
 
 /// No file of engine/, game/ or tools/ may open files itself, except those listed: other readers would
@@ -37,7 +37,7 @@ Faults long_files(const std::filesystem::path& root);
 /// indented.
 Faults long_comments(const std::filesystem::path& root);
 
-/// What game/ROOM declares stands in namespace thaum::game::inline ROOM.
+/// Code in game/ROOM must be in the namespace thaum::game::inline ROOM.
 Faults wrong_namespaces(const std::filesystem::path& root);
 
 }  // namespace thaum::structure

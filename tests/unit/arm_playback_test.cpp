@@ -139,7 +139,7 @@ TEST(ArmPlayback, ForcesStayWithinTheLimitsWhateverIsRecorded) {
     Random random = random_stream(11, 1);
     const auto any = [&] { return wild[static_cast<std::size_t>(random.uniform() * std::size(wild))]; };
     for (int t = 0; t < 100'000; ++t) {
-        // cycle: hand and forces random, then only forces random, then both moderate.
+        // Three phases: hand and forces are random, only the forces are random, both are moderate.
         const auto phase = t % 4000;
         hand.step_um = phase < 1000 ? static_cast<std::int32_t>(20'000 * random.uniform()) : 0;
         const vec3 wanted = phase < 3000 ? vec3(any(), any(), any()) : vec3(2, 0, 0);

@@ -145,7 +145,7 @@ TEST_F(ArmServoTest, AfterGapsTheForcesAgreeAgain) {
                 for (int i = 0; i < stall; ++i) arm.step();
                 mirror.tick(true);
                 break;
-            case 1:  // the simulation catches up instead
+            case 1:  // the simulation stops, and catches up with all ticks
                 for (int i = 0; i < stall; ++i) arm.step();
                 for (int i = 0; i < stall; ++i) mirror.tick();
                 break;
@@ -319,7 +319,8 @@ TEST_F(ArmServoTest, TwoThreadsAgree) {
             arm.step();
             if (servo.waiting() > 20 || arm.ticks % 50 == 0) std::this_thread::yield();
         }
-        // Without this the other thread could wait for ever if it got no processor until all ticks were over.
+        // Ends the other thread's waits. Otherwise that thread could wait for ever, if it got no processor
+        // until all ticks were over.
         stop = true;
     });
     for (int i = 0; i < 20'000; ++i) {

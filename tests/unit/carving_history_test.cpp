@@ -64,7 +64,7 @@ TEST(CarvingHistory, AStrokeThatChangesNothingIsNoStep) {
     Rig rig;
     rig.carve_step(0, 0, 0);
     rig.carve_step(0, 0, 0);  // carves with the same constant again, which changes nothing
-    rig.carve_step(9, 9, 9);  // outside
+    rig.carve_step(9, 9, 9);  // a place outside of the body
     EXPECT_EQ(rig.history.steps.size(), 1U);
     EXPECT_EQ(rig.history.next, 1U);
 }
@@ -96,7 +96,7 @@ TEST(CarvingHistory, AStrokeInTheAirKeepsWhatCanBeRedone) {
     rig.carve_step(1, 0, 0);
     const std::uint64_t carved = hash_of(rig.body);
     undo(rig.history, rig.body.view());
-    rig.carve(0, 0, 0);  // nothing is left to carve here
+    rig.carve(0, 0, 0);  // an edit without effect, because the brick is already carved
     EXPECT_TRUE(can_redo(rig.history));
     end_step(rig.history, rig.body.view());
     rig.carve_step(0, 0, 0);
@@ -114,7 +114,7 @@ TEST(CarvingHistory, AStrokeThatChangesSomethingLateForgetsWhatCouldBeRedone) {
         const std::uint64_t one = hash_of(rig.body);
         rig.carve_step(1, 0, 0);
         undo(rig.history, rig.body.view());
-        rig.carve(0, 0, 0);  // changes nothing
+        rig.carve(0, 0, 0);  // an edit without effect, because the brick is already carved
         rig.carve(0, 2, 0);
         EXPECT_FALSE(can_redo(rig.history));
         rig.carve(2, 2, 0);

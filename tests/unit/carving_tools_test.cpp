@@ -27,7 +27,7 @@ Expected<Tool> tool_from(std::string_view toml) {
     return config ? read_tool(*config, shipped_materials()) : config.error();
 }
 
-/// Message about a tool file whose only operation has these lines, from line 4 on.
+/// Message about a tool file whose only operation has the given lines, from line 4 of the file on.
 std::string fault(std::string_view operation) {
     return message_of(tool_from("version = 1\nname = \"t\"\n[[operation]]\n" + std::string(operation)),
                       "no fault");

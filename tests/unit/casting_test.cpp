@@ -122,7 +122,7 @@ TEST(Casting, ReadsAStrokeOfADeviceThatTellsItsPlaceSeldom) {
             };
             smooth += is_read(stroke);
             for (const std::uint32_t k : {0U, 1U}) {
-                const auto told = told_seldom(stroke, k + 3);  // reports every 24 and 32 ms
+                const auto told = told_seldom(stroke, k + 3);  // a device that reports every 24 or 32 ms
                 seldom.at(k) += is_read(told);
                 EXPECT_NEAR(mean_force_of(told), mean_force_of(stroke), 0.25 * mean_force_of(stroke));
             }

@@ -327,7 +327,7 @@ std::vector<std::vector<Mistake>> sets_of(const std::vector<Mistake>& mistakes) 
     return sets;
 }
 
-/// Systems and editors leave such files, and people write files that explain others.
+/// Files that systems and editors leave, and files by which people explain others, are no faults.
 TEST_F(Content, FilesThatSystemsLeaveAreNoFaults) {
     const auto files = check_content(assets_).files;
     for (const auto* name : {"desktop.ini", "Thumbs.db", ".DS_Store", ".directory", "arenas/README.md",

@@ -216,7 +216,8 @@ TEST_F(CoreFile, ARecordingIsNeverReplaced) {
     expect_refused(write_text_file(log, "x"), log, "is a recording");
     expect_refused(check_output(log), log, "is a recording");
     EXPECT_TRUE(write_text_file(short_file, "x"));
-    // A link that appears while the file is written must not redirect the bytes either.
+    // A link to a recording that appears while the file is written must not redirect the bytes to the
+    // recording.
     auto file = FileWriter::create(in_folder("late")).value();
     fs::create_hard_link(log, in_folder("late"));
     expect_refused(file.close(), fs::canonical(in_folder("late")), "is a recording");

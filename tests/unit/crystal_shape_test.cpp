@@ -74,7 +74,8 @@ TEST(CrystalShape, KeysOfAThousandSeedsAreInOnePieceAndHalfCarved) {
     }
 }
 
-// A hand can reach the whole length and height of a key, and half its thickness from either side.
+// A hand can reach the whole length and height of a key (the shape that is hidden in a crystal), and half its
+// thickness from either side.
 TEST(CrystalShape, AHandReachesEveryPartOfAKey) {
     const auto data = duel_data();
     const auto& hand = data->crystal->hand;

@@ -183,7 +183,7 @@ void EcsSnapshot::expect_spoilt_are_refused_or_consistent(std::size_t step) {
 }
 
 // Among every eight consecutive bytes, one has an index that is a multiple of seven, so every number of eight
-// bytes is changed. Under sanitizers this test replaces the one below.
+// bytes is changed. Under sanitizers this test replaces the slower EveryTruncationAndEveryFlippedByte test.
 TEST_F(EcsSnapshot, EverySeventhTruncationAndFlippedByteIsRefusedOrConsistent) {
     expect_spoilt_are_refused_or_consistent(7);
 }

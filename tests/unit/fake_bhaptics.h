@@ -53,7 +53,7 @@ public:
         std::unique_lock lock(mutex_);
         changed_.wait(lock, [&] { return condition(texts_); });
     }
-    /// Waits for a request that comes after the first `before` ones.
+    /// Waits until the request `wanted` has come, not counting the first `before` requests.
     void wait_for(const std::string& wanted, std::size_t before = 0);
     void wait_for_connections(std::size_t count);
 
@@ -76,7 +76,7 @@ private:
     std::atomic<std::uint16_t> other_port_{};
     std::atomic<bool> stop_{};
     std::atomic<std::uint64_t> sent_{};
-    mutable std::mutex mutex_;  ///< guards the three members below
+    mutable std::mutex mutex_;  ///< protects texts_, first_line_ and connections_
     std::vector<std::string> texts_;
     std::string first_line_;
     std::size_t connections_ = 0;

@@ -85,7 +85,7 @@ TEST_F(VolumeFiles, AxesAlongSpaceAreOrderedAndTurnedRound) {
         for (int j = 0; j < 4; ++j) {
             for (int i = 0; i < 3; ++i) {
                 EXPECT_EQ(sample(v, i, j, k), static_cast<float>((1 - k) + 2 * i + 6 * j));
-                // Place of the same sample, computed from the header.
+                // Place of sample (i, j, k), computed from the lines of the header.
                 const vec3 by_header = vec3(10 + 3 * i, 20 + 4 * j, 30 - 2 * (1 - k)) / 1000.0;
                 EXPECT_LE(glm::length(to_parent(v.placement, v.place(i, j, k)) - by_header), 1e-15);
             }

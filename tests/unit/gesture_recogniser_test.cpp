@@ -159,7 +159,8 @@ TEST(Gesture, TwinsOfOneShapeAreToldApartByForce) {
     EXPECT_FALSE(between.probability > 0.6) << "as near to one as to the other";
 }
 
-/// As in the test above, but the templates, too, are random variations of the shape, as a hand would draw it.
+/// A gentle and a harsh twin whose templates, too, are random variations of the shape, as a hand would draw
+/// it.
 TEST(Gesture, TwinsAreToldApartByForceWhicheverTemplateIsMoreAlike) {
     const VariationSettings hand{
         .tilt = 0.02, .stretch = 0.03, .bend = 0.006, .hurry = 0.1, .ends = 0.01, .force = 0.15};
@@ -169,7 +170,7 @@ TEST(Gesture, TwinsAreToldApartByForceWhicheverTemplateIsMoreAlike) {
         const auto shape = seed % 2 == 0 ? vee() : ess();
         const auto drawn = [&](double force) {
             auto stroke = variation_of(pressed(shape, force), random, hand);
-            // A force that varies as a hand's does, equally in each run.
+            // A force that varies during a stroke as a hand's force does, in the same way in each stroke.
             for (auto& p : stroke) p.force *= 1 + 0.5 * det::sin(7 * p.t);
             return stroke;
         };

@@ -21,7 +21,7 @@ Shape shape_of(const Course& stroke, Channels channels = {false, true}) {
 }
 
 TEST(GestureDot, ResampledPointsAreEquallySpaced) {
-    // The points of the parabola lie closer together at its ends.
+    // The parabola is drawn at uneven speed: its points are farther apart towards the end.
     const auto stroke = drawn([](double u) { return vec3(u * u, 2 * u, 0.5 * u * u); }, 500);
     const auto points = equally_spaced(stroke);
     std::vector<double> steps;

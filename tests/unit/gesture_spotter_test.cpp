@@ -34,7 +34,7 @@ TEST(CandidateChoice, NothingIsReportedTwiceOrAboveTheThreshold) {
     choice.add(candidate_of(0, 0.1F, 0, 1), 1);
     EXPECT_TRUE(choice.at(2));
     choice.add(candidate_of(0, 0.05F, 0.2, 1.2), 2);  // this candidate overlaps the gesture that was reported
-    choice.add(candidate_of(0, 0.25F, 5, 6), 6);      // too far
+    choice.add(candidate_of(0, 0.25F, 5, 6), 6);      // a candidate whose distance is above the threshold
     EXPECT_FALSE(choice.at(9));
     choice.add(candidate_of(0, 0.2F, 5, 6), 9);
     EXPECT_TRUE(choice.at(10));

@@ -55,7 +55,7 @@ TEST(GestureWallOfTheRange, TheWallTellsAStrokeFromTheWrongEndAndOneLikeNone) {
     Practice practice(range.data(), {input::DeviceSpec{}}, game::DummyKind::still, 1);
     WallPlayer player{practice};
     player.play(20);
-    // The game's S, drawn from its lower end to its upper end.
+    // Points of the game's S. The S is drawn first as the game has it, then from the other end.
     static std::vector<gesture::StrokePoint> ess;
     const auto& gestures = *range.data().match->gestures;
     ess = gestures.gestures()[*gestures.number("s")].strokes.front();

@@ -153,7 +153,7 @@ TEST(HapticsSafetyAudit, CountsTicksAndHeat) {
     for (int tick = 0; tick < 25'000; ++tick) audit.record(limits, {.wanted = {0.5, 0, 0}}, {0.5, 0, 0});
     EXPECT_EQ(audit.ticks(), 25'000U);
     EXPECT_NEAR(audit.warmth(), 0.5, 1e-12);
-    EXPECT_EQ(audit.violations(), audit.violations(SafetyRule::slew));  // only the jump at the start
+    EXPECT_EQ(audit.violations(), audit.violations(SafetyRule::slew));  // only the force's jump at the start
     for (int tick = 0; tick < 9000; ++tick) audit.record(limits, {}, {});
     EXPECT_NEAR(audit.warmth(), 0.5 * std::sqrt(0.1), 1e-12);
 }

@@ -75,8 +75,7 @@ TEST(HapticsSafety, NothingIsFeltBeforeAForceInRange) {
     EXPECT_NEAR(stage.feel({2, 0, 0}).x, 0.04, 1e-12);  // the gate opens, which counts as a switch
     EXPECT_NEAR(stage.feel({2, 0, 0}).x, 0.08, 1e-12);
     EXPECT_NEAR(stage.feel({.wanted = {2, 0, 0}}, 48).x, 2, 1e-12);
-    EXPECT_EQ(stage.feel({-2, 0, 0}).x, -2);  // the output has reached the wanted force, and follows it
-                                              // freely
+    EXPECT_EQ(stage.feel({-2, 0, 0}).x, -2);  // after the ramp, the output follows the wanted force at once
     EXPECT_EQ(stage.feel({-2, 0, 0}), vec3(-2, 0, 0));
     EXPECT_EQ(stage.cause(), SafetyCause::none);
 }
@@ -269,9 +268,9 @@ TEST(HapticsSafety, ThreeBurstsOfExcessInTenSecondsShutItOff) {
     EXPECT_FALSE(shuts_off({21}));
     EXPECT_TRUE(shuts_off({20, 20}));
     EXPECT_FALSE(shuts_off({19, 19, 19, 19, 19}));  // a single long burst
-    EXPECT_TRUE(shuts_off({4999, 4999}));           // the third burst starts 10 s after the first
+    EXPECT_TRUE(shuts_off({4999, 4999}));           // three bursts within 10 s, counted from start to start
     EXPECT_FALSE(shuts_off({4999, 5000}));
-    EXPECT_TRUE(shuts_off({9000, 2000, 100}));  // only the last three of the four count
+    EXPECT_TRUE(shuts_off({9000, 2000, 100}));  // four bursts, of which the last three are within 10 s
 
     Stage stage;
     ASSERT_TRUE(bursts(stage, {100, 100}));

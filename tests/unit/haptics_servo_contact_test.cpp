@@ -39,7 +39,7 @@ TEST(HapticsServo, APatchIsFeltAndItsEndIsASwitch) {
     EXPECT_NEAR(after, 0.6 - rig.servo.limits.slew * tick_seconds, 1e-6) << "slowly";
     for (int tick = 0; tick < 100; ++tick) rig.feel();
     EXPECT_EQ(rig.feel(), vec3(0));
-    // Another patch, whose bodies have nothing to do with those of the last one.
+    // A new patch, whose bodies have nothing to do with those of the previous patch.
     rig.model.patch = wall_below(0);
     ++rig.model.patch_number;
     rig.model.start = {0, 0.01, 0};
@@ -135,7 +135,7 @@ TEST(HapticsServo, APatchThatIsNotThereCostsNoBit) {
     for (int tick = 0; tick < 200; ++tick) {
         const vec3 tip(random.uniform(-0.01, 0.01), random.uniform(-0.01, 0.01), 0);
         with.sample.position = without.sample.position = tip;
-        with.model.patch = wall_below(-1);  // far away
+        with.model.patch = wall_below(-1);  // a wall 1 m away from the tip
         EXPECT_EQ(with.feel(), without.feel());
     }
     EXPECT_EQ(without.state.surface.begun, 0U);

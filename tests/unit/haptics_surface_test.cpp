@@ -222,8 +222,8 @@ TEST(Surface, ACreaseRubsOnBothSides) {
     const double depth = 0.005;
     ContactResult last;
     for (int i = 0; i <= 100; ++i) last = probe.at({0, -depth, 0.0005 * i});
-    // The tip is at the depth s * depth in each wall, and both rub: the friction is 2 mu s * depth *
-    // stiffness.
+    // The tip is at the depth s * depth in each of the two walls, and both walls exert friction, 2 mu s *
+    // depth * stiffness in total.
     expect_near(last.force, stiffness * depth * vec3(0, 1, -2 * s * 0.4), 4 * gap_force + rounding);
     EXPECT_EQ(last.contacts, 2U);
 }

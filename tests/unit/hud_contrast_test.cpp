@@ -44,7 +44,7 @@ const Eyes kinds_of_eyes[] = {
        {0.004733F, 0.691367F, 0.303900F}}}},
 };
 
-/// Relative luminance of a colour in linear light, as seen by these eyes (ITU-R BT.709).
+/// Relative luminance (ITU-R BT.709) of a colour in linear light, as eyes of one kind see it.
 double luminance(fvec3 linear, const Eyes& eyes) {
     const auto seen = [&](std::size_t row) {
         return std::clamp(static_cast<double>(glm::dot(eyes.rows[row], linear)), 0.0, 1.0);

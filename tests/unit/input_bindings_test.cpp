@@ -51,7 +51,7 @@ TEST(InputBindings, NoDefaultKeyServesTwoPlayersAtOneKeyboard) {
     const auto one = default_bindings(DeviceKind::keyboard_mouse, code_of);
     const auto two = default_bindings(DeviceKind::keyboard_half, code_of);
     for (std::size_t a = 0; a < actions; ++a) {
-        if (static_cast<Action>(a) == Action::panic) continue;  // shared: it ends the forces of both
+        if (static_cast<Action>(a) == Action::panic) continue;  // both players share this key
         for (const auto& control : one.controls[a]) {
             for (const auto& other : two.controls) {
                 EXPECT_EQ(std::count(other.begin(), other.end(), control), 0)

@@ -176,7 +176,7 @@ TEST(InputLogFormat2, ASectionThatIsMissingCutOrTooLongIsRefused) {
 
 TEST(InputLogFormat2, ACountThatTheFileCannotHoldCostsNothing) {
     const HeaderSample sample;
-    for (std::size_t i = 2; i < 9; ++i) {  // these sections begin with the number of a list's items
+    for (std::size_t i = 2; i < 9; ++i) {  // the sections that begin with the length of a list
         for (const std::uint32_t count : {0xffffffffU, 1001U}) {
             auto body = sample.body;
             samples::put_at(body, sample.sections[i] + 8, count);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t usual_bells = 2;
 
-/// A request that only this test has: it counts rings in the caller's memory.
+/// A request that only this test has: it counts how often it is carried out, in a number of the caller.
 struct RingBells {
     std::size_t* rung{};
     void carry_out(Practice&) const { ++*rung; }
@@ -31,7 +31,7 @@ void add_bell_rows(const MenuState& s, const MenuContext&, Rows& rows) {
                     .confirm = [](const RowPress& press) { ask_range(press.state, RingBells{&rung}); }});
 }
 
-/// A page that only this test has. This registration is all that it needs.
+/// A page that only this test has. The registration is all that a new page needs.
 const PageRegistration bells_page{{
     .name = "bells",
     .title = [](const MenuState&, const MenuContext&) { return std::string("Bells of the tower"); },
@@ -93,7 +93,8 @@ TEST(MenuSeams, EveryRowThatOpensAPageFindsIt) {
         for (const auto& row : rows_of(opened({}, name), context()))
             if (!row.opens.empty()) opened_ones.insert(row.opens);
     for (const auto name : opened_ones) EXPECT_TRUE(names.contains(name)) << name;
-    // A session opens the pages start and pause itself, and this test its tower.
+    // No row opens these three pages: a session opens the pages start and pause, and this test the page
+    // tower.
     for (const auto name : names)
         EXPECT_TRUE(opened_ones.contains(name) || name == page_name::start || name == page_name::pause ||
                     name == "tower")

@@ -312,7 +312,7 @@ TEST(PauseMenu, OnTheRangeAPressDrawsAnOwnGesture) {
     EXPECT_EQ(s.request, MenuRequest::ask_range);
     ASSERT_TRUE(s.range_request.as<DrawGesture>());
     EXPECT_EQ(s.range_request.as<DrawGesture>()->number, 2U);
-    // While the gesture is being drawn, the same row of the next pause gives it up.
+    // While a gesture is being drawn, the row "Own gesture" becomes a row that gives the drawing up.
     range.drawn_gesture = 3;
     s = opened(std::move(s), "pause");
     EXPECT_EQ(s.pages.back().cursor, own);

@@ -228,7 +228,7 @@ double pushed_distance(double mass, double friction) {
     FloorWalker w;
     w.physics.add(2, box({0.5, 0.5, 0.5}, mass, friction), at({1, 0.5, 0}));
     w.enter({0, standing, 0});
-    w.run(1000, {4.5, 0, 0});  // by then the first bump is behind
+    w.run(1000, {4.5, 0, 0});  // long enough for the first collision to be over
     const double start = w.physics.state(2).position.x;
     w.run(2000, {4.5, 0, 0});
     return w.physics.state(2).position.x - start;

@@ -123,7 +123,8 @@ TEST(PhysicsRepeat, AWorldRestoredAtAKeyframeContinuesWithTheSameBits) {
 }
 
 TEST(PhysicsRepeat, WithoutTheRebuildTheBitsDiffer) {
-    // Shows that the test above can fail: without a rebuild, Bullet's caches are part of the state.
+    // Shows that the comparison of a restored scene can fail: without a rebuild, Bullet's caches are part of
+    // the state.
     BusyScene a;
     while (a.tick < 700) a.advance();
     BusyScene b(a, {});

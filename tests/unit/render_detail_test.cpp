@@ -69,8 +69,8 @@ TEST(CoarserCopies, EachHasFewerTrianglesAndAGreaterError) {
     EXPECT_TRUE(coarser_copies(box(fvec3(1), any_colour)).empty());
 }
 
-/// The mesh that is drawn for an instance with these coarser copies, at a distance along the view direction
-/// (m).
+/// The mesh that is drawn for an instance whose mesh has the coarser copies `levels`, at a distance along the
+/// view direction (m).
 MeshId drawn_at(float distance, const detail::Levels& levels, float scale = 1) {
     const std::vector<Bounds> bounds(4, Bounds{fvec3(0), 1});
     const std::vector<detail::Levels> all{levels, {}, {}, {}};
@@ -96,7 +96,7 @@ TEST(Levels, TheCoarsestWhoseErrorIsWithinAPixel) {
     EXPECT_EQ(drawn_at(200, {}), 0U);
 }
 
-/// Number of cells in which sky may be visible, counted from the runs of such cells.
+/// Number of cells in which sky may be visible; the code under test gives them as runs of cells.
 int open_cells(const Camera& camera, std::span<const Block> blocks) {
     detail::SkyCells cells;
     detail::open_sky_cells(camera, 2, blocks, cells);

@@ -45,8 +45,8 @@ TEST(ShotsTest, APictureShowsTheWordsAndTheFigureOfTheLiveView) {
     ASSERT_EQ(shots->taken(), 1U) << "nobody is hit";
     const auto hit = playback.match().now();
     for (Tick t = 0; t < 16; ++t) playback.step();
-    // In the picture of the hit itself the captions are still those of the shots before. The one 16 ms later
-    // has the caption of the hit.
+    // The captions in a picture are those of earlier ticks: the picture of the hit itself does not have the
+    // hit's caption yet, the picture 16 ms later has it.
     shots = Shots::create({.folder = folder.path(), .at = {hit + 16}, .size = {640, 360}},
                           playback.match().data(), assets);
     ASSERT_TRUE(shots) << shots.error().message;

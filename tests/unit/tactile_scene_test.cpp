@@ -174,7 +174,7 @@ TEST(TactileScene, ABlastFromTheSideHitsAHangingWandArmAndPassesARaisedOne) {
     EXPECT_GT(hanging[right_elbow], 0.3F);
     EXPECT_EQ(raised[right_elbow], 0) << "the elbow is 0.3 m ahead of the shoulder";
     EXPECT_EQ(hanging[left_elbow], raised[left_elbow]) << "the other arm does not move";
-    // The cells at the side of the torso feel the blast as before.
+    // The cells at the side of the torso feel the blast equally, whether the arm hangs or is raised.
     constexpr std::size_t front_right = 3;
     EXPECT_GT(raised[front_right], 0.2F);
     EXPECT_NEAR(hanging[front_right], raised[front_right], 1e-3);

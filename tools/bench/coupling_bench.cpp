@@ -22,7 +22,7 @@ constexpr double hand_mass = 1;       // mass of a free hand (kg)
 
 struct PairSetting {
     bool exact;
-    double stiffness;   // N/m
+    double stiffness;   // stiffness of the coupling (N/m)
     double mass_ratio;  // object's mass divided by hand_mass
     std::int64_t step_ms;
     bool free_hand = false;

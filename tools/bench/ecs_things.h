@@ -93,7 +93,7 @@ inline Body body(std::uint32_t i) {
     return b;
 }
 
-/// A plain array in the same kind of memory as the World's.
+/// A plain array in the same kind of memory as the World's tables.
 template <class T>
 using Array = std::vector<T, ArrayAllocator<T>>;
 

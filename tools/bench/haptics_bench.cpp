@@ -66,9 +66,9 @@ void controlled_walls(Report& report) {
 /// Motion of a device during the benchmark; it decides which branches of a tick run.
 struct Motion {
     const char* name;
-    double friction;  // N
+    double friction;  // dry friction (N)
     double swing;     // amplitude of the target (m)
-    int period;       // ticks
+    int period;       // period of the target's motion (ticks)
 };
 constexpr std::array motions{Motion{"frictionless", 0, 0.03, 400}, Motion{"sliding", 0.26, 0.03, 400},
                              Motion{"held", 0.26, 0, 400}, Motion{"stop_and_go_every_tick", 0.26, 0.005, 2}};
@@ -109,7 +109,7 @@ void simulated_ticks(const Options& options, Report& report) {
 /// Values of assets/devices that the safety stage reads.
 struct DeviceLimits {
     const char* name;
-    double peak, continuous;  // N
+    double peak, continuous;  // peak force and continuous force (N)
 };
 constexpr std::array device_limits{DeviceLimits{"touch", 3.3, 0.88}, DeviceLimits{"omni", 3.3, 0.88},
                                    DeviceLimits{"premium", 8.5, 1.4}, DeviceLimits{"falcon", 8, 3},
@@ -203,7 +203,7 @@ haptics::SurfacePatch full_patch() {
         patch.bodies[i].velocity = {0.01, 0, 0};
         patch.bodies[i].material = {.stiffness = 300, .static_friction = 0.5, .dynamic_friction = 0.3};
     }
-    constexpr double cell = 4e-4;  // m
+    constexpr double cell = 4e-4;  // edge of a square of two triangles (m)
     for (std::uint32_t i = 0; i < haptics::surface_capacity; ++i) {
         const std::uint32_t row = i / 8, column = i / 2 % 4;
         const vec3 corner = cell * vec3(column, -0.5, -1.0 - row);

@@ -38,7 +38,7 @@ using field::ScalarField;
 
 constexpr int samples_each_way = 128;
 constexpr double spacing = 0.0008;         // spacing of the samples (m); the volume is 10 cm wide
-constexpr double stiffness = 300;          // N/m
+constexpr double stiffness = 300;          // stiffness of the spring between tip and proxy (N/m)
 constexpr double depth = 1.0 / stiffness;  // depth of the tip (m), for a push of 1 N
 constexpr double level = 127.5;            // density at the surface: half of the full density
 constexpr double reach = 1.5 * spacing;    // distance from the surface within which the mode acts (m)
@@ -159,7 +159,7 @@ struct Slide {
 struct Noise {
     double mean{};   ///< mean force (N)
     double rms{};    ///< root mean square of the difference from the mean over the nearest 64 ms (N)
-    double worst{};  ///< largest such difference (N)
+    double worst{};  ///< largest difference from the mean over the nearest 64 ms (N)
     double jump{};   ///< largest change from tick to tick (N)
     double swing{};  ///< half of the sum of all rises and falls of the force beyond its net change (N)
     std::uint64_t hash{};
@@ -225,7 +225,7 @@ Slide round_sphere(bool by_density, int ticks) {
     const double inside = by_density ? 0.0 : depth;
     return {"great_circle",
             [=](int tick) {
-                const double turn = 0.1 / radius * tick_seconds * tick;  // 0.1 m/s
+                const double turn = 0.1 / radius * tick_seconds * tick;  // angle (rad), at 0.1 m/s
                 const vec3 a = glm::normalize(vec3(1, 0.3, -0.2)),
                            b = glm::normalize(glm::cross(a, vec3(0.3, 1, 0.5)));
                 return (radius - depth_at(tick, inside)) * (det::cos(turn) * a + det::sin(turn) * b);

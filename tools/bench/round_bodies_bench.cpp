@@ -25,10 +25,10 @@ using haptics::SurfaceKind;
 using haptics::SurfacePatch;
 using haptics::SurfaceState;
 
-constexpr double surface_stiffness = 300;  // N/m
-constexpr double body_radius = 0.01;       // m
+constexpr double surface_stiffness = 300;  // stiffness of the surfaces (N/m)
+constexpr double body_radius = 0.01;       // radius of the touched surface (m)
 constexpr double depth_ratio = 0.4;        // depth of the tip divided by the radius
-constexpr double speed = 0.2;              // m/s
+constexpr double speed = 0.2;              // speed of the tip (m/s)
 constexpr double groove_radius = 1.25;     // radius of the two spheres divided by that of their groove
 constexpr int ticks = 4000;
 

@@ -135,7 +135,7 @@ render::Frame ScanScene::frame(ScanDetail detail) const {
 /// Removes a ball from the skull, and restores it at the next call.
 void ScanScene::carve() {
     const bool heals = edits % 2 == 1;
-    const float turn = 2.4F * static_cast<float>(edits / 2 % spots);  // the golden angle
+    const float turn = 2.4F * static_cast<float>(edits / 2 % spots);  // multiples of the golden angle (rad)
     const float height = -0.8F + 1.6F * static_cast<float>(edits / 2 % spots) / spots;
     const float around = std::sqrt(1 - height * height);
     const fvec3 centre = 0.5F * (side - 1) +

@@ -115,8 +115,8 @@ void in_bullet(const Options& options, Report& report) {
 
 // ---- a wizard on a rope -----------------------------------------------------------------------------------
 
-constexpr double wizard_mass = 75;       // kg
-constexpr double rope_stiffness = 4000;  // N/m
+constexpr double wizard_mass = 75;       // mass of the wizard (kg)
+constexpr double rope_stiffness = 4000;  // stiffness of the rope (N/m)
 constexpr double rope_length = 7;        // length of the rope (m): 0.7 times the 10 m at which it attached
 constexpr double rope_seconds = 60;
 const vec3 let_go_at{6, -4.2, 0};  // position at which the wizard lets go, relative to the anchor (m)

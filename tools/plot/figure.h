@@ -30,7 +30,7 @@ struct FrontFigure {
 
 struct Bar {
     std::string label;
-    double ratio{};  ///< > 0
+    double ratio{};  ///< ratio of the row, above 0
 };
 
 /// Bars for one metric `ratio_to_...` of one area.

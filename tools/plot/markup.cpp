@@ -7,7 +7,7 @@
 namespace thaum::plot {
 namespace {
 
-constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
+constexpr std::string_view replacement = "\xEF\xBF\xBD";  // the replacement character, U+FFFD
 constexpr std::string_view ellipsis = "\xE2\x80\xA6";
 
 bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }

@@ -18,7 +18,7 @@ using Callback = unsigned int (*)(void*);
 
 constexpr unsigned int first_handle = 7, second_handle = 8, no_handle = 0xffffffff;
 constexpr double max_force = 3.3;  // peak force of an arm (N)
-// Force (N) from which on a unit must have been mistaken, such as mN for N
+// Smallest force (N) that must be a mistake of the unit, such as mN for N.
 constexpr double absurd_force = 100;
 
 enum Error : unsigned int {
