@@ -209,7 +209,7 @@ TEST(LevelContact, ASurfaceThatCurvesEverywhereNeverHoldsMoreThanItsStrength) {
         if (tick % 400 == 0)
             goal = {random.uniform(-0.04, 0.04), random.uniform(-0.04, 0.04), random.uniform(-0.04, 0.04)};
         const vec3 way = goal - at;
-        at += std::min(1.0, 1e-4 / std::max(glm::length(way), 1e-9)) * way;  // moves by at most 0.1 m/s
+        at += std::min(1.0, 1e-4 / std::max(glm::length(way), 1e-9)) * way;  // at most 0.1 m/s
         largest = std::max(largest, glm::length(hand.move(at)));
     }
     EXPECT_GE(largest, 0.9);

@@ -280,8 +280,8 @@ TEST(ScannedSurfaces, TheForceOnASphereIsWithinThreeDegreesOfTheNormal) {
         errors.push_back(glm::length(glm::cross(glm::normalize(force), out)) / radians_per_degree);
     }
     std::ranges::sort(errors);
-    EXPECT_LE(errors.back(), 0.8);              // largest error: 3 is required
-    EXPECT_LE(errors[errors.size() / 2], 0.1);  // median error: 0.5 is required
+    EXPECT_LE(errors.back(), 0.8);              // largest error (degrees); 3 are required
+    EXPECT_LE(errors[errors.size() / 2], 0.1);  // median error (degrees); 0.5 are required
 }
 
 /// Root mean square deviation of the force from its mean over the surrounding 64 ms, as a share of the mean

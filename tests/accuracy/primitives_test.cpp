@@ -54,9 +54,9 @@ TEST(Primitives, ALineHoldsAcrossAndLeavesFreeAlong) {
 TEST(Primitives, APlaneIsAWallThatYields) {
     const auto set = set_of({plane({0, 0.1, 0}, {0, 1, 0}, 3)});
     expect_at(balance(set, {{5, 0.2, 1}, k}), {5, 0.2, 1}, {5, 0.2, 1});  // above the plane: no force
-    // Pushed against the plane: the proxy is held.
+    // A probe that is pushed against the plane: the plane holds the proxy.
     expect_at(balance(set, {{5, 0.095, 1}, k}), {5, 0.1, 1}, {5, 0.095, 1});
-    // Pushed through: the plane exerts its full strength.
+    // A probe that is pushed through the plane: the plane exerts its full strength.
     expect_at(balance(set, {{5, 0.08, 1}, k}), {5, 0.09, 1}, {5, 0.08, 1});
 }
 

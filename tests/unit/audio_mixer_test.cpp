@@ -201,7 +201,7 @@ TEST_F(MixerTest, TheQuietestVoicesAreLeftOutAndCounted) {
     EXPECT_EQ(mixing.report().voices, 64U);
     EXPECT_EQ(mixing.report().left_out, 136U);
     recorder.play({}, 10);
-    // Only the 64 loudest voices play, each with 0.002.
+    // Only the 64 loudest voices play, each with the level 0.002.
     EXPECT_NEAR(recorder.levels(5).right, 64 * 0.002 * 0.5, 0.002);
 }
 

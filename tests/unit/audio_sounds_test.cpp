@@ -94,7 +94,7 @@ TEST(GameSounds, BeginAndEndWithoutAClick) {
 }
 
 TEST(GameSounds, AreHeardAtOnce) {
-    constexpr std::size_t moment = sample_rate / 50;  // 20 ms
+    constexpr std::size_t moment = sample_rate / 50;  // 20 ms (samples)
     for (const auto& sound : bank().sounds) {
         double sum = 0;
         for (std::size_t i = 0; i < moment; ++i) sum += sample_of(sound, i) * sample_of(sound, i);

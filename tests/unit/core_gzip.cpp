@@ -43,7 +43,7 @@ TEST(CoreGzip, RefusesWhatIsCutOffDamagedOrTooLarge) {
     EXPECT_TRUE(unpack_gzip(bytes, 300'000));
     for (std::size_t length = 0; length < bytes.size(); length += 7)
         EXPECT_FALSE(unpack_gzip(std::span(bytes).first(length), 1U << 20U)) << length;
-    bytes[bytes.size() - 6] ^= std::byte{1};  // checksum
+    bytes[bytes.size() - 6] ^= std::byte{1};  // a byte of the checksum
     EXPECT_FALSE(unpack_gzip(bytes, 1U << 20U));
     EXPECT_FALSE(unpack_gzip(std::as_bytes(std::span("plain words")), 1U << 20U));
 }

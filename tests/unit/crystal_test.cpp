@@ -203,7 +203,7 @@ std::unique_ptr<Simulation> nobody_near() {
     auto& motion = world.get<Motion>(wizard);
     motion.position = {8, match->data().wizard.height / 2, 16.5};
     match->physics().set_state(wizard.index, motion);
-    world.get<Gaze>(wizard) = {pi / 2, 0};  // towards -x, at the crystal's height
+    world.get<Gaze>(wizard) = {pi / 2, 0};  // the wizard looks towards -x, at the crystal's height
     return match;
 }
 

@@ -110,7 +110,7 @@ TEST_F(EcsSnapshot, ABlobIsSavedHashedAndEmptiedWithTheWorld) {
     const auto with = state_hash(world);
     EXPECT_NE(with, without);
     save(world, bytes);
-    copy.resize<Levels>(3);  // must vanish
+    copy.resize<Levels>(3);  // must be gone after the restore
     ASSERT_TRUE(restore(copy, bytes).has_value());
     EXPECT_EQ(state_hash(copy), with);
     EXPECT_TRUE(std::ranges::equal(copy.blob<Levels>(), world.blob<Levels>()));

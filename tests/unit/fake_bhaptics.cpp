@@ -193,8 +193,8 @@ bool FakeBhaptics::take_frame(int peer) {
     for (std::size_t i = 0; i < size; ++i)
         payload[i] = static_cast<char>(static_cast<unsigned char>(payload[i]) ^ mask.at(i % 4));
     const unsigned opcode = head[0] & 0x0FU;
-    if (opcode == 0xA) return true;   // pong
-    if (opcode == 0x8) return false;  // close
+    if (opcode == 0xA) return true;   // a pong frame needs no answer
+    if (opcode == 0x8) return false;  // a close frame ends the connection
     if (opcode == 0x9) return write(peer, frame_of(pong, payload));
     EXPECT_EQ(head[0], final_text);
     return react(peer, payload);

@@ -104,7 +104,7 @@ struct ArmMatch {
 /// that stops, and skipped samples.
 void play(ArmMatch& m) {
     m.run(200);
-    m.arm_buttons = 1;  // fire
+    m.arm_buttons = 1;  // the button that fires
     m.run(700);
     m.hand_buttons = bit(Button::pause);
     m.run(50);
@@ -401,7 +401,7 @@ TEST(Arm, DrawsALobByPullingBack) {
     m.arm_buttons = 1;
     m.run(50);
     for (int t = 0; t < 600; ++t) {
-        m.back_um += 100;  // towards the user at 0.1 m/s
+        m.back_um += 100;  // the arm moves towards the user at 0.1 m/s
         m.run(1);
     }
     m.run(100);
@@ -433,7 +433,7 @@ TEST(Arm, SwingsAndShortensTheRope) {
     ArmMatch m{duel_data()};
     take_wand(m, "swing");
     const auto& motion = m.match.world().get<Motion>(wizard_of(m.match.world(), 0));
-    look_at(m, motion.position + vec3(1, -0.6, 0.5));  // the ground
+    look_at(m, motion.position + vec3(1, -0.6, 0.5));  // a place on the ground
     m.arm_buttons = 1;
     m.run(60);
     EXPECT_TRUE(wand_of(m).held_at(m.match.world(), wizard_of(m.match.world(), 0)));

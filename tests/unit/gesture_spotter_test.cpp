@@ -128,7 +128,7 @@ TEST(Spotter, ARestBeforeAndAfterTheUsualDurationScoresBetter) {
     };
     const float hurried = best_score(recogniser, among(ess(), 0), 2);
     EXPECT_LT(best_score(recogniser, among(ess(), 0.4), 2), 0.9F * hurried);
-    const auto slow = moved(ess(), {}, 1, 0.2);  // five times as long
+    const auto slow = moved(ess(), {}, 1, 0.2);  // the S, drawn at a fifth of the speed
     EXPECT_GT(best_score(recogniser, among(slow, 0.4), 2), best_score(recogniser, among(ess(), 0.4), 2));
 }
 

@@ -226,7 +226,7 @@ TEST(HapticsSafety, ADeadModelRampsDownOnceAndStaysAtZero) {
     }
     EXPECT_EQ(stage.feel({.wanted = {2, -1, 0}, .model_age = 4'000'000'000}, 200), vec3(0));
     EXPECT_NEAR(glm::length(stage.feel({2, -1, 0})), 0.04, 1e-12);
-    // An age that jumps does not shorten the ramp.
+    // A model's age that jumps does not shorten the ramp.
     stage.feel({.wanted = {2, -1, 0}}, 100);
     EXPECT_NEAR(stage.feel({.wanted = {2, -1, 0}, .model_age = 5000}).x, 2 * 0.98, 1e-12);
 }
@@ -243,9 +243,9 @@ TEST(HapticsSafety, AHandThatFliesIsLeftAloneUntilItHasBeenSlow) {
         EXPECT_EQ(stage.feel({.wanted = {1, 0, 0}, .velocity = wild}), vec3(0));
         EXPECT_EQ(stage.cause(), SafetyCause::over_speed);
         EXPECT_EQ(stage.feel(at(1.9), 99), vec3(0));
-        EXPECT_EQ(stage.feel(at(2)), vec3(0));  // not slow enough: the waiting time starts again
+        EXPECT_EQ(stage.feel(at(2)), vec3(0));  // 2 m/s is not slow enough: the waiting time starts again
         EXPECT_EQ(stage.feel(at(1.9), 100), vec3(0));
-        // The cut is over: an ordinary speed is allowed again.
+        // After the cut, an ordinary speed is allowed again.
         EXPECT_NEAR(stage.feel(at(3.9)).x, 0.04, 1e-12);
     }
 }
@@ -276,7 +276,7 @@ TEST(HapticsSafety, ThreeBurstsOfExcessInTenSecondsShutItOff) {
     ASSERT_TRUE(bursts(stage, {100, 100}));
     EXPECT_EQ(stage.feel({.wanted = calm}, 50'000), vec3(0));
     EXPECT_NEAR(stage.feel({.wanted = calm, .rearm = true}).x, 0.04, 1e-12);
-    EXPECT_FALSE(bursts(stage, {100}));  // the count starts again from zero
+    EXPECT_FALSE(bursts(stage, {100}));  // rearming has set the number of bursts to zero
 }
 
 TEST(HapticsSafety, ASpringThatTheWorldStretchesClipsAndIsNoFault) {

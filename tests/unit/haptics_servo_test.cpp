@@ -47,7 +47,7 @@ TEST(HapticsServo, AnEncodersQuantumIsNoSpeed) {
         }
         const double allowed = std::sqrt(3.0) * quantum / tick_seconds;
         EXPECT_LE(most, speed * (late ? 8.0 / 7 : 1));
-        EXPECT_GE(least, speed * (late ? 6.0 / 7 : 1) - 2 * allowed);  // the bound is meaningful
+        EXPECT_GE(least, speed * (late ? 6.0 / 7 : 1) - 2 * allowed);  // not far below the real speed
     }
     Rig still;
     still.servo.quantum = quantum;

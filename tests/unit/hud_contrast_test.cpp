@@ -147,7 +147,7 @@ TEST_F(Contrast, OfTheArcThatShowsWhereAHurtCameFrom) {
         auto& w = picture.wizards[0];
         w.senses.hurts = 1;
         w.senses.marks[0] = {.age_s = 0.2,
-                             .towards = rotation({0, 1, 0}, w.vitals.yaw) * vec3(1, 0, 0)};  // to the right
+                             .towards = rotation({0, 1, 0}, w.vitals.yaw) * vec3(1, 0, 0)};  // from the right
         std::vector<Across> arc;
         for (float aside = -0.33F; aside <= 0.33F; aside += 0.03F)
             arc.push_back(along_ray(layout.centre, static_cast<float>(pi / 2) + aside,

@@ -72,9 +72,9 @@ TEST(Mover, ARopeTakesAsMuchTractionAsWeight) {
         }
         return w.velocity().x;
     };
-    EXPECT_NEAR(speed_after(0), 40 * 0.05, 0.02);  // so the acceleration is that on the ground
+    EXPECT_NEAR(speed_after(0), 40 * 0.05, 0.02);  // no lift by a rope: the acceleration on the ground
     EXPECT_NEAR(speed_after(weight / 2), 20 * 0.05, 0.02);
-    EXPECT_NEAR(speed_after(weight), 4 * 0.05, 0.02);  // so the acceleration is that in the air
+    EXPECT_NEAR(speed_after(weight), 4 * 0.05, 0.02);  // a rope bears all weight: the acceleration in the air
     EXPECT_NEAR(speed_after(3 * weight), 4 * 0.05, 0.02);
 }
 

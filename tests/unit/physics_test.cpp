@@ -339,7 +339,7 @@ TEST(PhysicsRay, HitsMeshes) {
     Physics physics({}, {hills(8, 0)});
     physics.add(2, {.shape = Shape::mesh}, {.position = {0, 1, 0}, .orientation = rotation({0, 1, 0}, 0.3)});
     Random random{5};
-    for (int i = 0; i < 200; ++i) {  // exact, and without gaps at any seam between triangles
+    for (int i = 0; i < 200; ++i) {  // hits are exact, and no seam between triangles is a gap
         const double x = std::floor(random.uniform() * 5) - 2, z = random.uniform() * 4 - 2;
         const vec3 seam = rotation({0, 1, 0}, 0.3) * vec3{x, 0, z};
         const auto hit = physics.ray(seam + vec3{0, 300, 0}, seam - vec3{0, 300, 0});

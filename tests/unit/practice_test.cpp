@@ -388,7 +388,7 @@ TEST_F(WallTest, ThreeStrokesOnTheWallAreAnOwnGesture) {
     practice_.wall().record("circle");
     EXPECT_EQ(picture(practice_).practice.wall.lines[0], "Your own Circle: draw stroke 1 of 3");
     for (int stroke = 0; stroke < 2; ++stroke) player_.draw(800, triangle_on_wall);
-    player_.draw(60, triangle_on_wall);  // too short to count
+    player_.draw(60, triangle_on_wall);  // a stroke that is too short to count
     const auto lines = picture(practice_).practice.wall.lines;
     ASSERT_EQ(lines.size(), 4U);
     EXPECT_EQ(lines[0].find("not counted, too fast: "), 0U) << lines[0];

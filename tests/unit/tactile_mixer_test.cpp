@@ -72,7 +72,7 @@ TEST(TactileMixerTest, AnEffectIsOverAfterItsLength) {
 TEST(TactileMixerTest, AShortEffectBetweenTwoFramesIsFelt) {
     TactileRig rig(apart(1), bank_of({plain_effect("tick", {.attack = 1, .decay = 1})}));
     rig.frame();
-    rig.mixer->start(0, Where::own(), 1, rig.now - 6);  // begins and ends between two frames
+    rig.mixer->start(0, Where::own(), 1, rig.now - 6);  // an effect that begins and ends between two frames
     EXPECT_NEAR(rig.frame().amplitude[0], 1, 1e-6);
     rig.frame();
     EXPECT_TRUE(rig.frame().is_silent());
@@ -117,7 +117,7 @@ TEST(TactileMixerTest, AnEventAfterAShortOneWaitsUntilTheGapIsOver) {
     std::vector<Tick> felt;
     for (int f = 0; f < 20; ++f) {
         if (f == 2) rig.start("a", Where::own());
-        if (f == 3) rig.start("a", Where::own());  // this one is merged with the one that waits
+        if (f == 3) rig.start("a", Where::own());  // this event is merged with the event that waits
         const auto& frame = rig.frame();
         if (frame.amplitude[0] > 0) felt.push_back(frame.tick - 1000);
     }

@@ -56,7 +56,7 @@ TEST(TactileDirection, TheHeightOfAHitIsFelt) {
     auto peaks = rig.peaks(10);
     EXPECT_GT(peaks[1], 0.1);
     EXPECT_EQ(peaks[17], 0);
-    rig.start("bolt_hit", Where::from({0, 0, 1}, 0.5));  // below the jacket, so the lowest row feels it
+    rig.start("bolt_hit", Where::from({0, 0, 1}, 0.5));  // a hit below the jacket, which the lowest row feels
     peaks = rig.peaks(10);
     EXPECT_GT(peaks[17], 0.1);
     EXPECT_EQ(peaks[1], 0);

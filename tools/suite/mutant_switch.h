@@ -13,8 +13,8 @@ namespace thaum_mutants {
 
 struct Switch {
     int active = 0;                    ///< number of the active mutant; 0: none
-    unsigned char* reached = nullptr;  ///< one byte for each mutant, shared with the file; may be null
-    int count = 0;                     ///< size of `reached`
+    unsigned char* reached = nullptr;  ///< one byte for each mutant, in a shared file; null: no file
+    int count = 0;                     ///< number of bytes in `reached`
 };
 
 /// Reads THAUM_MUTANT (a number) and maps the file that THAUM_MUTANTS_REACHED names. The file is shared
