@@ -1,6 +1,6 @@
-# Tests of real arms without an arm: our own libHD.so with a simulated arm. It is loaded like the vendor's, so
-# it must bring its own libraries and export only its functions. fake_hd_old lacks a function, as an old
-# version does.
+# Tests of real arms without an arm: our own libHD.so, which simulates an arm. Programs load it like the
+# maker's libHD.so, so it must contain all code that it needs, and export only the functions of libHD.
+# fake_hd_old lacks a function that old versions of the maker's library lack.
 foreach(name fake_hd fake_hd_old)
     add_library(${name} SHARED
         drivers/fake_hd/calls.cpp drivers/fake_hd/library.cpp drivers/fake_hd/misbehaviour.cpp

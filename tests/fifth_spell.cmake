@@ -6,7 +6,7 @@ thaum_test(test_fifth_spell
     LINK thaum_live
     NOT_SANITIZED FifthSpell.BotsCastIt*)
 
-# The program below shows the sanitizers no other code than test_fifth_spell does.
+# Under sanitizers the program below is left out, because it runs no code that test_fifth_spell does not run.
 if(THAUM_SANITIZE)
     return()
 endif()

@@ -4,5 +4,5 @@ thaum_test(test_gesture
         unit/gesture_shape_test.cpp unit/gesture_spotter_test.cpp
         accuracy/gesture_accuracy_test.cpp accuracy/gesture_confusion_test.cpp stability/gesture_hostile_test.cpp
     LINK thaum_gesture_trials
-    NOT_SANITIZED GesturePublicData.*  # the same code as shorter cases, for minutes
+    NOT_SANITIZED GesturePublicData.*  # takes minutes, and runs the same code as shorter cases
     THREADS GestureThreads.*)

@@ -54,7 +54,7 @@ thaum_driver_test(resize ${CMAKE_CURRENT_SOURCE_DIR}/drivers/resize.sh
     $<TARGET_FILE:thaum> $<TARGET_FILE:live_log_probe>)
 set(part_of_range "")
 if(THAUM_SANITIZE STREQUAL thread)
-    set(part_of_range range)  # live_threads shows the thread sanitizer a match
+    set(part_of_range range)  # the thread sanitizer sees a match in live_threads
 endif()
 thaum_driver_test(range ${CMAKE_CURRENT_SOURCE_DIR}/drivers/range.sh
     $<TARGET_FILE:thaum> $<TARGET_FILE:press_keys> ${part_of_range})
@@ -68,7 +68,7 @@ thaum_driver_test(lab ${CMAKE_CURRENT_SOURCE_DIR}/drivers/lab.sh
 thaum_driver_test(volume_lab ${CMAKE_CURRENT_SOURCE_DIR}/drivers/volume_lab.sh
     $<TARGET_FILE:thaum> $<TARGET_FILE:press_keys>)
 if(NOT THAUM_SANITIZE)
-    # Tests of times.
+    # These tests measure times, which sanitizers would falsify.
     thaum_driver_test(stalled ${CMAKE_CURRENT_SOURCE_DIR}/drivers/stalled.sh
         $<TARGET_FILE:live_session> $<TARGET_FILE:live_log_probe>)
     thaum_driver_test(input_delay ${CMAKE_CURRENT_SOURCE_DIR}/drivers/input_delay.sh
@@ -97,8 +97,8 @@ if(NOT THAUM_SANITIZE)
         $<TARGET_FILE:thaum_with_fake_arms> $<TARGET_FILE:live_log_probe>)
     list(APPEND slow_drivers drivers.two_arms)
 endif()
-# slow: these take a minute of real time. Shorter tests show the sanitizers the same code. They draw few pictures or
-# none, so one of them runs beside one that draws.
+# slow: each of these tests takes a minute of real time. Sanitizers see the same code in shorter tests. These
+# tests draw few pictures or none, so one of them runs beside a test that draws.
 set_tests_properties(${slow_drivers} PROPERTIES LABELS slow RESOURCE_LOCK arm)
 # A hundred runs by hand: kill_recording 100
 add_executable(kill_recording drivers/kill_recording.cpp)
@@ -115,7 +115,7 @@ endif()
 add_test(NAME drivers.verify COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/drivers/verify.sh $<TARGET_FILE:thaum> $<TARGET_FILE:forge_log>)
 thaum_driver_test(homeless ${CMAKE_CURRENT_SOURCE_DIR}/drivers/homeless.sh $<TARGET_FILE:thaum>)
 thaum_driver_test(lost_display ${CMAKE_CURRENT_SOURCE_DIR}/drivers/lost_display.sh $<TARGET_FILE:thaum>)
-if(NOT THAUM_SANITIZE)  # Other tests show the sanitizers how files are written.
+if(NOT THAUM_SANITIZE)  # sanitizers see the code that writes files in other tests
     add_test(NAME drivers.outputs COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/drivers/outputs.sh $<TARGET_FILE:thaum>)
     set_tests_properties(drivers.outputs PROPERTIES COST 50)
 endif()
@@ -134,7 +134,7 @@ if(umockdev_FOUND)
         $<TARGET_FILE:thaum> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe> $<TARGET_FILE:press_keys>)
     thaum_driver_test(pads ${CMAKE_CURRENT_SOURCE_DIR}/drivers/pads.sh
         $<TARGET_FILE:thaum> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe> $<TARGET_FILE:press_keys>)
-    # Without a screen, so beside all other tests.
+    # Tests without a screen, which run beside all other tests.
     add_test(NAME drivers.rumble COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/drivers/rumble.sh
         $<TARGET_FILE:rumble_probe> $<TARGET_FILE:pad_harness>)
     add_test(NAME drivers.pad_models COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/drivers/pad_models.sh

@@ -6,13 +6,14 @@ thaum_test(test_sixth_wand
     LINK thaum_live
     NOT_SANITIZED SixthWand.BotsTakeIt*)
 
-# The programs below show the sanitizers no other code than test_sixth_wand does.
+# Under sanitizers the programs below are left out, because they run no code that test_sixth_wand does not
+# run.
 if(THAUM_SANITIZE)
     return()
 endif()
 
-# The same program with the wands' objects linked in either order. The archive of the game gives it everything but
-# the wands, since no object of the archive refers to one.
+# link_order.cpp with the objects of the wands linked in either order. The game's archive gives the program
+# everything but the wands, since no object of the archive refers to a wand.
 set(wand_objects ${THAUM_WANDS} ${THAUM_POTIONS} $<TARGET_OBJECTS:wand_hail>)
 foreach(order forward reverse)
     add_executable(wands_${order} sixth_wand/link_order.cpp ${wand_objects})

@@ -19,7 +19,7 @@ mkdir -p "$cache"
 configured() {
     local folder=$build/tidy-$1
     if [[ ! -f $folder/build.ninja ]] || ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt"; then
-        rm -rf "$folder"  # it may have come with a tree that was moved or copied
+        rm -rf "$folder"  # the folder may have come with a tree that was moved or copied
         cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O1 \
             -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ -DTHAUM_PORTABLE=ON -DBUILD_TESTING=ON "${@:2}" \
             >"$folder.log" 2>&1 || { cat "$folder.log" >&2; exit 1; }
@@ -82,18 +82,18 @@ commands() {
 # keys FOLDER: reads names of sources and prints lines "KEY TAB SOURCE".
 keys() {
     local common
-    # The version alone: the rest names this machine's processor.
+    # Only the version is used, because the other lines name this machine's processor.
     common=$({ clang-tidy --version | grep version && cat "$root/.clang-tidy"; } | sha256sum | cut -c1-16)
     commands "$1" >"$cache/commands"
     dependencies >"$cache/dependencies"
-    # One hash per file, then per source a hash of its hashes.
+    # One hash for each file, then for each source a hash of the hashes of its files.
     cut -f2 "$cache/dependencies" | sort -u >"$cache/files"
     grep -v "^$build/" "$cache/files" | xargs -r -d '\n' sha256sum >"$cache/hashes"
-    # A batch names its sources by their places.
+    # The files of a batch name its sources with the path of this tree, which is left out of the hash.
     { grep "^$build/" "$cache/files" || true; } | while IFS= read -r source; do
         printf '%s  %s\n' "$(sed "s|$root||g" "$source" | sha256sum | cut -c1-64)" "$source"
     done >>"$cache/hashes"
-    # All that a source depends on as a small file of its own, so that one call hashes them all.
+    # Writes all that a source depends on into a small file of its own, so that one call hashes them all.
     rm -rf "$cache/texts"
     mkdir "$cache/texts"
     awk -F '\t' -v common="$common" -v root="$root" -v place="$cache/texts" '
@@ -151,7 +151,7 @@ if (($# > 0)); then
     exit
 fi
 
-# What passed in another checkout passed here.
+# Keys of sources that passed in another checkout count as passed here.
 [[ ! -r $list ]] || awk '$1 ~ /^[0-9a-f]+$/ { print $1 }' "$list" | (cd "$cache" && xargs -r touch)
 find "$cache" -type f -mtime +30 -delete
 batches=$(configured batches -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
@@ -165,7 +165,7 @@ if [[ -s $cache/new ]]; then
         { cat "$alone.log" >&2; exit 1; }
 fi
 check_new compile_one "$alone"
-# Everything passed.
+# All sources have passed, so the list is written anew.
 {
     echo "# Batches and sources that passed, written by tools/tidy.sh: the hash of all that they depend on, and their names."
     cat "$cache/batches" "$cache/sources" | sort -k 2 | tr '\t' ' ' | sed "s|$batches/||; s|$root/||"

@@ -279,7 +279,7 @@ expect 2 "/dev/null" sounds boil --sheet /dev/null/sheet.png
 [[ $("$thaum" sounds | grep -c '  ') == $(( $(find "$folder/assets/sounds" -name "*.toml" | wc -l) + 1 )) ]] || { echo "failed: thaum sounds does not list each file of assets/sounds"; failures=$((failures + 1)); }
 "$thaum" sounds bolt_shot boil --out "$folder/sounds" --sheet "$folder/new/sheet.png" >/dev/null
 [[ $(cd "$folder/sounds" && echo *) == "boil.png boil.wav bolt_shot.png bolt_shot.wav" ]] || { echo "failed: the files of two sounds"; failures=$((failures + 1)); }
-# 0.24 s of 48,000 samples of four bytes, after a header of 58 bytes.
+# The WAV file of a sound of 0.24 s: a header of 58 bytes, then 48,000 samples of four bytes for each second.
 [[ $(stat -c %s "$folder/sounds/bolt_shot.wav") == 46138 && -s $folder/new/sheet.png ]] || { echo "failed: the WAV file of a sound, or the sheet"; failures=$((failures + 1)); }
 cp -r "$(dirname "$0")/../../assets" "$folder/assets"
 echo 'loud = true' >>"$folder/assets/sounds/boil.toml"

@@ -42,13 +42,14 @@ compare() {
                 return (x[1] - y[1]) ^ 2 + (x[2] - y[2]) ^ 2 + (x[3] - y[3]) ^ 2 < 1e-24
             }
             function size(a,   x) { split(a, x, " "); return x[1] ^ 2 + x[2] ^ 2 + x[3] ^ 2 }
-            # Ten forces from W of the table on, or all up to its end, are those of the arm from A on.
+            # Tests whether ten forces of the table from index W on, or all up to its end, equal the forces of
+            # the arm from index A on.
             function agree(w, a,   i) {
                 for (i = 0; i < 10 && w + i < n; i++) if (a + i >= m || !near(wanted[w + i], arm[a + i])) return 0
                 return 1
             }
-            # Skips forces that were held back, and ticks without a new force among them. Returns whether that
-            # was possible.
+            # Skips forces of the table that the arm held back, and ticks without a new force among them.
+            # Returns whether the forces agree after that.
             function pass_held_back(   k, without) {
                 for (k = 1; k <= late + 50; k++)
                     for (without = 0; repeated + without <= 20; without++)
@@ -120,7 +121,7 @@ awk '$1 != 0 || $2 != 0 || $3 != 0 { felt = 1 } { ticks += felt } END { exit !(t
 ends warm 1 'too warm'
 ends vanish 1 'plug it in'
 
-refuses() { # WORDS ARGUMENT...
+refuses() { # WORDS ARGUMENT...: expects one line with WORDS and exit code 2
     local words=$1 said code=0
     shift
     said=$(THAUM_LIBHD=$fake "$thaum" replay "$log" "$@" 2>&1) || code=$?

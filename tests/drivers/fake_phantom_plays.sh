@@ -33,7 +33,7 @@ told_and_replayed() {
     grep -q 'state hashes agree' "$folder/$1.verified" || failed "$1: the replay differs"
 }
 
-# feels NAME, rests NAME: whether the arm with this live file gives a force now.
+# feels NAME, rests NAME: tests whether the arm that writes $folder/NAME.live exerts a force now, or none.
 feels() { awk -v f="$(live "$1" 2 f8)" 'BEGIN { exit !(f > 0.3) }'; }
 rests() { ! feels "$1"; }
 # feels_three NAME: waits until the arm has given a force, and none again, three times. A busy machine may keep forces
@@ -118,13 +118,13 @@ cat "$folder/two.txt"
 expect_shots two 1 0
 expect_shots two 2 0
 
-# The range and the start screen know an arm.
+# The practice range and the start screen must work with an arm.
 THAUM_LIBHD=$fake FAKE_HD="path=$folder/way" "$thaum" range --hands arm --seconds 3 >"$folder/range.txt" 2>&1 || failed "no range by arm"
 cat "$folder/range.txt"
 grep -Eq 'range: [0-9]+ of [1-9]' "$folder/range.txt" || failed "its button does not shoot on the range"
 grep -q '; 0 forces differ' "$folder/range.txt" || failed "the range computes other forces than the arm's thread"
-# The start screen shows the arm in its picture only. Here it must survive an unused arm, and one that
-# vanishes.
+# The start screen shows the arm in its picture only. Here the screen must survive an arm that nobody uses,
+# and one that vanishes.
 THAUM_LIBHD=$fake FAKE_HD="path=$folder/way,vanish=1000" "$thaum" --hands arm >"$folder/start.txt" 2>&1 &
 start=$!
 eventually "the start screen does not see that it goes" grep -q 'plug it in' "$folder/start.txt"
@@ -136,7 +136,7 @@ wait $start || failed "no start screen with an arm"
 play faster 5 "path=$folder/way,rate=1008"
 
 # Without a usable arm, one line must say what to do, and no match may start.
-refuses() { # LIBRARY FAKE_HD WORDS
+refuses() { # LIBRARY FAKE_HD WORDS: expects one line with WORDS, and no match
     local said code=0
     said=$(THAUM_LIBHD=$1 FAKE_HD=$2 "$thaum" --solo 1 --hands arm --seconds 1 --record "$folder/none.thaumlog" 2>&1) || code=$?
     echo "$said"

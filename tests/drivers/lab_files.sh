@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# tests/drivers/lab_files.sh THAUM: files of `thaum lab VOLUME` without a window. No output may destroy a file that the
-# command reads: a volume beside the first, one of a session, samples of a detached header, colours and materials, also
-# by other names of these. Two outputs need two files. Faults on the command line are told in one line.
+# tests/drivers/lab_files.sh THAUM: files of `thaum lab VOLUME` without a window. No output may destroy a file
+# that the command reads: a volume beside the first, one of a session, samples of a detached header, colours
+# and materials. The same holds if the output is another name of such a file. Two outputs need two files.
+# Faults on the command line are told in one line.
 set -uo pipefail
 . "$(dirname "$0")/offscreen.sh"
 thaum=$(readlink -f "$1")

@@ -146,7 +146,7 @@ cp script.lua tests/scenarios/panic_key.lua
 cp "$repository/tests/replays/forces/panic_key.csv" tests/replays/forces/
 cp assets/settings.toml config/thaum/settings.toml
 cp "$thaum" program
-spares() { # FILE COMMAND...
+spares() { # FILE COMMAND...: expects that the command is refused and leaves FILE unchanged
     local file=$1 before status
     shift
     before=$(md5sum <"$file")

@@ -116,7 +116,8 @@ left_out 14 15 16 17 18 19
 presses Return
 eventually "the mapping was not kept" grep -qs '^0300.*,Stick of wood and string,a:b3,b:b2,x:b1,y:b0,leftx:a0,lefty:a1,rightx:a3,righty:a2,righttrigger:a5,start:b5,platform:Linux,$' "$own"
 picture kept
-# It plays: its B leaves the page, and its X joins and starts, whatever row is chosen.
+# The joystick plays: its button B leaves the page, and its X joins and starts a match, whatever row is
+# chosen.
 pad button.2 1
 sleep 0.3
 pad button.2 0
@@ -133,7 +134,7 @@ pad axis.5 32767
 eventually "the joystick's trigger" logged 0 trigger 255
 ends
 
-# 3. After a restart it plays at once, with the same mapping.
+# 3. After a restart the joystick plays at once, with the same mapping.
 starts --stick -- --solo 1 --hands pad --record "$folder/again"
 log() { echo "$folder/again"; }
 pad axis.0 32767

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# tests/drivers/replay_window.sh THAUM PRESS_KEYS: a replay in its window under Xvfb. Keys and mouse move the knob of the
-# bar to the end, the beginning and the middle; the end waits. Exits with 77 if a tool is missing.
+# tests/drivers/replay_window.sh THAUM PRESS_KEYS: a replay in its window under Xvfb. Keys and mouse move the
+# knob of the bar to the end, the beginning and the middle. At its end the replay stays open. Exits with 77 if
+# a tool is missing.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 thaum=$1 press_keys=$2

@@ -64,7 +64,7 @@ eventually "not both motors" felt 'upload [01] 9252 65535 48'
 eventually "both motors did not stop" stopped
 ! grep '^upload' "$folder/felt" | grep -qv ' 48$' || failed "an effect outlives its frame"
 
-# 3. Pulled out in the middle of an effect, and put back.
+# 3. The pad is pulled out in the middle of an effect, and put back.
 feel 1 1 1 1000000
 from=$(lines)
 eventually "no motors before the pad was pulled out" felt 'play [01] 1'

@@ -7,7 +7,7 @@ session=$1 probe=$2
 need Xvfb
 open_screen 640x360
 
-try() { # NAME THREAD EVERY_MS MS
+try() { # NAME THREAD EVERY_MS MS: stalls that thread for MS every EVERY_MS, and replays the log
     "$session" "$folder/$1" 4 bot bot "$2" "$3" "$4"
     "$probe" "$folder/$1" | tee "$folder/$1.txt"
     grep -q 'replay same' "$folder/$1.txt" || { echo "failed: $1"; exit 1; }

@@ -85,7 +85,8 @@ cat "$folder/ended.txt"
 is_let_go first
 is_let_go second
 
-# The start screen knows both. One goes and stays away: a busy machine may show the screen only after an arm is back.
+# The start screen must survive two arms, one of which vanishes for good. (If the arm came back soon, a busy
+# machine might not show its absence.)
 FAKE_ARMS="$first;$second,vanish=1000,back=1000000" "$thaum" --hands arm,arm >"$folder/start.txt" 2>&1 &
 start=$!
 eventually "the start screen does not see that one goes" grep -q '^Fake A1: .*plug it in' "$folder/start.txt"
@@ -100,7 +101,7 @@ done
 FAKE_ARMS="$first;$second" "$thaum" replay "$folder/swapped.thaumlog" --feel fake >"$folder/felt" || failed "not felt at fake"
 grep "player 1's forces on Fake A0" "$folder/felt" || failed "not felt at the first arm"
 
-refuses() { # WORDS SCRIPTS ARGUMENT...
+refuses() { # WORDS SCRIPTS ARGUMENT...: expects one line with WORDS and exit code 2
     local words=$1 scripts=$2 said code=0
     shift 2
     said=$(FAKE_ARMS=$scripts THAUM_LIBHD=$folder/none.so "$thaum" "$@" 2>&1) || code=$?

@@ -119,7 +119,7 @@ goes_on() {
 }
 eventually "no second window" drawn
 eventually "no rows" seen 0 "1"
-# A list looks the same while the button is down on it, and opens when that is let go.
+# A list looks the same while the button is held on it, and opens when the button is released.
 xdotool mousemove 150 162
 eventually "the panel does not rest" settled
 xdotool mousedown 1 sleep 0.3

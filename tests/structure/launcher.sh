@@ -3,7 +3,7 @@
 # ninja, so that nothing is installed or built. Prints each case; exits with 1 if one fails.
 # shellcheck disable=SC2016  # the fake tools expand their own variables
 set -euo pipefail
-for name in "${!CTEST_@}" "${!GTEST_@}"; do unset "$name"; done  # ctest sets some, which thaum would report
+for name in "${!CTEST_@}" "${!GTEST_@}"; do unset "$name"; done  # ctest sets variables that thaum reports
 
 source=$1
 place=$(mktemp -d)
@@ -567,7 +567,8 @@ expect "and starts there" says "started:"
 
 # ---- two at once -----------------------------------------------------------------------------------------------------
 
-# Each tool reports one that works at the same time. The first apt-get waits until the second start waits for it.
+# Each fake tool reports if another one runs at the same time. The first apt-get waits until the second start
+# of the launcher waits for it.
 fresh_machine
 for name in apt-get cmake ninja; do
     mv "$fake/$name" "$fake/real-$name"

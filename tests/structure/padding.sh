@@ -13,17 +13,18 @@ failed() {
     exit 1
 }
 
-# compiles COMPILER OPTION...
+# compiles COMPILER OPTION...: tests whether the compiler accepts padding.cpp with these options.
 compiles() { "$1" -std=c++20 -fsyntax-only -I"$engine" "${@:2}" "$components" >"$output" 2>&1; }
 
-# is_refused COMPONENT: the compiler's output names the line that asks for its description.
+# is_refused COMPONENT: tests whether the compiler's output names the line that asks for the component's
+# description.
 is_refused() {
     local line
     line=$(grep -n "component_info<$1>" "$components" | cut -d: -f1)
     grep -q "$(basename "$components"):$line:" "$output"
 }
 
-# try NAME COMPILER...: the first of the compilers that is there.
+# try NAME COMPILER...: tests the first of these compilers that is installed.
 try() {
     local name=$1 compiler component
     shift

@@ -29,8 +29,8 @@ function(thaum_links_alone)
     endforeach()
 endfunction()
 
-# thaum_cold(TARGETS...): targets in which no time is spent at run time, such as menus, commands and words. Little
-# optimisation halves the time in which they compile. Under sanitizers, they have none.
+# thaum_cold(TARGETS...): targets in which no time is spent at run time, such as menus, commands and words.
+# Little optimisation halves the time in which they compile. Under sanitizers they are not optimised at all.
 function(thaum_cold)
     foreach(target ${ARGN})
         if(THAUM_SANITIZE)
@@ -57,12 +57,13 @@ function(thaum_headers_of set)
     endif()
     foreach(target ${ARGN})
         set(headers thaum_headers_${set})
-        # A compiler takes one precompiled header at every level of optimisation but -O0.
+        # Precompiled headers for code without optimisation (-O0) and with it differ; all other levels share
+        # one.
         get_target_property(unoptimised ${target} THAUM_UNOPTIMISED)
         if(unoptimised)
             string(APPEND headers _unoptimised)
         endif()
-        # Nor does it take one that was compiled with other flags against overruns.
+        # Precompiled headers also differ between code with and without protections against overruns.
         get_target_property(hot ${target} THAUM_HOT)
         if(hot AND THAUM_HARDENED)
             string(APPEND headers _hot)

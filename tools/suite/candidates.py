@@ -77,7 +77,7 @@ class Source:
                 self.macros.append((cursor.extent.start.offset, cursor.extent.end.offset))
             else:
                 self._enter_scope(cursor)
-        # A template may show an expression twice.
+        # libclang may show an expression of a template twice, so each place and kind is kept once.
         unique = {(c["edits"][0][:2], c["kind"]): c for c in self.found if self._free_of_macros(c)}
         return [unique[key] for key in sorted(unique)]
 
@@ -202,7 +202,7 @@ class Source:
         found = {"kind": kind, "line": start.line, "column": start.column, "before": before, "after": after,
                  "edits": edits}
         if way and self.found and self.found[-1]["edits"][0][:2] == edits[0][:2]:
-            self.found[-1]["other"] = found  # the draw chooses one of both
+            self.found[-1]["other"] = found  # the draw takes one of the two mutants
         else:
             self.found.append(found)
 

@@ -23,7 +23,7 @@ LIST_HEAD = """\
 # Cases that the sanitizers' build leaves out, because cheaper cases reach all code that they reach. Written by
 # tools/suite/coverage.sh; a case that is not named here runs.
 """
-# These run whatever they reach: they try inputs and hostile values, not code.
+# Cases that always run, whatever code they reach, because they test inputs and hostile values.
 ALWAYS = re.compile(r"^fuzz\.")
 PARAMETER = "  # GetParam() = "
 FUZZ_LIST = OWN_TREE / "tests" / "fuzz_runs.txt"

@@ -4,7 +4,7 @@
 set -euo pipefail
 
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
-python=/usr/bin/python3  # Debian's own: the packages are for no other
+python=/usr/bin/python3  # the Python for which Debian makes the packages
 
 install_packages() {
     local -a packages as_root=()

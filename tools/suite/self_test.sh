@@ -115,7 +115,7 @@ git -C "$tree" init -q
 
 step() { "$here/mutants.sh" "$@" --out "$out" >>"$place/log" 2>&1 || { cat "$place/log" && exit 1; }; }
 
-# expect WHAT COMMAND...
+# expect WHAT COMMAND...: prints whether COMMAND succeeds; WHAT says what is expected.
 expect() {
     local what=$1
     shift
@@ -124,7 +124,8 @@ expect() {
 
 line_of() { grep -n -m1 -F "$1" "$tree/engine/tiny.cpp" | cut -d: -f1; }
 
-# result KIND FILE LINE RESULT [FOUND BY]: the table has a mutant of that kind there, with that result.
+# result KIND FILE LINE RESULT [FOUND BY]: tests whether the table has a mutant of that kind at that line of
+# the file, with that result.
 result() {
     awk -F '\t' -v kind="$1" -v file="engine/$2" -v line="$3" -v result="$4" -v by="${5-}" '
         $2 == kind && $3 == file && $4 == line && $9 == result && index($10, by) == 1 { found = 1 }

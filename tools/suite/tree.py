@@ -8,7 +8,7 @@ from pathlib import Path
 
 from common import SWITCH_HEADER, add_assets, read_mutants, run_logged, say, stop, tracked_files, with_edits, write_json
 
-INCLUDED = "tools/suite/mutant_switch.h"  # its place in the copy
+INCLUDED = "tools/suite/mutant_switch.h"  # place of the switch header in the copied tree
 INCLUDE = ('add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:-include${CMAKE_CURRENT_SOURCE_DIR}/' + INCLUDED + '>")\n')
 MOST_ROUNDS = 20
 # Files that later steps write about a build.
