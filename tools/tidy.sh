@@ -112,7 +112,7 @@ keys() {
     sha256sum "$cache/texts"/* | cut -c1-16 | paste - "$cache/sources_of_texts"
 }
 
-# tidy_one FOLDER SOURCE: clang-tidy over a source, or a batch.
+# tidy_one FOLDER SOURCE: runs clang-tidy over a source, or a batch.
 tidy_one() {
     local output
     output=$(clang-tidy --quiet -p "$1" --extra-arg=-Wno-error --extra-arg=-Wno-unknown-warning-option "$2" 2>&1) && return
@@ -123,22 +123,22 @@ tidy_one() {
 # compile_one FOLDER SOURCE: compiles a source on its own by the command that `keys` has found, without making code.
 compile_one() { bash -c "$(awk -F '\t' -v source="$2" '$1 == source { print $2; exit }' "$cache/commands") -fsyntax-only '$2'"; }
 
-# find_new FOLDER NAME: reads names of sources. Their keys go into the file NAME, and those that are not known to pass into
-# the file new: key and source on lines of their own.
+# find_new FOLDER NAME: reads names of sources and writes their keys to the file NAME. Keys that are not known to pass
+# go into the file `new`, each followed by its source on a line of its own.
 find_new() {
     local key source
     keys "$1" >"$cache/$2"
     while IFS=$'\t' read -r key source; do
         [[ -e $cache/$key ]] || printf '%s\n' "$key" "$source"
     done <"$cache/$2" >"$cache/new"
-    cut -f1 "$cache/$2" | (cd "$cache" && xargs -r touch -c)  # what is in use is not deleted as old
+    cut -f1 "$cache/$2" | (cd "$cache" && xargs -r touch -c)  # so that keys in use are not deleted as old
     echo "$2: $(wc -l <"$cache/$2"), $(($(wc -l <"$cache/new") / 2)) of them new or changed"
 }
 
 # check_one CHECK FOLDER KEY SOURCE: remembers the key if the check passes.
 check_one() { "$1" "$2" "$4" && : >"$cache/$3"; }
 
-# check_new CHECK FOLDER: checks what find_new found.
+# check_new CHECK FOLDER: runs a check on each key and source in the file `new`.
 # shellcheck disable=SC2016  # $@ belongs to the inner shell
 check_new() { xargs -r -d '\n' -n 2 -P "$(nproc)" bash -c 'check_one "$@"' check_one "$@" <"$cache/new"; }
 export -f check_one tidy_one compile_one

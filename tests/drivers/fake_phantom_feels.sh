@@ -22,10 +22,10 @@ feel() {
     THAUM_LIBHD=$fake FAKE_HD="$told,record=$folder/$name.exerted" "$thaum" replay "$log" --feel "$@" >"$folder/$name.said" 2>&1
 }
 
-# compare PLAYER: checks that the arm exerted the forces of the table in the same order. A tick without a new
-# force repeats the last one. Where a busy machine kept the arm's thread from running, the program says how many ticks
-# it missed, and in how many the force was held back because the pose was stale; only for so many ticks may forces be
-# smaller than the table's, and for the 50 ticks after them in which a force returns.
+# compare PLAYER: checks that the arm exerted the forces of the table in the same order. A tick without a new force
+# repeats the last force. A busy machine may keep the arm's thread from running. The program then says how many ticks it
+# missed, and in how many ticks the force was held back because the pose was stale. Forces may be smaller than the
+# table's in that many ticks only, and in the 50 ticks in which a force returns after them.
 compare() {
     local stale missed
     stale=$(sed -n 's/.*stale \([0-9]*\).*/\1/p' "$folder/$1.said")

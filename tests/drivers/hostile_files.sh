@@ -152,7 +152,7 @@ if [[ ${THAUM_MEMORY_KB:-} != unlimited ]] && { [[ $(id -u) != 0 ]] || command -
     unset THAUM_ASSETS
 fi
 
-# Faults between two files must name the line as well.
+# lined WORDS: expects exit code 2 and one line with WORDS, which name file and line of a fault between two files.
 lined() {
     local said
     said=$(THAUM_ASSETS=$folder/assets "$thaum" --headless --seconds 1 --out "$folder/out" 2>&1 >/dev/null)
@@ -172,7 +172,7 @@ for device in ../x nothing; do
 done
 again
 
-# Every run must give the same bytes.
+# Two replays of a log must write tables with the same bytes.
 for run in 1 2; do
     "$thaum" replay "$log" --verify --events "$folder/e$run" --state "$folder/s$run" --every 7 >/dev/null || fail "tables"
 done

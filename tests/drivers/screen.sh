@@ -94,7 +94,7 @@ choose() {
     done
 }
 
-# paused, no_pause_menu: test where keys go, by the window's title: to the pause menu, or to the match.
+# paused, no_pause_menu: test, by the window's title, whether keys go to the pause menu, or to the match.
 paused() { [[ $(title) == "Thaum (paused): "* ]]; }
 no_pause_menu() { [ "$(title)" = Thaum ]; }
 

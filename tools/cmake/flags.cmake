@@ -116,7 +116,7 @@ endif()
 
 find_program(CCACHE ccache)
 if(CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
-    # Without these two settings, ccache does not cache a source with a precompiled header.
+    # Without the settings pch_defines and time_macros, ccache does not cache a source with a precompiled header.
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE})
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
         target_compile_options(thaum_flags INTERFACE -fpch-preprocess)

@@ -19,7 +19,7 @@ foreach(exported ThaumTargets ThaumRenderTargets ThaumAudioTargets ThaumPadsTarg
     install(EXPORT ${exported} NAMESPACE Thaum:: DESTINATION ${THAUM_PACKAGE_DIR} COMPONENT engine)
 endforeach()
 
-# Headers in detail/ belong to their folder alone.
+# Headers in detail/ are not installed, because only sources of their own folder may include them.
 foreach(library ${libraries} render audio)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/engine/${library} DESTINATION ${THAUM_HEADERS} COMPONENT engine
         FILES_MATCHING PATTERN "*.h" PATTERN detail EXCLUDE)
@@ -28,17 +28,18 @@ endforeach()
 configure_package_config_file(
     ${CMAKE_CURRENT_LIST_DIR}/ThaumConfig.cmake.in ${PROJECT_BINARY_DIR}/ThaumConfig.cmake
     INSTALL_DESTINATION ${THAUM_PACKAGE_DIR} NO_SET_AND_CHECK_MACRO)
-# Before 1.0 every minor version may change what users call.
+# Before 1.0 every minor version may change the functions that users call.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/ThaumConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/ThaumConfig.cmake ${PROJECT_BINARY_DIR}/ThaumConfigVersion.cmake
     DESTINATION ${THAUM_PACKAGE_DIR} COMPONENT engine)
 
-# pkg-config's flags are those that the exported targets carry. A library stands before those it needs.
+# The flags for pkg-config are those of the exported CMake targets. In a list, a library stands before the libraries
+# that it needs.
 list(REVERSE targets)
 list(TRANSFORM targets PREPEND -l)
 list(JOIN targets " " THAUM_PKG_LIBRARIES)
 list(JOIN THAUM_ARITHMETIC " " THAUM_PKG_FLAGS)
-# The prefix is where the file is found, so an installation may be moved.
+# pkg-config finds the prefix relative to the file's own place, so an installation may be moved.
 file(RELATIVE_PATH THAUM_PKG_TO_PREFIX
     ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 foreach(package thaum thaum-render thaum-audio thaum-pads)
