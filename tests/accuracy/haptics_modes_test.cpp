@@ -293,7 +293,7 @@ TEST(HapticModes, FieldsWithoutDirectionAndFaultyFieldsGiveNoForce) {
             return Vector{scalars[i].gradient, {scalars[i].gradient, vec3(0), scalars[i].gradient}};
         };
         for (const Mode& mode : modes()) {
-            // These modes need no direction.
+            // The modes viscosity and snap_grid need no direction.
             if (mode.name == "viscosity" || mode.name == "snap_grid") continue;
             const bool is_scalar = mode.reads == FieldKind::scalar;
             const auto use = use_of(mode.name, is_scalar ? scalar_field(scalar) : vector_field(vector),

@@ -253,7 +253,7 @@ TEST(LiftStress, ADestroyedThingIsNotHeld) {
         rig.run(300);
         EXPECT_GT(glm::length(rig.hand_state(0).servo.safety.output), 0.1);
         rig.match.world_to_change().destroy(thing);
-        // This new entity may have the index of the destroyed one.
+        // A new entity, which may have the index of the destroyed one.
         const auto other = rig.box({1, 1, 1}, 60, {11, 0.5, 16});
         rig.run(300);
         for (std::uint32_t p = 0; p < static_cast<std::uint32_t>(holders); ++p) {

@@ -83,7 +83,7 @@ TEST(TickTimes, CountUnevenTicks) {
     EXPECT_EQ(report.ticks, 1000U);
     EXPECT_EQ(report.missed, 3U);
     EXPECT_EQ(report.jitter_median, 0);
-    EXPECT_EQ(report.jitter_p99, 90);  // this is the value of ten of the 999 gaps, and one gap is larger
+    EXPECT_EQ(report.jitter_p99, 90);  // ten of the 999 gaps are 90 us, and one gap is larger
     EXPECT_EQ(report.jitter_worst, 3000);
     EXPECT_EQ(report.answer_median, 20);
     EXPECT_EQ(report.answer_p99, 20);

@@ -166,7 +166,7 @@ TEST(Playback, ADeviceThatIsPulledOutAndPutBackPlaysOn) {
 
 TEST(Playback, AStateIsNotToldBeforeItsCounts) {
     Room room;
-    room.card.deaf = true;  // nothing is written after the device was opened
+    room.card.deaf = true;  // the opened card takes no blocks
     room.playback.step(0);
     EXPECT_EQ(room.playback.status(), "sound plays");
     EXPECT_EQ(room.playback.report().times_opened, 1U);

@@ -147,7 +147,7 @@ struct JacketRig {
         numbers = match_effects(effects, *match.data().presentation);
         scene.emplace(numbers, effects, 0);
         scene->set_hears(scene->add(jacket), true);
-        scene->add(jacket);  // this player hears nothing
+        scene->add(jacket);  // player 2, who hears nothing
         scene->take(match);
     }
     void play(const BandStrengths& strengths) {

@@ -98,7 +98,7 @@ TEST(FluidMixing, IsOneMinusDeviationDividedByMean) {
         set_substance(fluid, 0, [](vec3 p) { return p.x < 0.5 ? 1.0 : 3.0; });
         EXPECT_NEAR(mixing(fluid, 0), 0.5, 1e-6);
         set_substance(fluid, 0, [](vec3 p) { return p.x < 0.1 && p.z < 0.6 ? 1.0 : 0.0; });
-        EXPECT_EQ(mixing(fluid, 0), 0);  // less even than half and half
+        EXPECT_EQ(mixing(fluid, 0), 0);  // less than half is filled, so the deviation exceeds the mean
     }
 }
 
@@ -114,7 +114,7 @@ TEST(FluidMixing, FilledShareTellsHowFarABlobHasSpread) {
         EXPECT_NEAR(filled([](vec3) { return 0.3; }), 1, 1e-6);
         EXPECT_NEAR(filled([](vec3 p) { return p.x < 0.5 ? 0.7 : 0.0; }), 0.5, 1e-6);
         const double small = filled([](vec3 p) { return p.x < 0.5 && p.z < 0.5 && p.y < 0.5 ? 4.0 : 0.0; });
-        // Less than half of the volume, because the lower half of a bowl is the smaller one.
+        // An eighth of the box. The share of the bowl is a little smaller, because a bowl is narrower below.
         EXPECT_NEAR(small, 0.125, 0.03);
         EXPECT_EQ(mixing(fluid, 0), 0);
         const double even = filled([](vec3 p) { return p.x < 0.5 ? 1.0 : 3.0; });

@@ -126,7 +126,7 @@ TEST(StrokeWords, TellTheReasonOfTheSpellItself) {
         return stroke_caption(picture.wizards[0].casting, *picture.shown).words;
     };
     EXPECT_EQ(recall(), "[4] Recall, but it calls the thing lifted last; lift one first");
-    // Now there is an object, but out of the spell's reach.
+    // An object for the spell, but out of its reach.
     auto& world = match->world_to_change();
     ecs::Entity thing;
     world.view<const Prop, const Body>().each([&](ecs::Entity e, const Prop&, const Body&) { thing = e; });

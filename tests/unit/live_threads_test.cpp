@@ -94,7 +94,7 @@ TEST_F(LiveThreadsTest, AMatchPausesGoesOnAndEndsAndItsLogReplays) {
 }
 
 TEST_F(LiveThreadsTest, WhileAForceIsSoughtTheWholeForceComesOut) {
-    plan_.settings.players[0].force = 0;  // this player wants no forces
+    plan_.settings.players[0].force = 0;  // player 1 wants no forces
     plan_.seats = {rig::mouse_seat, live::Seat{.kind = SeatKind::dummy}};
     plan_.practice = game::DummyKind::still;
     session_.emplace(shared_, plan_);

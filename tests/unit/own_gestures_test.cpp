@@ -197,7 +197,8 @@ TEST(OwnGestures, AreRefusedOnlyIfStrokesWouldBeMistaken) {
 }
 
 TEST(OwnGestures, ThatDoNotFitTogetherAreLeftOutInOneLine) {
-    // Each of the two has more than half of the strokes that all gestures together may have.
+    // The gestures circle and star each have more than half of the strokes that all gestures together may
+    // have.
     auto many = triangle();
     while (many.strokes.size() <= gesture::max_templates / 2) {
         many.strokes.push_back(triangle().strokes.front());

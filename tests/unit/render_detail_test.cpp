@@ -209,7 +209,7 @@ TEST(Hidden, HiddenBoxesHaveNoFreeLineToTheEye) {
             // A slightly smaller box must be hidden; this allows for rounding at the outline.
             EXPECT_TRUE(hides(block, eye, fvec3(centre), fvec3(0.99 * half))) << "round " << round;
         }
-        // The same test in another frame, which is turned, moved and scaled.
+        // Tests the same block and box in another frame, which is turned, moved and scaled.
         const fmat4 to_world = translated({1, 2, 3}) * rotated({0, 1, 0}, 0.7F) * scaled(fvec3(2));
         const fvec3 there(glm::inverse(to_world) * fvec4(fvec3(centre), 1));
         std::vector<detail::Hidden> world;

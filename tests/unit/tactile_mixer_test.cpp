@@ -168,7 +168,7 @@ TEST(TactileMixerTest, ASecondWaveAtACellWaitsUntilItsGapIsOverAndIsFeltInFull) 
     std::vector<Tick> felt;
     float greatest = 0;
     for (int f = 0; f < 50; ++f) {
-        // This wave comes from the other side, and arrives after 174 ms.
+        // A second wave, which comes from the other side and arrives after 174 ms.
         if (f == 3) rig.start("wave", Where::on(at(rig, 10)), 0.6);
         const auto& frame = rig.frame();
         if (frame.amplitude[5] == 0) continue;

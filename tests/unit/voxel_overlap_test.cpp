@@ -18,7 +18,7 @@ TEST(VoxelOverlap, KnownBodiesHaveTheirRatio) {
     EXPECT_EQ(overlap_with(body.view(), wanted, 0.5F).ratio(), 1);
     std::fill_n(wanted.begin(), 600, 1.0F);
     EXPECT_EQ(overlap_with(body.view(), wanted, 0.5F).ratio(), 0);
-    std::fill_n(body.density.begin() + 200, 800, 0.5F);  // these densities reach the threshold
+    std::fill_n(body.density.begin() + 200, 800, 0.5F);  // densities equal to the threshold
     const VoxelOverlap overlap = overlap_with(body.view(), wanted, 0.5F);
     EXPECT_EQ(overlap.both, 400U);
     EXPECT_EQ(overlap.either, 1000U);

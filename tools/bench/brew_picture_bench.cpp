@@ -34,7 +34,7 @@ struct BrewScene {
         const auto& arena_scene = drawn->arena_scene;
         auto& memory = drawn->memory;
         game::make_frame(arena_scene, pictures[place], {.quality = quality}, window, memory);
-        // Without this, the painted surface of an empty bowl would hide the simulated brew.
+        // Removes the painted surface of an empty bowl, which would hide the simulated brew.
         for (std::size_t i = 0; i < memory.frame.views.size(); ++i) {
             auto& instances = memory.instances[i];
             std::erase_if(instances, [&](const render::Instance& instance) {

@@ -133,7 +133,7 @@ Outcome pendulum(Run& run) {
     const BodyState& state = run.physics.state(1);
     const vec3 there = rod * vec3(std::sin(exact[0]), -std::cos(exact[0]), 0);
     return {.error = glm::length(state.position - there),
-            // This is the drift, because the energy was 0 at the start.
+            // The energy at the end is the drift, because it was 0 at the start.
             .metrics = {{"energy_drift_j", energy(run)},
                         {"rod_error_m", std::abs(glm::length(state.position) - rod)}},
             .hash = hash_value(state)};
