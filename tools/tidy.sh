@@ -6,7 +6,7 @@
 # This is slow, so what passed is remembered under a key: in build/tidy (or THAUM_BUILD/tidy), and in tools/tidied.txt,
 # which is committed, so that a fresh checkout reads only what changed since. The key is a hash of everything that the batch
 # or source depends on: the settings, the command that compiles it, and the text of its sources and of every header of ours
-# that they include, each without the place of the checkout.
+# that they include, each without its comments and without the place of the checkout.
 set -euo pipefail
 
 root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
@@ -79,6 +79,41 @@ commands() {
         }' "$1/compile_commands.json"
 }
 
+# without_comments FOLDER: reads names of files, copies them into the folder without their comments, and prints lines
+# "COPY TAB FILE". A changed comment changes no finding of clang-tidy, unless it is one that clang-tidy obeys (NOLINT). The
+# files of a batch name its sources with the path of this tree, which is left out.
+without_comments() {
+    awk -v folder="$1" -v root="$root" -v build="$build/" '
+        # A line without its comment. One within text, after an odd number of quotation marks, is none.
+        function code_of(line,    at, from, quoted) {
+            for (from = 1; at = index(substr(line, from), "//"); from += at + 1) {
+                quoted = substr(line, 1, from + at - 2)
+                gsub(/\\"/, "", quoted)
+                if (gsub(/"/, "", quoted) % 2 == 0 && line !~ /\\$/) {
+                    line = substr(line, 1, from + at - 2)
+                    sub(/ +$/, "", line)
+                    return line
+                }
+            }
+            return line
+        }
+        {
+            copy = sprintf("%s/%06d", folder, NR)
+            printf "" >copy
+            while ((getline line <$0) > 0) {
+                if (index($0, build) == 1) gsub(root, "", line)
+                else if (line ~ /\/\// && line !~ /NOLINT/) {
+                    line = code_of(line)
+                    if (line == "") continue
+                }
+                print line >copy
+            }
+            close(copy)
+            close($0)
+            print copy "\t" $0
+        }'
+}
+
 # keys FOLDER: reads names of sources and prints lines "KEY TAB SOURCE".
 keys() {
     local common
@@ -88,11 +123,11 @@ keys() {
     dependencies >"$cache/dependencies"
     # One hash for each file, then for each source a hash of the hashes of its files.
     cut -f2 "$cache/dependencies" | sort -u >"$cache/files"
-    grep -v "^$build/" "$cache/files" | xargs -r -d '\n' sha256sum >"$cache/hashes"
-    # The files of a batch name its sources with the path of this tree, which is left out of the hash.
-    { grep "^$build/" "$cache/files" || true; } | while IFS= read -r source; do
-        printf '%s  %s\n' "$(sed "s|$root||g" "$source" | sha256sum | cut -c1-64)" "$source"
-    done >>"$cache/hashes"
+    rm -rf "$cache/code"
+    mkdir "$cache/code"
+    without_comments "$cache/code" <"$cache/files" >"$cache/copies"
+    cut -f1 "$cache/copies" | xargs -r -d '\n' sha256sum | cut -c1-64 | paste -d ' ' - /dev/null <(cut -f2 "$cache/copies") \
+        >"$cache/hashes"
     # Writes all that a source depends on into a small file of its own, so that one call hashes them all.
     rm -rf "$cache/texts"
     mkdir "$cache/texts"
