@@ -95,9 +95,7 @@ private:
             const bool own = index_.user_of[s] == fold.user;
             if (used[s] != 0 || (settings_.protocol != Protocol::random && !own)) continue;
             const auto g = index_.gesture_of[s];
-            if (templates[g].empty() && unknown[g] == 0)
-                continue;  // the gesture has no stroke to take a
-                           // template from
+            if (templates[g].empty() && unknown[g] == 0) continue;  // no stroke of the gesture is left for a template
             test(s, **classifier, number, unknown[g] == 0);
         }
         return {};
