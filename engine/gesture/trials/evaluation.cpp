@@ -95,7 +95,7 @@ private:
             const bool own = index_.user_of[s] == fold.user;
             if (used[s] != 0 || (settings_.protocol != Protocol::random && !own)) continue;
             const auto g = index_.gesture_of[s];
-            if (templates[g].empty() && unknown[g] == 0) continue;  // no stroke of the gesture is left for a template
+            if (templates[g].empty() && unknown[g] == 0) continue;  // there is no stroke for a template
             test(s, **classifier, number, unknown[g] == 0);
         }
         return {};
