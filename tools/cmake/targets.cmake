@@ -5,7 +5,8 @@ function(thaum_engine name)
     cmake_parse_arguments(ARG "HOT" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
     add_library(thaum_${name} STATIC ${ARG_SOURCES})
     add_library(Thaum::${name} ALIAS thaum_${name})
-    set_target_properties(thaum_${name} PROPERTIES EXPORT_NAME ${name} THAUM_HOT ${ARG_HOT})
+    set_target_properties(thaum_${name} PROPERTIES EXPORT_NAME ${name})
+    thaum_hot(thaum_${name} ${ARG_HOT})
     target_include_directories(thaum_${name} PUBLIC
         $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/engine> $<INSTALL_INTERFACE:${THAUM_HEADERS}>)
     target_link_libraries(thaum_${name}
@@ -27,6 +28,15 @@ function(thaum_links_alone)
         set_target_properties(${name}_links_alone PROPERTIES
             RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/links_alone UNITY_BUILD OFF DISABLE_PRECOMPILE_HEADERS ON)
     endforeach()
+endfunction()
+
+# thaum_hot(TARGET ON|OFF): whether the target computes numbers alone. Our own builds optimise it fully, also where the rest
+# is optimised less, as in what GCC makes for the tests.
+function(thaum_hot target hot)
+    set_target_properties(${target} PROPERTIES THAUM_HOT ${hot})
+    if(hot AND THAUM_HARDENED)
+        target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O3>)
+    endif()
 endfunction()
 
 # thaum_cold(TARGETS...): targets in which no time is spent at run time, such as menus, commands and words.
@@ -78,7 +88,7 @@ function(thaum_headers_of set)
             if(unoptimised)
                 thaum_unoptimised(${headers})
             endif()
-            set_target_properties(${headers} PROPERTIES THAUM_HOT ${hot})
+            thaum_hot(${headers} ${hot})
             target_precompile_headers(${headers} PRIVATE ${PROJECT_SOURCE_DIR}/tools/cmake/precompiled/${set}.h)
         endif()
         target_precompile_headers(${target} REUSE_FROM ${headers})
