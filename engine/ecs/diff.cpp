@@ -51,6 +51,7 @@ std::optional<std::vector<Described>> get_components(ByteReader& in) {
             }
             c.fields.push_back(std::move(field));
         }
+        if (c.is_blob && c.fields.size() != 1) return {};  // the number of which its elements consist
     }
     if (!in.ok()) return {};
     return result;
@@ -144,6 +145,7 @@ const FieldInfo* field_named(const Described& c, std::string_view name) {
     return found == c.fields.end() ? nullptr : &*found;
 }
 
+/// Lists the fields of a component that differ, and those that it has in one snapshot alone.
 void diff_fields(const Described& a, std::span<const std::byte> bytes_a, const Described& b,
                  std::span<const std::byte> bytes_b, std::uint32_t entity, std::vector<Difference>& out) {
     for (const auto& f : a.fields) {
@@ -155,31 +157,50 @@ void diff_fields(const Described& a, std::span<const std::byte> bytes_a, const D
         out.push_back({a.name, entity, f.name, value_text(bytes_a.data() + f.offset, f.scalar),
                        g == nullptr ? "-" : value_text(bytes_b.data() + g->offset, g->scalar)});
     }
+    for (const auto& g : b.fields) {
+        if (field_named(a, g.name) != nullptr) continue;
+        out.push_back({a.name, entity, g.name, "-", value_text(bytes_b.data() + g.offset, g.scalar)});
+    }
 }
 
-/// Lists elements of a blob that differ. A blob that one side lacks, or whose size differs, counts as one
-/// difference. Both blobs are read as numbers of the type that `a` gives, if `a` has the blob.
+/// A blob in one snapshot. Without bytes, the snapshot may lack it.
+struct BlobOf {
+    const Described* type{};
+    std::span<const std::byte> bytes;
+};
+
+BlobOf blob_of(const Parsed& side, const std::string& name) {
+    const auto found = side.blobs.find(name);
+    if (found == side.blobs.end()) return {};
+    return {&side.components.at(name), found->second};
+}
+
+std::string elements_of(const BlobOf& blob) {
+    return text(blob.type == nullptr ? 0 : blob.bytes.size() / blob.type->size, " elements");
+}
+
+std::string element_text(const BlobOf& blob, std::size_t i) {
+    const auto& number = blob.type->fields.front();
+    return value_text(blob.bytes.data() + i * blob.type->size + number.offset, number.scalar);
+}
+
+/// Lists elements of a blob that differ. A blob that one snapshot lacks, or whose size differs, counts as one difference. If
+/// the types of the elements differ, so does each element.
 void diff_blob(const Parsed& a, const Parsed& b, const std::string& name, std::size_t limit,
                std::vector<Difference>& out) {
-    const auto bytes_of = [&](const Parsed& side) {
-        const auto found = side.blobs.find(name);
-        return found == side.blobs.end() ? std::span<const std::byte>() : found->second;
-    };
-    const auto left = bytes_of(a), right = bytes_of(b);
-    const auto& type = (a.blobs.contains(name) ? a : b).components.at(name);
-    const auto elements = [&](std::span<const std::byte> bytes) {
-        return text(bytes.size() / type.size, " elements");
-    };
-    if (left.size() != right.size()) {
-        out.push_back({name, none, "", elements(left), elements(right)});
+    const auto x = blob_of(a, name), y = blob_of(b, name);
+    if (elements_of(x) != elements_of(y)) {
+        out.push_back({name, none, "", elements_of(x), elements_of(y)});
         return;
     }
-    for (std::size_t at = 0; at + type.size <= left.size() && out.size() < limit; at += type.size) {
-        const auto *x = left.data() + at, *y = right.data() + at;
-        if (std::memcmp(x, y, type.size) == 0) continue;
-        const auto scalar = type.fields.front().scalar;
-        out.push_back(
-            {name, none, text("[", at / type.size, "]"), value_text(x, scalar), value_text(y, scalar)});
+    if (x.bytes.empty()) return;
+    const auto size = x.type->size;
+    const bool one_type =
+        size == y.type->size && x.type->fields.front().scalar == y.type->fields.front().scalar;
+    for (std::size_t i = 0; i < x.bytes.size() / size && out.size() < limit; ++i) {
+        if (one_type && std::memcmp(x.bytes.data() + i * size, y.bytes.data() + i * size, size) == 0)
+            continue;
+        out.push_back({name, none, text("[", i, "]"), element_text(x, i), element_text(y, i)});
     }
 }
 

@@ -146,6 +146,50 @@ TEST_F(EcsSnapshot, DiffNamesTheElementsOfABlob) {
     EXPECT_EQ((*sizes)[0].b, "4 elements");
 }
 
+/// `Velocity` and `Levels` as another build has them: one field more, and whole numbers.
+namespace other_build {
+struct Velocity {
+    vec3 linear{};
+    double spin{};
+    THAUM_COMPONENT(Velocity, linear, spin);
+};
+struct Levels {
+    using Element = std::int32_t;
+    static constexpr std::string_view name = "Levels";
+};
+}  // namespace other_build
+
+TEST(EcsDiff, SnapshotsOfOtherBuildsAreReadByTheirOwnTypes) {
+    World ours, theirs;
+    ours.declare<Velocity>();
+    ours.declare<Levels>();
+    theirs.declare<other_build::Velocity>();
+    theirs.declare<other_build::Levels>();
+    ours.create(Velocity{{1, 2, 3}});
+    theirs.create(other_build::Velocity{{1, 2, 3}, 4.5});
+    ours.resize<Levels>(1);
+    theirs.resize<other_build::Levels>(1);
+    ours.blob<Levels>()[0] = 1.5F;
+    theirs.blob<other_build::Levels>()[0] = 7;
+    Bytes a, b;
+    save(ours, a);
+    save(theirs, b);
+    const auto forth = diff(a, b);
+    ASSERT_TRUE(forth.has_value());
+    ASSERT_EQ(forth->size(), 2U);
+    EXPECT_EQ((*forth)[0].field, "spin");
+    EXPECT_EQ((*forth)[0].a, "-");
+    EXPECT_EQ((*forth)[0].b, "4.5");
+    EXPECT_EQ((*forth)[1].field, "[0]");
+    EXPECT_EQ((*forth)[1].a, "1.5");
+    EXPECT_EQ((*forth)[1].b, "7");
+    const auto back = diff(b, a);
+    ASSERT_TRUE(back.has_value());
+    ASSERT_EQ(back->size(), 2U);
+    EXPECT_EQ((*back)[0].a, "4.5");
+    EXPECT_EQ((*back)[0].b, "-");
+}
+
 TEST_F(EcsSnapshot, ASystemMayUseOnlyTheBlobsItDeclared) {
     fill_levels();
     const Access reads{world.mask<Levels>(), {}, "reader"};

@@ -59,7 +59,6 @@ TEST(GestureWallOfTheRange, TheWallTellsAStrokeFromTheWrongEndAndOneLikeNone) {
     static std::vector<gesture::StrokePoint> ess;
     const auto& gestures = *range.data().match->gestures;
     ess = gestures.gestures()[*gestures.number("s")].strokes.front();
-    std::reverse(ess.begin(), ess.end());
     const auto along_ess = [](int t) {
         const auto place = [](int at) {
             const double u = at / 1500.0 * static_cast<double>(ess.size() - 1);
@@ -69,7 +68,6 @@ TEST(GestureWallOfTheRange, TheWallTellsAStrokeFromTheWrongEndAndOneLikeNone) {
         };
         return place(t + 1) - place(t);
     };
-    std::reverse(ess.begin(), ess.end());
     player.draw(1500, along_ess);
     auto wall = wall_of(practice);
     ASSERT_GE(wall.chosen, 0);

@@ -1,4 +1,4 @@
-"""Measures how many small faults of the program its tests find. See README.md."""
+"""Measures how many small faults of the program its tests find. See MUTANTS.md."""
 import argparse
 import os
 import signal
