@@ -106,7 +106,8 @@ bool flush_to_disk(int fd) {
 }
 
 void occupy_closed_streams() {
-    int fd = 0;  // open returns the lowest free number
+    // `open` returns the lowest free number, so it fills each closed stream before it returns a larger one.
+    int fd = 0;
     do {
         fd = ::open("/dev/null", O_RDONLY);
     } while (fd >= STDIN_FILENO && fd <= STDERR_FILENO);

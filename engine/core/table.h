@@ -65,8 +65,9 @@ private:
     std::size_t line_ = 1;        ///< line in which the current row begins, from 1
     std::size_t lines_read_ = 0;  ///< number of lines read so far, including the current row
     char separator_ = ',';
-    char point_ = 0;  ///< decimal sign of the numbers so far, in a table that may have decimal commas; 0: not
-                      ///< yet known
+    /// Decimal sign, '.' or ',', that the numbers read so far have; 0: none of them has one. Only used in a
+    /// table that may have decimal commas.
+    char point_ = 0;
     char line_end_ = '\n';
     /// true: the first line held numbers instead of titles, and is the first row.
     bool first_row_pending_ = false;

@@ -147,7 +147,7 @@ public:
     template <Component C>
     void on_add(Hook hook) {
         added_[id<C>()] = hook;
-        forget_packs();  // because packs record whether there is a hook
+        forget_packs();  // each pack remembers whether its components have a hook
     }
     /// Sets the hook for components of this type that are about to be removed. A Hook whose `call` is null
     /// removes it.

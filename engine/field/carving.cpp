@@ -14,7 +14,7 @@ namespace {
 constexpr double close_enough = 0x1.0p-20;
 constexpr double half_covered = 0.5;  // least weight at which a constant sets colour and material
 
-/// An operation applied at one place.
+/// One operation of a tool, with all that its use at one place of a body needs.
 struct Cast {
     const Operation* operation;
     Footprint footprint;

@@ -25,7 +25,7 @@ struct Evidence {
     double distance{};  ///< natural logarithm of the nearest gesture's distance
     /// Natural logarithm of the ratio of the runner-up's distance to the nearest one's, 0 to 2.
     double margin{};
-    double usual{};  ///< natural logarithm of the usual distance of strokes of this gesture
+    double usual{};  ///< natural logarithm of the usual distance between strokes of this gesture
 };
 
 /// The evidence from the distances of the nearest gesture and of the runner-up, both >= 0. `usual` is the
@@ -43,7 +43,7 @@ struct LabelledEvidence {
 struct Calibration {
     /// Weights of 1, distance, margin and usual distance.
     std::array<double, 4> weights{};
-    std::vector<float> usual;  ///< usual distance of each gesture
+    std::vector<float> usual;  ///< for each gesture, the usual distance between its strokes
     /// For each gesture, the distance from which on a stroke is not accepted as that gesture.
     std::vector<float> threshold;
 

@@ -36,8 +36,9 @@ struct Mistaken {
 struct Pair {
     std::uint32_t a{}, b{};   ///< numbers of the two gestures, a < b
     Mistaken a_as_b, b_as_a;  ///< strokes of a that are recognised as b, and of b as a
-    /// Least distance of a template of one to the other gesture, in usual distances of the wider gesture. It
-    /// sorts pairs that are never mistaken, and does not make them collide.
+    /// Distance between the two gestures: the least from a template of one to the other, divided by the usual
+    /// distance between strokes of the same gesture (the larger of both gestures' usual distances). It only
+    /// gives an order to pairs that are never mistaken, and has no part in collides().
     double separation{};
 
     /// Whether one of the two gestures is mistaken for the other too often.

@@ -15,7 +15,7 @@ constexpr double mouse_step = 1e-4;  // distance of the hand for each count of a
 constexpr double curve_overlap = 0.55;
 constexpr std::array<std::string_view, figures> all_figures{"circle", "v", "s", "star"};
 
-/// One arc of a path.
+/// One arc of the path along which a generated user draws a figure.
 struct Leg {
     vec3 to{};         ///< node at the end of the leg
     double turn{};     ///< turn of the heading along the arc (rad)

@@ -27,10 +27,11 @@ constexpr float max_for_difference = 0.12F;
 /// Constants of the weight of lengths, and likewise of durations. If the logarithms of the lengths of the
 /// strokes recorded for one gesture have the variance v, the weight is agreement_weight / (v + min_variance).
 constexpr double agreement_weight = 0.002, min_variance = 0.003;
-/// Number of degrees of freedom of the recorded strokes as much as which the weight without knowledge counts.
+/// The weight that holds without any recorded strokes counts as much as recorded strokes with this number of
+/// degrees of freedom.
 constexpr double prior_freedom = 4;
-/// Distance by which a recorded stroke must be farther than the nearest one of its gesture to count e times
-/// less.
+/// A recorded stroke counts e times less than the nearest one of its gesture if it is farther by this
+/// distance.
 constexpr float hand_scatter = 0.03F;
 /// Variance of the logarithm of force / speed over the strokes of a gesture below which the force counts as
 /// that of a viscous field, in proportion to the speed. Strokes are then slow or fast on purpose, to be
@@ -97,8 +98,8 @@ private:
     double count_ = 0, sum_ = 0, squares_ = 0, deviations_ = 0, freedom_ = 0;
 };
 
-/// Whether a whole recorded stroke and the beginning nearest to it of another gesture differ in force alone.
-/// `force` is the stroke's mean force.
+/// Whether a recorded stroke and another gesture differ in force alone. `near` is the beginning of the other
+/// gesture that is nearest to the whole stroke, `force` the stroke's mean force.
 bool is_twin(const PrefixSpace::Nearest& near, float force) {
     static const auto min_log_share = static_cast<float>(det::log(twin_share));
     return near.log_share >= min_log_share &&

@@ -55,7 +55,7 @@ struct LikelyGesture {
     static constexpr std::uint32_t none = 0xffffffff;
 
     std::uint32_t gesture = none;  ///< the likeliest; none for a stroke without a shape
-    Evidence evidence{};           ///< with the drawn share of the gesture in place of its usual distance
+    Evidence evidence{};           ///< Evidence::usual holds the logarithm of the share drawn so far instead
     /// Probability that the stroke will be `gesture`, 0 to 1. 0 if it is shorter than the
     /// first beginning: too early to say.
     double probability{};
@@ -69,7 +69,8 @@ struct PrefixSettings {
     bool calibrate = true;
 };
 
-/// Working memory of one thread.
+/// Working memory for calls of a PrefixReader. It is reused, so that only the first call allocates. Each
+/// thread needs its own.
 struct PrefixSpace {
     /// Beginning of a recorded stroke that is to be compared elastically.
     struct Candidate {
@@ -117,7 +118,7 @@ private:
     struct Beginnings {
         std::uint32_t gesture{};
         std::uint32_t stroke{};  ///< number of the recorded stroke, among those of all gestures
-        bool as_drawn{};         ///< from its own start and in its own direction
+        bool as_drawn{};         ///< true: from the stroke's own start and in its own direction
         std::size_t channels{};
         EightShapes values{};
         std::array<float, lanes> square{};       ///< dot product of each beginning with itself
@@ -148,7 +149,7 @@ private:
     std::vector<std::string> names_;
     std::vector<Beginnings> beginnings_;
     std::vector<std::uint32_t> gesture_of_stroke_;
-    std::vector<std::vector<std::uint32_t>> twins_;  ///< for each gesture, those that differ in force alone
+    std::vector<std::vector<std::uint32_t>> twins_;  ///< for each gesture, others that differ in force alone
     Calibration calibration_{};
     Weights weights_{};
     bool needs_solid_ = false, needs_flat_ = false;

@@ -323,7 +323,7 @@ double Recogniser::by_twins(float force, float farthest, const RecogniserSpace& 
     };
     const auto twins = std::span(twins_[r.gesture]);
     std::uint32_t best = r.gesture;
-    double least = oddness(best), sum = 1;  // sum of the odds against the best
+    double least = oddness(best), sum = 1;  // `sum`: 1 for the best choice, plus the odds of each other twin
     for (const auto twin : twins) {
         const double odd = space.nearest_[twin].count > 0 ? oddness(twin) : 1e3;
         sum = odd < least ? 1 + sum * det::exp(odd - least) : sum + det::exp(least - odd);

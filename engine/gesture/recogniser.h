@@ -65,7 +65,8 @@ struct RecogniserSettings {
     bool calibrate = true;
 };
 
-/// Working memory of one thread.
+/// Working memory for calls of a Recogniser. It is reused, so that only the first call allocates. Each thread
+/// needs its own.
 class RecogniserSpace {
 public:
     RecogniserSpace();
@@ -209,7 +210,7 @@ private:
     std::vector<GestureOptions> options_;            ///< options of each gesture, their force bands filled in
     std::vector<std::uint32_t> strokes_of_;          ///< number of recorded strokes of each gesture
     std::vector<double> template_force_;             ///< mean force of the templates of each gesture
-    std::vector<std::vector<std::uint32_t>> twins_;  ///< for each gesture, those that differ in force alone
+    std::vector<std::vector<std::uint32_t>> twins_;  ///< for each gesture, others that differ in force alone
     std::vector<Template> templates_;
     std::vector<float> values_;
     std::vector<FineShape> fine_;       ///< fine shape of each template

@@ -43,7 +43,7 @@ struct Sampled {
 /// Mask of the lanes of a point that count.
 Ints4 lanes_of(Channels channels) { return Ints4{channels.force ? -1 : 0, -1, -1, channels.depth ? -1 : 0}; }
 
-/// Four vectors of four lanes, transposed.
+/// Four vectors of four lanes, transposed: `a` holds the first lane of each vector, `d` the last one.
 struct Columns {
     Floats4 a, b, c, d;
 };

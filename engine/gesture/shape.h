@@ -68,7 +68,7 @@ struct ShapePoint {
     float force{}, x{}, y{}, z{};
 };
 
-/// Working memory, allocated once.
+/// Working memory in which a stroke becomes a shape: its points, with their times and arc lengths.
 struct ShapeSpace {
     std::array<ShapePoint, max_points> points{};
     std::array<float, max_points> t{};

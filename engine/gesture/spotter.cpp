@@ -12,8 +12,9 @@ constexpr double points_of_shortest = 40;  // number of points of the shortest w
 constexpr double ends_of_shortest = 14;
 /// Largest overlap of two reported gestures, as a share of the shorter one.
 constexpr double max_overlap = 0.15;
-constexpr double plain_usual = 0.06;  // usual distance of a gesture whose scores are neither raised nor
-                                      // lowered by it
+// A gesture's score also depends on the usual distance between its own strokes. With this usual distance the
+// score is neither raised nor lowered.
+constexpr double plain_usual = 0.06;
 // Least dot product of a window and a template, as a share of the template's with itself.
 constexpr float min_match = 0.5F;
 constexpr std::size_t kept_points = max_points / 2;

@@ -25,7 +25,7 @@ struct Coupling {
     double drag{};
 };
 
-/// Constants of a coupling step.
+/// A coupling, with all that can be computed in advance for one step length and two masses.
 struct CouplingStep {
     Coupling coupling{};
     double inverse_object{};  ///< inverse mass of the object (1/kg)

@@ -10,7 +10,7 @@
 namespace thaum::haptics {
 namespace {
 
-constexpr double still = 1e-6;  // m/s; below this speed, damping takes out no energy
+constexpr double still = 1e-6;  // speed below which damping takes out no energy (m/s)
 constexpr std::uint32_t kept = max_latency + 1;
 /// Last share of the active sources' budget; while it is used up, their force fades.
 constexpr double fading_share = 0.2;

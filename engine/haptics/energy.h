@@ -16,9 +16,10 @@
 // which a switch does not reset. So many switches together give no more than one. Created energy is forgotten
 // in the course of time only (`forgive`).
 //
-// A hand in the midst of a body that has just appeared feels nothing. The force comes when the hand leaves
-// the body. So where modes read a field to choose the springs, the reserve lasts until the hand has pressed
-// them.
+// A spring that does not pull may still hold energy. Example: a body of even density appears around the hand.
+// The hand feels nothing in its midst, but the force comes as soon as the hand moves to the body's edge. So
+// while the springs are chosen from a field (by haptic modes), the reserve does not end merely because no
+// spring pulls. The hand must first have pressed them, and they must hold no more than they received.
 //
 // A commanded force acts over the tick that follows. Its work is known one tick later, from the position that
 // the device then measures.

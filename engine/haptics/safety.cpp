@@ -32,8 +32,8 @@ constexpr double fastest_hand = 4;
 constexpr auto ramp_length = static_cast<std::uint32_t>(ticks(ramp_seconds));
 // Ticks below half the speed limit before an over-speed cut ends.
 constexpr std::uint32_t calm_ticks = 100;
-// Excess: a wanted force beyond what any correct source asks for. An episode ends after so many ticks
-// without.
+// Excess is a wanted force beyond what any correct source asks for. Ticks with excess belong to one episode
+// until so many ticks in a row have none.
 constexpr std::uint32_t apart_ticks = 20;
 constexpr std::uint32_t episode_ticks = 10'000;  // ticks after which an episode is forgotten
 constexpr std::uint32_t bin_ticks = 500;         // length of a bin of heat (ticks)
@@ -198,9 +198,9 @@ double thermal_limit(const SafetyLimits& limits, const SafetyState& state) {
         burst = std::min(burst, before);
         kept_up = std::min(kept_up, before + (kept_up - before) * (tick_seconds / rise_time));
     }
-    // A cap that is lowered lowers the burst too. The force falls to either no faster than by `cap_slew`.
+    // `burst` falls at once with a cap that is lowered. So `falling` lets the force fall by `cap_slew` only.
     const double falling = glm::length(state.output) - cap_slew * tick_seconds;
-    const double at_most = std::sqrt(left / tick_seconds);  // stays within the budget in this tick
+    const double at_most = std::sqrt(left / tick_seconds);  // a larger force would exceed the budget at once
     return std::min({std::max({burst, kept_up, falling}), at_most, limits.cap});
 }
 
@@ -283,9 +283,10 @@ double min_length(const SafetyState& state, const SafetyInput& input, double siz
     return size - cap_slew * tick_seconds - input.stiffness * std::max(0.0, outward);
 }
 
-/// Largest share of the offset, 0 to 1, whose distance from the remnant (what is left of the force before the
-/// switch) is at most the length of the goal. While the goal does not change, the share is 1. Without this
-/// limit, an offset that cancels a goal would pull the hand where no source does once that goal ends.
+/// Share of the offset, 0 to 1, that still serves to hide the switch: the largest with
+/// |share * offset - remnant| <= |goal|. The remnant is what is left of the force before the switch. While
+/// the goal does not change, the share is 1. Without this limit, an offset that cancels a goal would pull the
+/// hand where no source does, once that goal ends.
 double part_that_hides(const SafetyState& state, vec3 goal) {
     const double square = glm::dot(state.offset, state.offset);
     if (!(square > 0)) return 1;

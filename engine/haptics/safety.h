@@ -45,7 +45,7 @@ struct SafetyLimits {
     double cap{};
     /// Largest force that a correct source asks for (N); asking for more repeatedly shuts the device off.
     double excess{};
-    double spring_excess{};  ///< the same limit for a spring that the world stretches (N)
+    double spring_excess{};  ///< such a limit for the force of a tether, which the world may stretch far (N)
     double continuous{};     ///< limit of the output's root mean square over any thermal_window (N)
     double slew{};           ///< rate at which the offset of a switch fades (N/s)
     /// Speed of the tip beyond which the force is cut until the hand is slow again (m/s).

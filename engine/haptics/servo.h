@@ -69,13 +69,13 @@ static_assert(sizeof(Pulse) == sizeof(vec3) + 2 * sizeof(std::uint32_t) &&
                                              sizeof(FluidTouch),
               "no padding: the bytes of past models are hashed");
 
-/// Measurement of a device.
+/// What the servo gets in one tick besides the model itself: what the device measured, and the model's age.
 struct ServoSample {
     vec3 position{};            ///< measured position of the tip (m, device frame)
     std::uint32_t model_age{};  ///< ticks since the model was made
 };
 
-/// Constants of the servo.
+/// Constants of the servo: what the device can do, and the limits of its force.
 struct Servo {
     SafetyLimits limits{};
     /// Largest damping that the device renders (N s/m). It limits the passivity controller, a viscous space

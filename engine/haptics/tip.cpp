@@ -76,8 +76,8 @@ double path_speed(const ServoState& state, double quantum) {
     for (std::uint32_t i = 1; i < state.samples; ++i)
         path += glm::distance(ring[(oldest + i - 1) % velocity_window], ring[(oldest + i) % velocity_window]);
     const std::uint32_t steps = state.samples - 1;
-    const double rounded =
-        std::sqrt(3.0) * quantum * steps;  // half a quantum at each end of a step, along each axis
+    // Each end of a step may be off by half a quantum along each axis.
+    const double rounded = std::sqrt(3.0) * quantum * steps;
     const double least = path - rounded;
     return least < 0 ? 0 : least / (steps * tick_seconds);
 }

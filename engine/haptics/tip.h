@@ -10,7 +10,7 @@ struct ServoState;
 
 inline constexpr std::size_t velocity_window = 8;  ///< ticks over which the tip's velocity is measured
 
-/// Tip in one tick (device frame).
+/// What the servo knows of the tip in one tick (device frame).
 struct Tip {
     vec3 position{};      ///< measured position (m)
     vec3 velocity{};      ///< velocity over the window (m/s)

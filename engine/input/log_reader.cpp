@@ -204,7 +204,9 @@ struct LogReader::State {
         return true;
     }
 
-    /// Adds hashes and marks of `block` to the lists. Returns false if they do not continue the lists.
+    /// Adds the hashes and marks of `block` to those of the blocks before it. Returns false, and the log ends
+    /// as damaged, if the block's first hash is not later than the last hash so far, or if there are too many
+    /// marks.
     bool collect() {
         const auto new_hashes = std::span(block.hashes).first(block.hash_count);
         const auto new_marks = std::span(block.marks).first(block.mark_count);

@@ -77,7 +77,7 @@ struct MachineLibraries {
 /// True if the process takes this function from the system's mathematical library and its results
 /// depend on the processor.
 bool is_foreign(const MachineLibraries& machine, const char* name) {
-    if (name[0] == '_') return false;  // internals of C++ and compilers
+    if (name[0] == '_') return false;  // internal to C++ or the compiler, not a mathematical function
     if (std::ranges::find(exact_functions, std::string_view(name)) != exact_functions.end()) return false;
     void* const its_own = machine.maths != nullptr ? dlsym(machine.maths, name) : nullptr;
     if (its_own == nullptr || dlsym(RTLD_DEFAULT, name) != its_own) return false;

@@ -126,7 +126,7 @@ struct Renderer::State {
     int drawn_width{}, drawn_height{};  // size that read_pixels reads (px)
     bool cleared_to_fog{};              // true: this frame was cleared to the fog's colour
     SkyCells sky;                       // scratch memory, kept between frames
-    std::vector<Hidden> hidden;         // regions hidden in the view being collected
+    std::vector<Hidden> hidden;         // regions that blocks hide from the view that collect_view works on
     std::vector<Instance> dipped;       // instances that are partly inside the view's volume
 
     void draw_views(const Frame& frame);

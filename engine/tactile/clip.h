@@ -19,7 +19,7 @@ inline constexpr std::size_t clip_cells =
 inline constexpr Tick clip_frame_ticks = 20;
 inline constexpr std::size_t max_clip_frames = 3000;  ///< largest number of frames: one minute
 
-/// Strengths at one moment.
+/// The strengths of all cells in one frame of a clip.
 struct ClipFrame {
     std::array<std::uint8_t, clip_cells> strength{};  ///< strength of each cell, 0 to 100
 

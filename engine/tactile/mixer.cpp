@@ -195,7 +195,7 @@ void TactileMixer::schedule(Playing& next, Tick now) {
     }
     if (in_gap) next.begin = free_at;
     auto* place = free_place(effect_of(next).priority);
-    if (place == nullptr) {  // the effect that plays continues, at least as strong as the new event
+    if (place == nullptr) {  // no room: an effect that plays goes on, and becomes as strong as the new event
         auto& kept = running != nullptr ? *running : *least_important(false);
         ++counts_.merged;
         kept.level = std::max(kept.level, next.level);

@@ -13,7 +13,7 @@ namespace thaum::detail {
 enum class FaultKind : std::uint8_t {
     value,    ///< a value of a wrong kind, out of its range, or none of the allowed words
     missing,  ///< a key or a table that is not there
-    told      ///< found by the reader, such as two values that contradict each other
+    told      ///< a fault in the reader's own words, such as two values that contradict each other
 };
 
 struct ConfigFault {

@@ -333,7 +333,8 @@ TomlSlip second_of_name(std::string_view source, std::size_t line) {
     std::size_t first = 0;
     bool is_list = false;
     for_lines_before(source, line, [&](std::size_t number, std::string_view other) {
-        if (name.empty() && !table_name(other).empty()) first = 0;  // the key belonged to another table
+        // A table begins here, so a key of this name that was found before belongs to another table.
+        if (name.empty() && !table_name(other).empty()) first = 0;
         if (first != 0 || (name.empty() ? key_of(other) != key : table_name(other) != name)) return;
         first = number;
         is_list = trimmed(other).starts_with("[[");

@@ -15,7 +15,7 @@
 
 namespace thaum::field {
 
-/// An extent placed in a body.
+/// The extent of an operation (the region in which a tool acts), placed in a body.
 struct Footprint {
     VoxelBox box{};  ///< voxels that may have a weight above 0
     ExtentShape shape{};

@@ -333,8 +333,8 @@ struct Spacings {
     std::vector<std::optional<double>> given, of_ends;
 };
 
-/// Notes for the user that of "axis mins" and "axis maxs" only the spacings count and not the position, or
-/// that neither has an effect beside other fields of space.
+/// Adds a note for the user if part of "axis mins" and "axis maxs" is ignored. Either only the spacings that
+/// they give are used, not the position, or other fields of space make both without effect.
 void note_ends(NrrdFields& fields, const Axes& axes, const Spacings& spacings, bool has_directions,
                NrrdHeader& header) {
     const auto low = numbers_if_there(fields, "axismins", axes);
@@ -511,7 +511,7 @@ void read_place_of_data(NrrdFields& fields, NrrdHeader& header) {
         fields.report("byteskip", "numbers in text do not end the file at a known byte");
 }
 
-/// Notes for the user which fields have no effect.
+/// Adds a note for the user about the fields that have no effect.
 void note_unused(const NrrdFields& fields, NrrdHeader& header) {
     std::string unused;
     for (const auto& [field, written] : {std::pair{"labels", "labels"},

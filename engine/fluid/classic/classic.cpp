@@ -13,8 +13,7 @@ namespace {
 struct Border {
     std::array<float, 3> factor{1, 1, 1};  ///< factor from the nearest inner cell to a ghost cell beyond a
                                            ///< wall across each axis: 1 or -1
-    float lid{};                           ///< added in the ghost cells above the top of y: twice the speed
-                                           ///< of the lid (m/s)
+    float lid{};  ///< velocity added in the ghost cells above the top of y: twice that of the lid (m/s)
 };
 
 Border border_of_scalar() { return {}; }

@@ -38,7 +38,7 @@ private:
         std::uint32_t at{};  ///< index of the face in the samples
         float weight{};
     };
-    /// A face with a continued velocity.
+    /// A face whose velocity is continued: replaced by the weighted sum of its sources' velocities.
     struct Target {
         std::uint32_t at{};  ///< index of the face in the samples
         /// Index of the target's first source; the sources end where those of the next target begin.

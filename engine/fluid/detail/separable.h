@@ -29,11 +29,12 @@ struct CellRange {
 /// with the middle, and differences in the upper half. After all folds each dense range has a matrix of
 /// its own, with as many waves as places.
 struct Waves {
-    int start{};                     ///< first cell or face whose value is not fixed by the edge
-    int count{};                     ///< number of places, which is also the number of waves
-    std::vector<double> angle{};     ///< phase per cell of each wave (rad)
-    std::vector<CellRange> folds{};  ///< ranges to fold, in this order; the first is the whole axis
-    std::vector<CellRange> dense{};
+    int start{};                  ///< first cell or face whose value is not fixed by the edge
+    int count{};                  ///< number of places, which is also the number of waves
+    std::vector<double> angle{};  ///< phase per cell of each wave (rad)
+    /// Ranges to fold, in this order: first the whole axis, then halves of ranges that were folded before.
+    std::vector<CellRange> folds{};
+    std::vector<CellRange> dense{};  ///< ranges that remain after all folds
     std::vector<std::vector<float>>
         forth{};  ///< matrices from places to waves, one for each dense range: [place][wave]
     std::vector<std::vector<float>>

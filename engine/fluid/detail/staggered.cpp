@@ -306,8 +306,9 @@ void StaggeredSolver::limit_energy(const Settings& settings, State& now, double 
         current_norms_ = found;
         return;
     }
-    // If the flow is slowed by a factor f, its energy becomes f^2 times the present energy `is`, and the
-    // pushes do f times the work. The equation for f is f^2 is = most + f by_pushes.
+    // Slowed by a factor f, the flow has f^2 times its energy `is`, and the part of the available energy that
+    // depends on the new velocity, `by_pushes`, becomes f times as large. The rest of it is `most`. The flow
+    // shall have just the available energy: f^2 * is == most + f * by_pushes.
     const double root = std::sqrt(std::max(0.0, by_pushes * by_pushes + 4 * is * most));
     const double factor = std::clamp((by_pushes + root) / (2 * is), 0.0, 1.0);
     for (Samples& u : now.velocity)

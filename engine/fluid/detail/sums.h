@@ -21,7 +21,7 @@ double max_product(const Rows& rows, const Samples& a, const Samples& b);
 
 /// Intensity of segregation of a density >= 0 over `cells` cells with fluid (Danckwerts 1952), 0 to 1: its
 /// variance, divided by the variance that the same amount would have if each cell were either empty or at the
-/// highest density. It is 1 if that is so.
+/// highest density. It is 1 if every cell is one or the other.
 double segregation(const Rows& rows, double cells, const Samples& density);
 
 /// Largest components of a velocity, and half its square.

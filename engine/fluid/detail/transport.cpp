@@ -277,7 +277,7 @@ template <TransportTerms terms>
 
 // ---- fluxes over the whole lattice -----------------------------------------------------------------------
 
-/// Arguments and arrays of one sub-step.
+/// What all functions of one sub-step need: the flow, the density at the start, and the arrays to work in.
 struct SubstepContext {
     const Lattice& lattice;
     const FaceFlow& face_flow;

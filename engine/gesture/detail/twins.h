@@ -13,8 +13,9 @@ namespace thaum::gesture {
 /// grows with the logarithm of the ratio of the forces, up to the second value: the clearer the difference in
 /// force, the less alike the shapes need be.
 inline constexpr double twin_distance = 0.07, max_twin_distance = 0.15;
-/// The same limits for two gestures from which every third gesture is at least `clear_of_others` times as far
-/// as they are from each other. They are then one shape that is drawn with little care.
+/// The same limits for two gestures that no third one resembles: every other gesture is at least
+/// `clear_of_others` times as far from them as they are from each other. Such a pair may differ more, and is
+/// still one shape, drawn with little care.
 inline constexpr double clear_twin_distance = 0.12, max_clear_twin_distance = 0.25, clear_of_others = 1.6;
 
 /// Whether two gestures at a distance can be distinguished by force, if their strokes have these mean forces.

@@ -50,7 +50,7 @@ std::vector<Found> candidates_in(const Session& session, const Recogniser& recog
     for (std::size_t i = 0; i < session.points.size(); ++i) {
         auto p = session.points[i];
         const double until = i + 1 < session.points.size() ? session.points[i + 1].t : p.t + 1;
-        const double most = std::min(until, p.t + 2);  // a resting hand needs no further ticks
+        const double most = std::min(until, p.t + 2);  // a hand that rests for 2 s needs no further ticks
         for (double t = p.t; t < most; t += tick_seconds) {
             p.t = t;
             for (const auto& c : spotter->scan(p)) {

@@ -14,15 +14,16 @@ constexpr std::uint64_t memory_ticks = 11'000;  // longest time whose outputs th
 constexpr double longest_hand_step = 0.05;      // longest plausible motion of the tip in a tick (m)
 // Share of the thermal budget below which the stage may not scale a force down.
 constexpr double surely_cool = 0.8 * (1 - 1e-9);
-constexpr std::uint64_t fresh_for = 20;      // largest age of a haptic model whose force is played in full
-                                             // (ticks)
-constexpr double ramp_to_zero = 50;          // time in which a force is ramped to zero (ticks)
-constexpr double cap_falls_by = 0.4;         // largest fall of the output in a tick to a cap that was lowered
-                                             // (N)
-constexpr double energy_of_a_switch = 0.01;  // largest work on the hand by the fading offsets that hide jumps
-                                             // of the force (J)
-constexpr std::uint64_t calm_after = 100;    // time at low speed after which a force that was cut because of
-                                             // speed returns (ticks)
+constexpr std::uint64_t fresh_for = 20;  // largest age of a haptic model whose force is played in full
+                                         // (ticks)
+constexpr double ramp_to_zero = 50;      // time in which a force is ramped to zero (ticks)
+constexpr double cap_falls_by = 0.4;     // largest fall of the output in a tick to a cap that was lowered
+                                         // (N)
+// Largest work on the hand (J) by the offset that the stage adds after a jump of the wanted force. The offset
+// fades, so that the output does not jump.
+constexpr double energy_of_a_switch = 0.01;
+constexpr std::uint64_t calm_after = 100;  // time at low speed after which a force that was cut because of
+                                           // speed returns (ticks)
 // Wanted forces that are far too large belong to one episode if at most `episodes_apart` ticks lie between
 // them. Three episodes that start within `episodes_within` ticks shut the device off.
 constexpr std::uint64_t episodes_apart = 20;
@@ -213,8 +214,8 @@ bool SafetyAudit::is_cool(const SafetyLimits& limits) const {
     return memory_sum_ <= surely_cool * budget;
 }
 
-/// Length by which an offset fades in a tick (N): between the step of the slew limit and that of a falling
-/// cap. The less energy is left for the fade, the nearer it is to the latter.
+/// Length by which an offset fades in a tick (N). While all of the energy for the fade is left, it is the
+/// step of the slew limit. The less is left, the nearer it is to the larger step of a falling cap.
 double fading_step(const SafetyLimits& limits, const SafetyInput& input) {
     const double slow = limits.slew * tick_seconds;
     const double left = std::fmin(1, std::fmax(0, input.fade_energy / energy_of_a_switch));
@@ -246,9 +247,9 @@ void SafetyAudit::begin_fade(const SafetyLimits& limits, const SafetyInput& inpu
     may_be_fading_ = true;
 }
 
-/// Largest share of the offset, 0 to 1, that is no farther from the remnant (the output before the switch,
-/// shortened by time) than the length of the goal (the output without the offset). If no share is that near,
-/// the nearest one.
+/// Share of the offset, 0 to 1, that still serves to hide the switch: the largest with
+/// |share * offset - remnant| <= |goal|. The remnant is the output before the switch, shortened by time. The
+/// goal is the output without the offset. If no share fulfils this, the one with the smallest left side.
 double SafetyAudit::share_that_hides(vec3 goal) const {
     const double square = glm::dot(offset_, offset_);
     if (!(square > 0)) return 1;

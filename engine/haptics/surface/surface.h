@@ -153,7 +153,7 @@ struct SurfaceContact {
     vec3 force{};  ///< share of the force on the hand; the body gets the opposite (N)
 };
 
-/// Contact state; no padding.
+/// What a contact remembers from tick to tick; no padding.
 struct SurfaceState {
     vec3 proxy{};  ///< position of the proxy (m); valid if `begun`
     /// Touched surfaces, the first `contacts`, the most loaded first.
@@ -165,7 +165,7 @@ struct SurfaceState {
 };
 static_assert(sizeof(SurfaceState) == 4 * sizeof(vec3) + 10 * sizeof(std::uint32_t));
 
-/// Measured probe.
+/// Place and motion of the tip that touches the surfaces.
 struct SurfaceTip {
     vec3 position{};  ///< position (m)
     vec3 velocity{};  ///< velocity (m/s), for damping only

@@ -56,7 +56,7 @@ struct Ring {
     vec3 centre{};       ///< place of the centre (m)
     vec3 axis{0, 1, 0};  ///< unit vector
     double radius{};     ///< radius of the middle line (m)
-    double thickness{};  ///< radius of the ring's section (m)
+    double thickness{};  ///< radius of the ring's round cross-section (m)
 
     field::Scalar operator()(vec3 place) const;
 };

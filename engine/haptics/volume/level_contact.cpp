@@ -169,7 +169,8 @@ vec3 landing_of(const LevelContact& contact, vec3 target) noexcept {
         for (std::size_t j = i + 1; j < planes.size(); ++j) offer(onto_both(planes[i], planes[j], target));
     }
     if (planes.size() == 3) offer(onto_three(planes, target));
-    if (nearest == HUGE_VAL) offer(planes[0].place);  // this place is behind no plane (in_front)
+    // The place of the first plane always remains: in_front() has moved the planes so that it is behind none.
+    if (nearest == HUGE_VAL) offer(planes[0].place);
     return best;
 }
 

@@ -32,7 +32,7 @@ struct LevelSurface {
     bool solid_below{};  ///< the solid has smaller values than the level, not larger ones
     double reach{};  ///< depth at which a proxy has got through, and largest distance of the search, > 0 (m)
     /// Largest motion along its normal, in a tick, of the plane that stands for a sampled surface (m). It
-    /// limits how fast the plane follows the steps of samples under a tip that slides.
+    /// limits how fast the plane follows the steps that samples make in the surface, under a tip that slides.
     double slew{HUGE_VAL};
     vec3 motion{};  ///< motion of the tip in a tick (m)
 };
@@ -56,7 +56,8 @@ struct LevelContact {
     std::uint32_t reads{};  ///< number of times that the field was read
 };
 
-/// Largest change of the force in a tick by the steps of samples (N): LevelSurface::slew times the stiffness.
+/// Largest change of the force in a tick by the steps that samples make in a surface (N): LevelSurface::slew
+/// times the stiffness.
 inline constexpr double max_step = 0.012;
 
 /// Finds the planes that hold a proxy which would move from `proxy` to `target` (m). No allocation. A field

@@ -85,7 +85,7 @@ struct OpacityFeel {
 /// `high`, and is 0 beyond. R = (retarding (d - low) / (high - low) + retarding_always) v within.
 struct DensityShell {
     double low{}, high{};       ///< densities, low < high
-    double stiffness{};         ///< force at the density `high` (N)
+    double stiffness{};         ///< largest force, which the shell reaches at the density `high` (N)
     double retarding{};         ///< drag added at the density `high` (N s/m)
     double retarding_always{};  ///< drag everywhere within the shell (N s/m)
 };

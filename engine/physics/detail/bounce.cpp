@@ -40,7 +40,8 @@ btScalar rebound(const ClosingSpeeds& closing, btScalar gap, btScalar e, btScala
     const btScalar gained = closing.end - closing.now, acceleration = gained / dt;
     const btScalar at_contact = closing.now * closing.now + 2 * acceleration * gap;  // squared speed
     const btScalar speed = e * std::sqrt(std::max(btScalar(0), at_contact));
-    const btScalar start = gap > 0 ? -e * gap : (1 - taken_out) * gap;  // distance after dt, without v dt
+    // Distance of the bodies after dt, except for the part `speed * dt` by which they then move apart.
+    const btScalar start = gap > 0 ? -e * gap : (1 - taken_out) * gap;
     if (start + speed * dt <= 0) return speed;
     // v^2 = speed^2 - 2 acceleration (start + v dt)
     const btScalar root = gained * gained + speed * speed - 2 * acceleration * start;

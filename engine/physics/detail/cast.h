@@ -34,7 +34,7 @@ struct Path {
     double radius;   ///< radius of the sphere; 0: a ray (m)
 };
 
-/// Hit of a cast.
+/// Where a path first meets a shape.
 struct CastHit {
     double travelled;  ///< distance travelled before the hit (m)
     vec3 normal;       ///< normal at the hit, outward from the shape (unit)

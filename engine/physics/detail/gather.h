@@ -9,7 +9,7 @@ namespace thaum::physics::detail {
 /// Surfaces found so far. When the array is full, the farthest surface is replaced.
 struct NearestSurfaces {
     std::span<Nearby> into;
-    NearbyResult found;  ///< `reach` starts as the requested radius
+    NearbyResult found;  ///< the caller sets `reach` to the requested radius at first
 };
 
 inline bool wanted(const NearestSurfaces& gathering, double distance) {

@@ -24,7 +24,7 @@ struct InnerSpheres {
     const vec3* end() const { return centres.data() + count; }
 };
 
-/// Spheres of a body. There are none for a mesh, which never moves.
+/// The spheres to cast for a body of this description. A mesh has none, since it never moves.
 InnerSpheres inner_spheres(const BodyDesc&);
 
 }  // namespace thaum::physics::detail

@@ -79,8 +79,8 @@ IndexRange append_chosen(const PatchTable& table, const Sight& sight, const Patc
     for (const auto& [farthest, i] : order.near_first) {
         const auto& patch = table.patches[i];
         if (patch.sunless != sunless) continue;
-        // A patch behind other patches becomes visible where the farthest patch in front of it may be drawn
-        // plain.
+        // The distance of a patch's nearest point decides whether it is drawn plain. A patch behind others
+        // may show as soon as the farthest of those is drawn plain, so its own farthest point decides.
         const float across = 2 * patch.bounds.radius;
         const float distance = farthest - (is_behind(patch) ? across / 2 : across);
         const bool fine = distance * sight.pixel_angle > patch.detail && distance > gone;

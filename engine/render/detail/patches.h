@@ -61,7 +61,7 @@ struct Fading {
 };
 Fading fading_of(float pixel_angle);
 
-/// Scratch memory, kept between frames.
+/// Scratch memory for sorting patches by distance, kept between frames.
 struct PatchOrder {
     // Distance from the eye to the far end of each patch (m), and the patch.
     std::vector<std::pair<float, std::uint32_t>> near_first;

@@ -26,7 +26,7 @@ public:
     ShadowView bind() const;
 
 private:
-    /// A rectangle of texels.
+    /// The rectangle of the map's texels that the shadow of one caster may cover.
     struct Print {
         GLint x0{}, y0{}, x1{}, y1{};
     };

@@ -79,7 +79,8 @@ Triangle min_from(Triangle t) {
     return t;
 }
 
-/// Collects the vertices in the order in which the triangles use them, each at the position of its stand-in.
+/// Collects the vertices in the order in which the triangles use them, each at the position of the vertex
+/// that stand_ins() chose for it.
 MeshData gathered(const MeshData& mesh, std::span<const std::uint32_t> indices,
                   std::span<const std::uint32_t> stand_in) {
     constexpr std::uint32_t not_yet = 0xffffffffU;

@@ -82,7 +82,7 @@ class Canvas {
 public:
     std::vector<ClipFrame> frames;
     bool full{};      ///< true: the file draws more cells than any real file
-    bool too_long{};  ///< true: something lies beyond the longest clip
+    bool too_long{};  ///< true: the file draws something after the end of the longest clip that is allowed
 
     /// Raises a cell to a strength (0 to 1) in one frame.
     void raise(std::size_t frame, std::size_t cell, double strength) {

@@ -81,15 +81,18 @@ double bend_along(const Piece& piece, vec3 y, vec3 tangent) {
 struct Path {
     std::array<Piece, 2> pieces{};
     std::size_t count{};
-    vec3 from{}, way{};  ///< for two pieces: a straight line whose places are moved onto both pieces (m)
-    bool has_end{};      ///< for two pieces: true if the last place is known
-    vec3 end{};          ///< for two pieces: last place (m)
-    vec3 core{};         ///< for one piece, as the fields below: point of the core nearest to the tip (m)
-    vec3 out{};          ///< direction from `core` to the tip (unit)
-    vec3 side{};         ///< direction at right angles to `out`, on the proxy's side (unit)
-    double half_tan{};   ///< tangent of half the angle from `out` to the proxy
-    double axial{};      ///< distance of the proxy from `core` along the axis (m)
-    double ratio{};      ///< distance of the tip from the core divided by that of the proxy
+    /// For two pieces: start and displacement of a straight line (m). Each place of the path is a place of
+    /// this line, moved onto both pieces.
+    vec3 from{}, way{};
+    bool has_end{};  ///< for two pieces: true if `end` is known
+    vec3 end{};      ///< for two pieces: last place (m)
+    /// Point of the core nearest to the tip (m). This field and those below are for one piece.
+    vec3 core{};
+    vec3 out{};         ///< direction from `core` to the tip (unit)
+    vec3 side{};        ///< direction at right angles to `out`, on the proxy's side (unit)
+    double half_tan{};  ///< tangent of half the angle from `out` to the proxy
+    double axial{};     ///< distance of the proxy from `core` along the axis (m)
+    double ratio{};     ///< distance of the tip from the core divided by that of the proxy
 };
 
 /// Moves y onto both pieces, each time along the shortest displacement to their tangent planes.
@@ -402,8 +405,8 @@ Obstacle obstacle_on(const Scene& scene, const Sweep& way, SurfaceSet passed_ove
     return {hit.at <= 1, way.from + std::min(hit.at, 1.0) * way.step, hit.wall};
 }
 
-/// Two straight lines from one place of a path over an apex to another place, outside the path's own
-/// surfaces.
+/// Two straight lines that stand for a curved part of a path in the search for obstacles. They lead from its
+/// first place over an apex to its last, and stay outside the surfaces on which the path lies.
 struct Tangents {
     vec3 from{}, apex{}, to{};
     double reach{};  ///< largest distance of their places from `from` (m)
@@ -435,10 +438,11 @@ bool alone(const Scene& scene, const Walls& walls) {
 /// so short that the surface counts as an obstacle. After each free part, the next one is twice as long. From
 /// the second part on, only surfaces that are near enough are swept. The move ends when no sweeps are left.
 Obstacle travel(const Track& track, double end, int& sweeps_left) {
-    constexpr double shortest = 1e-9;  // shortest part (m); on a radius of 1 mm, its tangents stay within
-                                       // 1e-15 m
+    // Shortest part of the path whose tangents are tried (m). On a radius of 1 mm, such tangents are within
+    // 1e-15 m of the path.
+    constexpr double shortest = 1e-9;
     constexpr int max_parts = 200;
-    constexpr int per_part = 2;  // sweeps that cost as much as the places of a part
+    constexpr int per_part = 2;  // cost of computing the places of a part, counted in sweeps of a surface
     const Scene& scene = *track.scene;
     const int surfaces = static_cast<int>(scene.flat_count + scene.solid_count);
     if (alone(scene, *track.walls)) return {.place = track.at(end)};

@@ -4,7 +4,7 @@
 
 namespace thaum::haptics {
 
-/// A straight path.
+/// A straight path of the proxy, to be searched for the first surface on it.
 struct Sweep {
     vec3 from{}, step{};
     double length{};  ///< length of the path (m)

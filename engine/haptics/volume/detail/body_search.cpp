@@ -19,10 +19,10 @@ constexpr int max_looks = 16;
 /// sheet at changing places. `same_slope_apart` applies where the drawn surface (of the samples in the
 /// picture) and the smooth surface (of the smoothed field) lie apart.
 constexpr double same_slope = 0.5, same_slope_apart = 0.02;
-/// Distance between drawn and smooth surface from which on they lie apart (samples).
+/// Distance between drawn and smooth surface at which they count as apart (samples).
 constexpr double apart = 0.25;
-/// Largest distance between drawn and smooth surface that a step of samples can explain (samples). A larger
-/// one belongs to a thin sheet or a cut face.
+/// Largest distance between the drawn and the smooth surface that the steps which samples make in a surface
+/// can cause (samples; body_search.h). A larger distance means a thin sheet or a cut face.
 constexpr double max_search_step = 0.5;
 /// Largest distance between the drawn surface and the plane that stands for it: as a share of the tip's
 /// depth, and in samples. Both limits apply.
@@ -34,8 +34,8 @@ constexpr double rising_share = 0.88, sinking_share = 8, max_late = 1;
 /// Smallest share of the slew by which a plane may always move. The tip's motion against the plane, which
 /// changes the force too, takes the rest of the slew.
 constexpr double min_slew = 0.25;
-/// Depth of the tip behind the smooth surface (samples along the normal) below which a step of samples on its
-/// way may put it outside of the drawn body, so that the plane lets it go.
+/// Depth of the tip behind the smooth surface (samples along the normal). At less depth, a step in the drawn
+/// surface on the tip's way may put the tip outside of the body, so that the plane lets it go.
 constexpr double let_go = 0.75;
 /// Depth in the body that the tip must keep on its way ahead, as a share of the height of its plane above it.
 /// It is more than the sinking plane needs, since the reads ahead may miss the top of a step.
@@ -49,8 +49,9 @@ constexpr double max_motion = 5e-5;
 /// Distance below the tip at which a free place means that the tip leaves a sheet through its back (samples
 /// along the normal).
 constexpr double ground_below = 0.5;
-/// Distances by which a plane may sink in a tick before a step of samples, as multiples of the slew, the
-/// smallest that serves first; and the share of the tip's depth that the hand still feels then.
+/// Distances by which a plane may sink in a tick before the tip reaches a step in the drawn surface, as
+/// multiples of the slew. They are tried from the smallest on. `still_felt` is the share of the tip's depth
+/// that the hand must still feel while the plane sinks.
 constexpr std::array<double, 3> early{0, 1, 1.5};
 constexpr double still_felt = 0.01;
 /// Distance from the place of the first plane up to which the proxy's landing place counts as beside it
@@ -458,8 +459,9 @@ std::optional<ContactPlane> BodySearch::next(vec3 proxy, vec3 landing, vec3 targ
     const vec3 place = to_box(landing);
     const vec3 normal = contact_.planes[0].normal * box_.placement.turn;
     if (!solid(place + min_depth * normal)) return std::nullopt;
-    // Near the place of the first plane, drawn samples above the plane are only a step of samples, unless the
-    // body goes on higher up.
+    // The landing place lies in the body. Near the place of the first plane that may only be a step which the
+    // samples make in the surface, and that plane stands for it. If the body reaches higher up, it is more
+    // than a step, and needs a plane of its own.
     const vec3 plane_at = to_box(contact_.planes[0].place);
     const bool beside = glm::distance(place, plane_at) <= beside_samples * fine_;
     if (beside && !solid(place + max_late * fine_ * normal)) return std::nullopt;
