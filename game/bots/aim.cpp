@@ -77,7 +77,9 @@ bool seen_within(const Mind& mind, double duration, Tick tick) {
 /// Holds fire until the wand is charged or drawn as wanted and the view has reached its aim, then releases
 /// fire.
 void ready_and_let_go(const Self& self, const Seat& seat, Aim wanted, Mind& mind, Tick tick) {
-    constexpr double enough = 0.04;  // charge or draw (0 to 1) that may be missing
+    // The bot lets go when at most this much is missing of the wanted charge, or of the wanted draw of a wand
+    // that is drawn like a bow (0 to 1).
+    constexpr double enough = 0.04;
     const bool arc = self.shot.fall > 0;
     const bool knows = seen_within(mind, arc ? 1.4 : 0.3, tick);
     const bool aimed = std::abs(angle_between(self.yaw, wanted.yaw)) < close_to &&

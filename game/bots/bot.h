@@ -77,10 +77,11 @@ struct BotSkill {
     double spark_below{};    ///< share of the wand's energy below which the bot fetches energy (a spark)
     double reserve{};        ///< share of the energy that the bot keeps for a near foe
     double cover_below{};    ///< health below which the bot hides if there is nothing to fetch (HP)
-    double variety{};  ///< share of the choices of a wand that take one which must be charged or drawn before
-                       ///< it shoots
-    double charge{};   ///< largest charge or draw of such a wand, 0 to 1
-    double throws{};   ///< share of those choices that take a wand whose shots fly on a parabola
+    /// Share of the choices of a wand in which the bot takes a slow one: one that must be charged or drawn
+    /// before it shoots.
+    double variety{};
+    double charge{};      ///< largest charge or draw of a slow wand, 0 to 1
+    double throws{};      ///< share of the choices of a slow wand that take one whose shots fly on a parabola
     double over_cover{};  ///< probability, in each gameplay tick, to throw over what hides the foe
     LiftSkill lift{};
     StirSkill stir{};

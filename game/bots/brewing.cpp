@@ -99,7 +99,8 @@ StrokePath path_of(const Simulation& match, const Seat& seat, const StirPlan& pl
     return path;
 }
 
-/// Time in which the hand draws the path at the path's mean force (ticks).
+/// Time in which the hand draws the path (ticks). The drag grows with the speed, so the wanted mean force
+/// gives the mean speed: force / viscosity.
 Tick time_of(const Simulation& match, const StrokePath& path) {
     const double speed = path.force / match.data().casting->viscosity;
     return std::max<Tick>(1, ticks(path.length / speed));

@@ -97,10 +97,9 @@ enum class EventKind : std::uint32_t {
     chipped =
         56,     ///< a hit has melted a part of a crystal; subject: its last carver; amount: volume (voxels)
     lens = 57,  ///< a wizard has carved the key and holds the Lens
-    lens_lost = 58,  ///< a wizard has lost the Lens by dying
-    work_begun =
-        59,  ///< a wizard holds both halves of the Great Work; amount: time that they must be held (s)
-    work_broken = 60,  ///< a wizard no longer holds both halves of the Great Work
+    lens_lost = 58,    ///< a wizard has lost the Lens by dying
+    work_begun = 59,   ///< a wizard holds both Azoth and the Lens; amount: time that they must be held (s)
+    work_broken = 60,  ///< a wizard no longer holds both Azoth and the Lens
     work_done = 61,    ///< a wizard has completed the Great Work
     blunt = 62,        ///< a wizard has no focus left for carving
     tool_taken = 63    ///< a wizard carves with another tool; detail: its number

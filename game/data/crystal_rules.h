@@ -41,7 +41,7 @@ struct CrystalRules {
     double chip_least_impulse{};  ///< minimum impulse of a thing whose blow chips the crystal (N s)
     Tick chip_again{};            ///< time after a hit in which no thing chips the same crystal (ticks)
     double lens_share{};          ///< harm of a blast by a wizard with the Lens, relative to one without it
-    Tick work_lasts{};  ///< time for which both halves of the Great Work must be held to win (ticks)
+    Tick work_lasts{};  ///< time for which a wizard must hold both Azoth and the Lens to win (ticks)
 };
 
 /// Reads everything except the tools.

@@ -18,7 +18,8 @@ void come_nearer(NearView& view, const Picture& picture, bool carves) {
 
 /// Field of view in which a crystal fills most of the view's shorter edge (rad).
 double field_of_crystal(const CrystalPicture& crystal, vec3 eye, double aspect) {
-    constexpr double shown = 0.5;  // half of the shorter edge, as a length relative to the crystal's edge
+    // Half of the view's shorter edge covers this multiple of the crystal's edge, at the crystal's distance.
+    constexpr double shown = 0.5;
     const double distance = std::max(glm::length(crystal.middle - eye), crystal.edge / 2);
     return 2 * std::atan(shown * crystal.edge / distance / std::min(aspect, 1.0));
 }

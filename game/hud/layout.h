@@ -31,8 +31,9 @@ struct ViewLayout {
     float strip_columns{};  ///< number of wands in one row of the strip
     Panel feed;
     Panel messages;
-    Panel forces;  ///< panel for the curve of the force on the hand, or only for the name of the strongest
-                   ///< force
+    /// Panel for the force on the hand: its curve while the views show forces, otherwise only the name of the
+    /// strongest force.
+    Panel forces;
     /// Panel for the front and the back of the body (body_figure.h): figure_wide x figure_high units, or
     /// smaller if there is less room. Empty while a lesson's text is shown in a window with one view.
     Panel figure;

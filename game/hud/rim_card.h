@@ -41,7 +41,7 @@ struct RimCard {
 struct FittedCard {
     FittedWords step, brew, potions;
     float unit{};         ///< length of a unit on the card (px)
-    bool ghost{};         ///< true: there is room for the ghost or the curve
+    bool ghost{};         ///< true: there is room for the ghost of the next stroke, or for the curve
     bool gauge_in_row{};  ///< true: the gauge is beside the force scale, not below that
     bool whole = true;    ///< true: no text of the card is left out
     fvec2 size{};         ///< size of the card (px); zero: the box is too small for any card

@@ -118,7 +118,7 @@ LessonWords fit_lesson(const std::string& words, const std::string& hint, float 
     const auto both = [&](float of) {
         return LessonWords{fit(words, of, {room.x, any_height}), fit(hint, of, {room.x, any_height})};
     };
-    const auto widest = both(size);  // as large as the longest word of each text allows
+    const auto widest = both(size);  // the size is limited only by the longest word of each text
     for (size = std::min(widest.words.size, widest.hint.size); size >= least; --size) {
         auto lesson = both(size);
         if (lesson.height(gap) <= room.y) return lesson;

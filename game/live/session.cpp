@@ -185,7 +185,8 @@ input::LogHeader LiveSession::log_header(std::uint64_t seed) const {
     for (const auto& seat : shared_.seats)
         players.push_back(seat.seat.kind == SeatKind::bot ? text("bot ", seat.seat.level) : "human");
     game::MatchSetup setup{.seed = seed, .devices = devices_of(shared_.seats, shared_.arms)};
-    (void)game::use_profile(*next_.data(), profile_, setup);  // gestures that do not fit were left out
+    // The result needs no check: load_profile has reported and left out what use_profile would refuse.
+    (void)game::use_profile(*next_.data(), profile_, setup);
     auto header = game::log_header(*next_.data(), setup, std::move(players));
     record_names(names(), header);
     return header;
@@ -410,7 +411,7 @@ void LiveSession::carry_out_request() {
         case MenuRequest::set_up_pad:
         case MenuRequest::skip_control:
         case MenuRequest::forget_pad:
-        case MenuRequest::apprentice: return;  // requests of the start screen, or carried out already
+        case MenuRequest::apprentice: return;  // handled by the start screen, or carried out already
     }
     report(hands_.take_plugged_pads(menu_.settings()));
     // A pad may have been unplugged since the menu asked.
@@ -562,7 +563,8 @@ void LiveSession::follow_arena() {
     const auto& arenas = menu_.context().arenas;
     const auto& shown = next_.data()->choice.arena;
     const auto& chosen = arenas[menu_.state().arena];
-    if (chosen.name == shown || !chosen.fault.empty()) return;  // the row of a broken file shows its fault
+    // A file with a known fault is not loaded. Its row in the menu shows the fault.
+    if (chosen.name == shown || !chosen.fault.empty()) return;
     if (succeeds(load_chosen())) return show_arena();
     menu_.choose_arena(index_of(arenas, shown));
 }

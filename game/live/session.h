@@ -128,7 +128,7 @@ private:
     bool restarts_ = false;                      ///< true: once the match has ended, it begins again
     bool paused_by_focus_ = false;               ///< true: the lost focus is the reason of the pause
     Pads pads_{};                                ///< states of the pads at the last look
-    std::vector<input::ProfileData> profile_{};  ///< own gestures of the players who have their seats
+    std::vector<input::ProfileData> profile_{};  ///< gestures that the persons at the seats recorded
     /// trials of effects for the mixer's page; std::nullopt: nothing is felt on the body
     std::optional<BodyTrial> trial_{};
     bool forces_ = false;                     ///< true: the views show the forces that hands feel

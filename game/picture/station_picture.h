@@ -103,7 +103,7 @@ struct CarvingPicture {
 struct WorkPicture {
     bool lens{};      ///< true: the wizard holds the Lens
     double left_s{};  ///< time until the Great Work is completed (s); 0: the wizard does not hold both halves
-    double whole_s{};  ///< time for which both halves must be held (s)
+    double whole_s{};  ///< time for which the wizard must hold both Azoth and the Lens (s)
 };
 
 /// Maximum distance from the area where work at a station can begin, at which a press of Stir still counts as

@@ -11,7 +11,8 @@ inline Servo some_servo() {
     return {safety_limits(spec, 1)};
 }
 
-/// A servo, its model and the sample of its hand.
+/// A servo with everything that one step of it needs. A test changes `model` (what the world gives the hand
+/// to feel) and `sample` (what the device measures of the hand), then calls feel().
 struct Rig {
     Servo servo = some_servo();
     ServoState state{};

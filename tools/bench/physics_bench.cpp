@@ -77,8 +77,8 @@ Outcome flight(Run& run, vec3 velocity) {
 constexpr double swing_seconds = 10;
 constexpr double rod = 1;  // length of the rod (m)
 
-/// Angle from hanging and angular speed after swing_seconds, released at rest at 90 degrees: theta'' =
-/// -(g / rod) sin theta.
+/// Angle of the pendulum from its lowest position, and its angular speed, after swing_seconds. It is released
+/// at rest at 90 degrees and obeys theta'' = -(g / rod) sin theta.
 std::array<double, 2> exact_swing() {
     constexpr int steps = 100'000;  // number of steps; twice as many change the angle by less than 1e-12 rad
     constexpr double h = swing_seconds / steps;
