@@ -210,7 +210,8 @@ constexpr bool lists_fields_once() {
     }
 }
 
-/// Number of types that have a type number so far. `closed` is set once a World has arrays of that size.
+/// Number of types that have a type number so far. Once a World has arrays of that size, no type may be
+/// added, and `closed` is set.
 struct TypeNumbers {
     std::uint32_t count = 0;
     std::atomic<bool> closed = false;  // atomic, since Worlds may be created on several threads

@@ -14,7 +14,7 @@ namespace {
 
 struct PushData {
     double reach{};          ///< length of the cone (m)
-    double narrowest_cos{};  ///< cosine of half the cone's opening angle
+    double narrowest_cos{};  ///< cosine of the largest angle off the cone's axis (half its opening angle)
     double speed{};          ///< speed given to a wizard (m/s)
     double impulse{};        ///< impulse given to a thing (N s)
     double fastest{};        ///< largest speed that a thing gains (m/s)

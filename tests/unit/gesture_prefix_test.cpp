@@ -64,7 +64,7 @@ TEST(GesturePrefix, AWholeStrokeIsItself) {
 struct AnswerCourse {
     double told{};     ///< share of recognitions that give an answer, counted after a quarter of the stroke
     double wrong{};    ///< share of the answers after a quarter of the stroke that are wrong
-    double changes{};  ///< number of answers for each stroke that disappeared or were replaced
+    double changes{};  ///< number of answers in a stroke that disappear again or are replaced (mean)
     double at_end{};   ///< share of complete strokes that get an answer
 };
 

@@ -234,7 +234,7 @@ void add_deformation(const TurnedShape& shape, int n, Report& report) {
                        {"least_density", least},
                        {"most_density", most}};
         row.hash = hex(hash_bytes(std::as_bytes(std::span(run.fluid.now.substances[0]))));
-        // The highest density of both shapes is 1.
+        // At the start, the densities of both shapes are within 0 and 1, and must remain so.
         if (run.scheme.solver == Solver::thaum && !(least >= 0 && most <= 1 + 1e-5))
             report.faults.push_back(text("fluid leveque: ", shape.name, ", n = ", n, ": densities from ",
                                          least, " to ", most, ", not within 0 and 1"));
