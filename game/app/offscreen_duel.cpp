@@ -9,6 +9,7 @@
 #include "game/bots/duel.h"
 #include "game/hud/still.h"
 #include "game/match/highlight.h"
+#include "game/match/playback.h"
 #include "game/match/record.h"
 #include "game/match/result.h"
 
@@ -17,7 +18,6 @@ namespace {
 
 struct Played {
     game::BotDuel duel;
-    std::vector<input::InputFrame> frames;
     Highlight highlight;
     std::optional<Error> log_fault;  ///< reason why the log is not complete
 };
@@ -26,7 +26,7 @@ Expected<Played> play(const OffscreenDuel& plan, const std::shared_ptr<const gam
                       const std::filesystem::path& log_file) {
     auto duel = game::make_bot_duel(plan.assets, data, plan.levels, plan.seed);
     if (!duel) return duel.error();
-    Played played{std::move(*duel), {}, {}, {}};
+    Played played{std::move(*duel), {}, {}};
     auto& match = *played.duel.match;
     auto log = input::LogWriter::create(
         log_file,
@@ -35,9 +35,7 @@ Expected<Played> play(const OffscreenDuel& plan, const std::shared_ptr<const gam
     if (!log) return log.error();
     std::optional<Tick> over_at;
     while (over_at ? match.now() < *over_at + game::log_after_end : match.now() < ticks(plan.seconds)) {
-        const auto frame = played.duel.next_frame();
-        game::tick_and_record(match, frame, &*log);
-        played.frames.push_back(frame);
+        game::tick_and_record(match, played.duel.next_frame(), &*log);
         if (!over_at) watch_for_highlight(match, played.highlight);
         if (!over_at && match.match().phase == game::Phase::over) over_at = match.now();
     }
@@ -50,23 +48,24 @@ struct Picture {
     std::optional<Error> fault;  ///< error if a drawn picture could not be saved
 };
 
-/// Draws and saves the highlight of the duel. Its tick is known only at the end, so this plays a second match
-/// with the same input frames up to that tick.
-Expected<void> save_highlight(Still& still, const std::shared_ptr<const game::MatchData>& data,
-                              const Played& played, const std::filesystem::path& file) {
-    if (played.highlight.tick == 0) return still.save(*played.duel.match, {}, file);
-    game::Simulation again(data, played.duel.match->setup());
-    for (Tick t = 0; t < played.highlight.tick; ++t) again.tick(played.frames[t]);
-    return still.save(again, {}, file);
+/// Draws and saves the highlight of the duel. Its tick is known only at the end, so this replays the log up
+/// to that tick. Without a highlight, or if the log ends before it, the picture shows the end of the duel.
+Expected<void> save_highlight(Still& still, const OffscreenDuel& duel, const Played& played,
+                              const std::filesystem::path& log, const std::filesystem::path& file) {
+    if (played.highlight.tick != 0) {
+        auto again = game::Playback::open(log, duel.assets);
+        if (again && again->play_to(played.highlight.tick)) return still.save(again->match(), {}, file);
+    }
+    return still.save(*played.duel.match, {}, file);
 }
 
 /// Draws and saves the picture of the duel, unless this machine cannot draw.
 Picture picture(const OffscreenDuel& duel, const std::shared_ptr<const game::MatchData>& data,
-                const Played& played) {
+                const Played& played, const std::filesystem::path& log) {
     auto still = Still::create(*data, duel.assets, {1280, 720});
     if (!still) return {text("none: ", still.error().message), {}};
     const auto file = duel.out / "duel.png";
-    if (const auto saved = save_highlight(*still, data, played, file); !saved)
+    if (const auto saved = save_highlight(*still, duel, played, log, file); !saved)
         return {text("none: ", saved.error().message), saved.error()};
     return {file.string(), {}};
 }
@@ -81,7 +80,7 @@ std::string report(const OffscreenDuel& duel, const Played& played, const std::f
     lines += text("bots     of level ", duel.levels[0], " and ", duel.levels[1], ", rules ", duel.data.rules,
                   ", match ", duel.data.match, "\n");
     lines += game::result_table(match);
-    lines += text("ticks    ", match.now(), " of 1 ms, ", played.frames.size(), " frames recorded\n");
+    lines += text("ticks    ", match.now(), " of 1 ms\n");
     lines += text("state    ", hex(match.state_hash()), "\n");
     lines += text("physics  ", match.physics().counters().steps, " steps, ",
                   match.physics().counters().skipped, " skipped asleep\n");
@@ -109,7 +108,7 @@ int play_offscreen_duel(const OffscreenDuel& duel) {
         return refuse(free.error());
     const auto played = play(duel, data, log);
     if (!played) return refuse(played.error());
-    const auto drawn = picture(duel, data, *played);
+    const auto drawn = picture(duel, data, *played, log);
     const auto lines = report(duel, *played, log, drawn.line);
     print_lines(lines);
     for (const auto& fault : {played->log_fault, drawn.fault})
