@@ -52,7 +52,8 @@ public:
         const auto known = check_file_names(assets_);
         read_matches(known.faults);
         if (!has_data_)
-            return {.files = known.files, .faults = std::move(faults_)};  // the folder does not exist
+            // Without the folder there is nothing more to check.
+            return {.files = known.files, .faults = std::move(faults_)};
         read_practice();
         read_tools();
         read_single_files();
@@ -75,6 +76,7 @@ private:
         const auto folder = assets_.string() + "/";
         if (line.starts_with(folder)) line = game::shown_path(assets_, line.substr(folder.size()));
         // A file that refers to a faulty file reports that file's fault again, after some words of its own.
+        // Such a line is left out.
         const auto is_told = [&](const std::string& other) { return line.ends_with(other); };
         if (std::ranges::none_of(faults_, is_told)) faults_.push_back(std::move(line));
     }

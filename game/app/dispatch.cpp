@@ -43,7 +43,7 @@ void print_overview() {
     std::printf("Thaum %s: a duel of two wizards on one machine\n\nusage: thaum [COMMAND] [OPTIONS]\n\n",
                 THAUM_VERSION);
     for (const auto& [name, summary] : overview) print_line(name, summary);
-    // Commands that are not in the list above, such as those of a program outside of this project.
+    // Commands that are not in `overview`, such as those of a program outside of this project.
     for (const auto& command : commands())
         if (std::ranges::find(overview, command.name, &Summary::name) == std::end(overview))
             print_line(command.name, command.summary);

@@ -179,7 +179,7 @@ int feel(game::Playback playback, const FeelPlan& plan) {
     const bool fault = (*arm)->status().state != input::ArmPresence::present;
     hand.stop();
     tell(hand, **arm);
-    arm->reset();  // stops the arm's thread before `hand` is destroyed, which that thread uses
+    arm->reset();  // stops the arm's thread, which uses `hand`, before `hand` is destroyed
     if (why) print_line(*why);
     if (forces.divergence()) print_line(game::described(*forces.divergence()));
     return fault || forces.divergence() ? does_not_hold : done;

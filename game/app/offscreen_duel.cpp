@@ -48,8 +48,9 @@ struct Picture {
     std::optional<Error> fault;  ///< error if a drawn picture could not be saved
 };
 
-/// Draws and saves the highlight of the duel. Its tick is known only at the end, so this replays the log up
-/// to that tick. Without a highlight, or if the log ends before it, the picture shows the end of the duel.
+/// Draws and saves the highlight of the duel, the moment that makes the best picture. Its tick is known only
+/// at the end, so this replays the log up to it. Without a highlight, or if the log ends before it, the
+/// picture shows the end of the duel.
 Expected<void> save_highlight(Still& still, const OffscreenDuel& duel, const Played& played,
                               const std::filesystem::path& log, const std::filesystem::path& file) {
     if (played.highlight.tick != 0) {

@@ -38,7 +38,8 @@ Expected<ReplayBody> ReplayBody::create(const game::MatchData& data, const std::
 
 void ReplayBody::follow(const game::Simulation& match, std::string& rows) {
     if (match.now() % tactile::frame_ticks != 0) return;
-    // At tick 0 there is no sound yet: in a match, too, sound begins with the first eight ticks.
+    // At tick 0 no sound has been computed: as in a live match, the first sound is that of the first eight
+    // ticks.
     if (state_->sound && match.now() != 0) state_->sound->take(match);
     for (std::uint32_t p = 0; p < game::players; ++p) {
         auto& scene = *state_->scenes.at(p);

@@ -20,7 +20,7 @@ public:
     void follow(const game::Simulation& match, std::string& rows);
 
 private:
-    /// Data to which scenes and mixers of tactile effects keep references.
+    /// Data to which scenes and mixers of tactile effects keep references, so it must not move in memory.
     struct State {
         LiveBody body;
         game::MatchEffects effects;

@@ -32,7 +32,8 @@ void ReplaySound::follow(const game::Simulation& match) {
 }
 
 Expected<void> ReplaySound::close() {
-    constexpr int tail = 190;  // audio frames written after the end: 1.5 s, the length of the longest sound
+    // Audio frames written after the replay's end: 1.5 s, the length of the longest sound.
+    constexpr int tail = 190;
     frame_.begins.count = frame_.lasts.count = 0;
     for (int i = 0; i < tail; ++i) {
         mixer_.play(frame_, block_);

@@ -47,9 +47,11 @@ private:
 
     ShotPlan plan_;
     Still still_;
-    std::unique_ptr<game::Senses> senses_;  ///< null if a data file has a fault
+    /// What players hear and feel, for the pictures; null if a data file has a fault.
+    std::unique_ptr<game::Senses> senses_;
     std::size_t next_at_ = 0, next_mark_ = 0, taken_ = 0;
-    std::uint64_t seen_ = 0;  ///< value of EventJournal::count when events were last read
+    /// Value of EventJournal::count (number of events so far) when events were last read.
+    std::uint64_t seen_ = 0;
     std::vector<std::filesystem::path> unconfirmed_{};
 };
 

@@ -44,8 +44,8 @@ void read_bowl(const ConfigTable& table, Arena& arena, Body& body) {
     const BowlSize size{.radius = table.number("radius", extent),
                         .height = table.number("height", extent),
                         .thickness = table.number("thickness", {0.01, 1})};
-    // The bowl's solid bottom is within the lowest fifth of its height, so the bowl is hollow wherever the
-    // data file may put the surface of the brew.
+    // With these limits, the bowl's solid bottom is within the lowest fifth of its height. So the bowl is
+    // hollow wherever the data file may put the surface of the brew.
     if (size.thickness > 0.2 * size.height || size.thickness > 0.4 * size.radius)
         table.report("thickness",
                      text("'thickness' is ", size.thickness,
@@ -240,7 +240,7 @@ vec3 half_extent(const Arena& arena, const Thing& thing) {
 
 /// Reads the display name of an arena. The name is printed unchanged, so it may hold no control characters.
 std::string read_name(const ConfigTable& root) {
-    constexpr std::size_t longest_name = 64;  // bytes
+    constexpr std::size_t longest_name = 64;  // largest length of an arena's name (bytes)
     auto name = root.string("name");
     if (name.empty() || printable(name, longest_name) != name)
         root.report("name", text("'name' must be a line of 1 to ", longest_name,
@@ -270,7 +270,8 @@ GroundBounds ground_bounds(const Arena& arena) {
         vec3 low = thing.position - half;
         const vec3 high = thing.position + half;
         if (thing.body.shape != physics::Shape::mesh)
-            low.y = high.y;  // only on a ramp does a wizard walk below the top
+            // Only a ramp can be walked on below its top; any other thing is ground at its top alone.
+            low.y = high.y;
         bounds.low = glm::min(bounds.low, low);
         bounds.high = glm::max(bounds.high, high);
     }

@@ -9,7 +9,8 @@ constexpr Range far_place{-1000, 1000};
 constexpr Range near_place{-100, 100};
 constexpr Range brightness{0, 20};
 
-/// Reads a colour and its strength, `NAME` and `NAME_strength`. Older files have the colour as 0xRRGGBB.
+/// Reads a colour and its strength, `NAME` and `NAME_strength`. The colour may also be an integer, as in
+/// older files (0xRRGGBB).
 void read_tint(const ConfigTable& table, const std::string& name, Tint& tint) {
     if (const auto hex = table.hex_colour(name))
         tint.colour = *hex;

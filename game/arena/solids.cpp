@@ -34,7 +34,8 @@ physics::TriangleMesh ramp_along_x(vec3 size, bool rises_east) {
 
 physics::TriangleMesh ramp(vec3 size, Rise rise) {
     if (rise == Rise::east || rise == Rise::west) return ramp_along_x(size, rise == Rise::east);
-    // A quarter turn about y takes east to north and west to south.
+    // A ramp along z is a ramp along x after a quarter turn about y, which takes east to north and west to
+    // south.
     auto mesh = ramp_along_x({size.z, size.y, size.x}, rise == Rise::north);
     for (auto& v : mesh.vertices) v = {v.z, v.y, -v.x};
     return mesh;

@@ -6,9 +6,10 @@
 namespace thaum::game::inline bots {
 namespace {
 
-constexpr double close_to = 0.15;   ///< angle between view and aim below which the bot has reached its aim
-                                    ///< (rad)
-constexpr double near_share = 0.7;  ///< share of the preferred distance below which a bot spares no energy
+constexpr double close_to = 0.15;  ///< angle between view and aim below which the bot has reached its aim
+                                   ///< (rad)
+/// Share of the preferred distance; at a foe nearer than that, a bot shoots even with its reserve of energy.
+constexpr double near_share = 0.7;
 
 /// Random number with mean 0 and standard deviation 1 (the sum of twelve uniform ones).
 double normal(Random& random) {

@@ -28,7 +28,7 @@ constexpr double reached = 1.2;      ///< distance from mind.goal at which the b
 constexpr double stuck_speed = 0.4;  ///< speed below which a walking bot counts as stuck (m/s)
 constexpr Range distances{0, 100};   ///< distances in a level's file (m)
 /// Time outside of the large connected regions of the ground (WalkGrid) after which a bot walks straight to
-/// the nearest one. To pass through such a cell takes less time.
+/// the nearest region. A bot that only passes through such a place is out of it sooner.
 constexpr Tick stranded_after = ticks(2.0);
 constexpr Tick forget_after = ticks(4.0);
 /// Time after a hit by the foe for which a bot is under fire.
@@ -171,7 +171,7 @@ vec3 choose_way(const BotTurn& turn) {
     if (there || tick >= mind.goal_until) {
         mind.goal = knows ? mind.foe : random_place(turn.grid, mind.random);
         mind.goal_until = tick + ticks(8.0);
-        // The last known place is searched only once.
+        // The bot goes to the foe's last known place only once, so it forgets that place now.
         if (knows) mind.foe_seen_at = tick - std::min(tick, forget_after);
     }
     return way_to_goal(turn);
@@ -235,7 +235,8 @@ std::optional<Aim> shoot(const BotTurn& turn, vec3 way) {
 /// Uses the hands for a rope, a held thing or a shot. Returns the wanted direction of view.
 std::optional<Aim> use_hands(const BotTurn& turn, vec3 way) {
     if (draws(turn.cast_plan)) {
-        turn.mind.wand_key = 0;  // while Trace is held, a wand's key has another meaning
+        // While the button Trace is held, the key of a wand would cast a spell, so it is released.
+        turn.mind.wand_key = 0;
         return std::nullopt;
     }
     if (hands_full(turn.swing_plan)) return aim_on_rope(turn.self, turn.swing_plan);

@@ -87,7 +87,8 @@ struct BotSkill {
     StirSkill stir{};
     EdgeSkill edge{};
     CastSkill cast{};
-    double swing_gain{};  ///< length of way that a rope over a gap must save (m); 0: the bot never swings
+    /// Length of the walk that swinging over a gap must save (m); 0: the bot never swings.
+    double swing_gain{};
     THAUM_FIELDS(BotSkill, level, dodges, arcs, spare, reaction, aim_error, turn_speed, view_cos, burst, rest,
                  keep, range, lead, strafe, strafe_step, vial_below, spark_below, reserve, cover_below,
                  variety, charge, throws, over_cover, lift, stir, edge, cast, swing_gain);

@@ -11,7 +11,8 @@ namespace {
 
 namespace hand = input::hand;
 
-constexpr Tick rest_before = 24, rest_after = 24;         // ticks with Trace held and the hand at rest
+// Ticks for which the hand rests with the button Trace held, before and after the stroke itself.
+constexpr Tick rest_before = 24, rest_after = 24;
 constexpr double gentle = 0.65, plain = 1.2, hard = 1.9;  // mean force of a gentle, a usual and a hard stroke
                                                           // (N)
 
@@ -128,7 +129,8 @@ std::uint32_t choose_recipe(const Simulation& match, const Seat& seat, Random& r
     const auto* pouch = match.world().find<Pouch>(wizard);
     std::uint32_t chosen = no_potion, count = 0;
     for (std::uint32_t i = 0; i < data.recipes.size(); ++i) {
-        // A recipe with an order drawn at random belongs to the Great Work, which these bots do not try.
+        // A recipe with an order drawn at random belongs to the Great Work (to win a round by holding two
+        // rare things), which these bots do not try.
         const auto& recipe = data.recipes[i];
         const bool acts = match.world().get<Potions>(wizard).until.at(i) != 0;
         const bool fits = pouch == nullptr || recipe.ingredients.front().ingredient == pouch->ingredient;

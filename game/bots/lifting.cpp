@@ -105,7 +105,7 @@ void end_lifting(const BotTurn& turn) {
     const Tick tick = turn.tick;
     if (hands_full(lift_plan)) {
         mind.buttons &= ~(bit(Button::fire) | bit(Button::throw_));
-        mind.wand_until = tick;  // at once, another wand may be chosen
+        mind.wand_until = tick;  // from now on another wand may be chosen
     }
     lift_plan.stage = LiftStage::none;
     lift_plan.not_before = tick + ticks(seconds(turn.seat.skill.lift.rest) * mind.random.uniform(0.6, 1.4));

@@ -124,9 +124,9 @@ struct StirPlan {
     std::uint32_t dropped{};          ///< number of ingredients that the bot has seen in its brew
     std::uint32_t stroke{};           ///< number of strokes done when the present one began
     Tick drawing_from{};              ///< tick at which the present stroke began; 0: the bot draws none
-    Tick drawing_until{};             ///< tick at which Trace is released
-    Tick hands_off_until{};           ///< tick before which the bot begins no stroke and drops nothing
-    std::uint32_t drops{};            ///< 1: the bot presses fire over the brew
+    Tick drawing_until{};    ///< tick at which the bot releases the button Trace, which ends the stroke
+    Tick hands_off_until{};  ///< tick before which the bot begins no stroke and drops nothing
+    std::uint32_t drops{};   ///< 1: the bot presses fire over the brew
     std::uint32_t spare{};
     THAUM_COMPONENT(StirPlan, until, not_before, health, stage, recipe, dropped, stroke, drawing_from,
                     drawing_until, hands_off_until, drops, spare);
@@ -153,7 +153,7 @@ struct Wobble {
 /// Plan of a bot to cast a spell by a stroke.
 struct CastPlan {
     DrawingStyle style{};
-    Tick began{};            ///< tick at which the bot presses Trace
+    Tick began{};            ///< tick at which the bot presses the button Trace, which begins the stroke
     Tick lasts{};            ///< ticks of the stroke itself; 0: the bot does not draw
     Tick not_before{};       ///< tick before which the bot considers no other spell
     Tick no_thing_before{};  ///< tick before which the bot does not call a thing back by a spell
@@ -177,7 +177,7 @@ struct Self {
     double readiness{};          ///< charge or draw of the wand in hand, 0 to 1
     ShotKind shot{};             ///< how the next shot of the wand in hand would fly
     std::uint32_t wand{};        ///< slot of the wand in hand
-    bool can_shoot = false;      ///< true: there is energy for that shot
+    bool can_shoot = false;      ///< true: there is energy for the next shot
     std::optional<vec3> held{};  ///< point that the wand in hand holds or hangs on (m, world)
     std::uint32_t key{};
     bool alive = false;

@@ -34,7 +34,8 @@ public:
     /// Number of steps to a goal from every cell, found by breadth-first search. Its memory is reused.
     struct Ways {
         int goal = -1;
-        std::vector<std::uint16_t> steps;  ///< `unreachable` for a cell without a way to the goal
+        /// Number of steps from each cell; `unreachable`: there is no way to the goal.
+        std::vector<std::uint16_t> steps;
         std::vector<int> queue;
     };
     void find_ways(int goal, Ways& ways) const;

@@ -104,7 +104,8 @@ void brew(const BotTurn& turn) {
     stir_plan.dropped = static_cast<std::uint32_t>(ingredients_in(cauldron)) > stir_plan.dropped
                             ? static_cast<std::uint32_t>(ingredients_in(cauldron))
                             : stir_plan.dropped;
-    if (stir_plan.dropped == 0 && carries(turn)) {  // the bot brews what it has picked up
+    // The bot begins a potion with the ingredient that it has picked up.
+    if (stir_plan.dropped == 0 && carries(turn)) {
         stir_plan.recipe = choose_recipe(match, seat, mind.random);
         if (stir_plan.recipe == no_potion) return end_stirring(turn);
     }

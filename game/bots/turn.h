@@ -17,7 +17,7 @@ struct BotWays {
 };
 
 struct BotTurn {
-    // What the bot knows.
+    // The members from here to `self` are what the bot knows.
     const Simulation& match;
     const Seat& seat;
     const WalkGrid& grid;                    ///< walkable ground of the arena
@@ -25,7 +25,7 @@ struct BotTurn {
     Tick tick;                               ///< ticks of play
     Self self;                               ///< the bot's own wizard in this tick (self_of)
 
-    // What the bot may change: its whole state, and caches.
+    // The members from here on are what the bot may change: its whole state, and caches.
     Eyes& eyes;
     Mind& mind;
     LiftPlan& lift_plan;

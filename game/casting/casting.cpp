@@ -29,16 +29,17 @@ vec3 point_on_brew(const HandState& hand_state, const DrawnStroke& trace) {
     return {at.x, -at.z, at.y};
 }
 
-/// Drops every second point of a full stroke.
+/// Drops every second point of a full stroke, to make room for more.
 void thin(DrawnStroke& trace) {
     for (std::uint32_t i = 0; i < trace.count / 2; ++i) trace.points[i] = trace.points[2 * i];
     trace.count /= 2;
     trace.every *= 2;
 }
 
-/// Adds the current position of the hand to the stroke. The stored force is always that of the viscous space,
-/// even on the brew. With the brew's drag, which grows with the square of the speed, half of the slow strokes
-/// would not be recognised, and each brew would have another limit between gentle and harsh.
+/// Adds the current position of the hand to the stroke. The stored force is always the viscous one that a
+/// hand feels in the air, even on the brew. With the brew's drag, which grows with the square of the speed,
+/// half of the slow strokes would not be recognised, and each brew would have another limit between gentle
+/// and harsh.
 void append(const CastingRules& rules, const HandState& hand_state, const Ladle* ladle, DrawnStroke& trace) {
     if (trace.waits > 0) {
         --trace.waits;
@@ -115,7 +116,8 @@ void act_on(MatchContext& context, const Caster& caster, const Reading& reading,
 
 namespace {
 
-/// The reading for a key chord: the gesture of the spell's slot, with probability 1.
+/// The reading for a key chord (a wand's key while Trace is held): the gesture of the spell's slot, with
+/// probability 1.
 Reading chord_reading(const MatchContext& context, const GestureSet& gestures, const Controls& controls) {
     const auto& rules = *context.data.casting;
     Reading reading;
@@ -208,7 +210,7 @@ CastingAccess access_of_casting(const MatchContext& context) {
     CastingAccess access{.reads = world.mask<Wizard, Controls, Dead, Ladle, AtStation, Motion>(),
                          .writes = world.mask<DrawnStroke, HandState, Focus, LastReading, EventLog,
                                               resource::Journal, resource::Strokes>()};
-    // A spell may ask the wand in hand what the wand holds.
+    // A spell may ask the wand in hand what the wand holds, so casting reads all that wands write.
     for (const auto& wand : context.data.wands) access.reads |= wand.rules->writes(world);
     if (context.data.cauldron) {
         access.reads |= brew_by_stroke_reads(world);

@@ -80,7 +80,8 @@ void cast_drawn(MatchContext& context, const GestureSet& gestures, const Caster&
         drawn.gesture != no_gesture && drawn.miss == Miss::none && drawn.probability >= drawn.needed;
     const bool soon = hand.cast_at != 0 && caster.tick < hand.cast_at + rules.free_apart;
     if (!sure) {
-        if (soon) return;  // the hand is still ending the motion that has just cast a spell
+        // The hand is still ending the motion that has just cast a spell, so this is no near miss.
+        if (soon) return;
         const auto& odd = hand.odd;
         if (odd.gesture != no_gesture && odd.miss != Miss::unclear && odd.probability >= odd.needed)
             return note_miss(rules, caster.tick, odd, odd.miss, miss);

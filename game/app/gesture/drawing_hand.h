@@ -31,7 +31,8 @@ public:
 /// workspace.
 class DrawingMouse : public DrawingHand {
 public:
-    /// `model`: the device whose mechanics the simulated hand holds, here without its workspace limits.
+    /// `model`: the device that the simulated hand holds. Only its mechanics are used; its workspace limits
+    /// are not.
     DrawingMouse(haptics::DeviceSpec model, std::int64_t now_ns);
 
     void move(double dx, double dy) override;

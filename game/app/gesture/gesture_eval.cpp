@@ -125,8 +125,8 @@ Expected<std::vector<double>> measure_times(const gesture::StrokeSet& set,
     const auto classifier =
         gesture::make_classifier(settings.method, gestures, {settings.channels, settings.seed, false});
     if (!classifier) return classifier.error();
-    // Each call gets another stroke, as in use. All of these strokes fit in the processor's cache, where a
-    // stroke that was just drawn would be, too.
+    // Each timed call gets another stroke, as in a match. All of these strokes fit in the processor's cache,
+    // where a stroke that was just drawn would be, too.
     constexpr std::size_t timed_strokes = 64, calls = 8;
     constexpr int passes = 40;
     const std::size_t stride = set.strokes.size() / timed_strokes + 1;
@@ -167,7 +167,7 @@ Expected<GestureReport> measure_method(EvalPlan& plan, const gesture::StrokeSet&
     if (is_early || plan.settings.method == gesture::Method::standard) {
         auto own = plan.settings;
         own.own_calibration = true;
-        // This evaluation mostly spends its time on making synthetic strokes, so it has few repeats.
+        // This evaluation spends most of its time on making synthetic strokes; therefore it has few repeats.
         own.repeats = std::min<std::size_t>(own.repeats, 3);
         const auto second = gesture::evaluate(set.strokes, own);
         report.has_own_calibration = second.has_value();
