@@ -18,7 +18,8 @@ struct Focus {
 /// points away from the wizard and z up.
 struct DrawnPoint {
     float x{}, y{}, z{};
-    float force{};  ///< force of the stroke at this point, before caps and faders (N)
+    /// Force of the stroke at this point, before limits and the player's faders reduce it (N)
+    float force{};
     THAUM_FIELDS(DrawnPoint, x, y, z, force);
 };
 
@@ -26,8 +27,8 @@ struct DrawnPoint {
 /// and later points are taken half as often; this may happen repeatedly.
 inline constexpr std::size_t max_drawn_points = 512;
 
-/// Value of DrawnStroke::over: the wizard pressed a key chord (a wand's key while Trace is held), which casts
-/// a spell instead of the stroke.
+/// Value of DrawnStroke::over: the wizard pressed a key chord (a wand's key while the button Trace is held),
+/// which casts a spell instead of the stroke.
 inline constexpr std::uint32_t by_chord = 2;
 
 /// The stroke of a wizard who holds the Trace button.
@@ -57,7 +58,8 @@ struct LastReading {
     double force{};           ///< mean force of the stroke (N)
     double turns{};           ///< number of turns of a closed stroke, as in StrokeReading::turns
     std::uint32_t gesture{};  ///< number of the gesture; no_gesture: no gesture was recognised
-    std::uint32_t nearest{};  ///< number of the nearest gesture; no_gesture: there is none
+    /// Number of the gesture that the stroke resembles most; no_gesture: there is none.
+    std::uint32_t nearest{};
     THAUM_COMPONENT(LastReading, at, probability, force, turns, gesture, nearest);
 };
 

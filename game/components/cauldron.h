@@ -99,7 +99,7 @@ struct Cauldron {
     Tick mixed_since{};
     Tick boon_until{};  ///< tick of play at which the healing by a well-mixed brew (the boon) ends
     std::uint32_t boon_for{no_player};  ///< player whom the boon heals
-    std::uint32_t boon_given{};         ///< 1: the present brew has already given its boon
+    std::uint32_t boon_given{};         ///< 1: the present brew has already given its boon, the healing
     Tick more_time{};  ///< time by which right ingredients have delayed the spoiling of the brew (ticks)
     std::uint32_t strokes_done{};     ///< number of right strokes so far
     BrewFault fault{};                ///< fault that has spoilt the recipe; none: a potion is still possible
@@ -135,9 +135,10 @@ struct Ladle {
     vec3 force{};     ///< force on the brew (N, world)
     /// Work done on the brew, one sum for each of the last `spans` intervals of 1/8 s (J).
     std::array<double, spans> work{};
-    vec3 patch{};    ///< point around which the flow near the ladle was last sampled for the haptic model (m,
-                     ///< brew frame)
-    Tick patched{};  ///< value of Cauldron::stepped for the fluid state from which that flow was sampled
+    vec3 patch{};  ///< point around which the flow near the ladle was last sampled for the haptic model (m,
+                   ///< brew frame)
+    /// Value of Cauldron::stepped for the fluid state from which the flow near the ladle was last sampled.
+    Tick patched{};
     std::uint32_t span{};  ///< index in `work` of the interval that contains the present tick
     std::uint32_t spare{};
     THAUM_COMPONENT(Ladle, place, velocity, force, work, patch, patched, span, spare);

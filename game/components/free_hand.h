@@ -23,13 +23,13 @@ enum class Miss : std::uint32_t {
 
 /// A part of the hand's motion that ends where the hand came to rest, with the gesture read from it.
 struct FreeWindow {
-    double score{};        ///< distance from the recorded strokes plus further penalties; smaller is better
-    double probability{};  ///< probability that the gesture was meant, 0 to 1, computed as for a stroke with
-                           ///< Trace held
-    double needed{};       ///< probability that the gesture needs in order to cast its spell, 0 to 1
-    double force{};        ///< mean force of the motion (N)
+    double score{};  ///< distance from the recorded strokes plus further penalties; smaller is better
+    /// Probability that the gesture was meant, if half of all motions mean no gesture (0 to 1)
+    double probability{};
+    double needed{};          ///< probability that the gesture needs in order to cast its spell, 0 to 1
+    double force{};           ///< mean force of the motion (N)
     std::uint32_t gesture{};  ///< number of the gesture; no_gesture: nothing was read
-    Miss miss{};              ///< why this window cannot cast
+    Miss miss{};              ///< why this window cannot cast a spell
     THAUM_FIELDS(FreeWindow, score, probability, needed, force, gesture, miss);
 };
 
@@ -43,7 +43,7 @@ struct FreeHand {
     std::uint32_t count{};
     vec3 path{};             ///< position of a mouse player's hand, the sum of its motion (m)
     vec3 rest_place{};       ///< position near which the hand has rested (m)
-    std::uint32_t rested{};  ///< number of points for which the hand has rested there
+    std::uint32_t rested{};  ///< number of points for which the hand has rested near rest_place
     /// Number of points since the last long rest. A gesture is looked for among these points.
     std::uint32_t moving{};
     std::uint32_t windows{};  ///< number of windows read since the hand came to rest
@@ -57,7 +57,7 @@ struct FreeHand {
 /// The last motion that almost cast a spell without a button, for the picture. Wizards with a FreeHand have
 /// this component.
 struct NearMiss {
-    Tick at{};                ///< tick of play at which the hand rested after the motion; 0: no near miss yet
+    Tick at{};  ///< tick of play at which the hand rested after the motion; 0: there was no such motion yet
     double probability{};     ///< probability that the gesture was meant, 0 to 1
     std::uint32_t gesture{};  ///< number of the gesture that the motion resembled
     Miss reason{};

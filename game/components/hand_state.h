@@ -62,7 +62,7 @@ struct HandState {
     vec3 pull{};
     vec3 frame_origin{};           ///< origin of the device frame in the last tick (m, world)
     quat frame_turn{1, 0, 0, 0};   ///< orientation of the device frame in the last tick (device to world)
-    std::uint64_t probe_number{};  ///< counts how often the wand's tip has appeared or jumped
+    std::uint64_t probe_number{};  ///< number that changes whenever the wand's tip has appeared or jumped
     /// 1: surfaces around the wand's tip were given to the servo in the last tick
     std::uint64_t probing{};
     std::uint32_t panic_held{};  ///< 1 while the player holds the panic key, which switches forces off

@@ -40,9 +40,10 @@ struct Dice {
     THAUM_COMPONENT(Dice, spread);
 };
 
-/// Kinds of event with fixed numbers, because recorded matches contain these numbers. The numbers missing
-/// here belong to the hits of wands. New kinds are not listed here: the source that records one registers it
-/// (game/data/event_kinds.h, which names all kinds), and it gets a number above the last one here.
+/// Kinds of event with fixed numbers, because recorded matches contain these numbers. The numbers missing in
+/// this list belong to the hits of wands. New kinds are not added to it: the source that records one
+/// registers it (game/data/event_kinds.h, which names all kinds), and it gets a number above the last one of
+/// the list.
 enum class EventKind : std::uint32_t {
     none = 0,
     shot = 1,        ///< a shot was fired; detail: EventKind of its hits
@@ -80,8 +81,8 @@ enum class EventKind : std::uint32_t {
     /// A player learns the order of a recipe's ingredients, which is drawn at random; detail: number of the
     /// potion, then those of the ingredients, 8 bits each.
     recipe_told = 37,
-    work_half = 38,  ///< a wizard holds half of the Great Work
-    work_lost = 39,  ///< a wizard has lost a half of the Great Work by dying
+    work_half = 38,  ///< a wizard holds one half of the Great Work: Azoth or the Lens
+    work_lost = 39,  ///< a wizard has lost a half of the Great Work (Azoth or the Lens) by dying
     put_away = 40,   ///< a wizard has put a carried ingredient away; detail: its number
     /// A wizard who already carries an ingredient stands at another niche; detail: the niche's ingredient.
     hands_full = 41,
@@ -100,7 +101,7 @@ enum class EventKind : std::uint32_t {
     lens_lost = 58,    ///< a wizard has lost the Lens by dying
     work_begun = 59,   ///< a wizard holds both Azoth and the Lens; amount: time that they must be held (s)
     work_broken = 60,  ///< a wizard no longer holds both Azoth and the Lens
-    work_done = 61,    ///< a wizard has completed the Great Work
+    work_done = 61,    ///< a wizard has completed the Great Work, which wins the round
     blunt = 62,        ///< a wizard has no focus left for carving
     tool_taken = 63    ///< a wizard carves with another tool; detail: its number
 };

@@ -39,7 +39,8 @@ struct WornModes {
     std::uint32_t told{};  ///< 1: the orb has already rewarded this wizard since the wizard's last death
     /// 1: the orb has already shown this player the orders of recipes in this match.
     std::uint32_t order_told{};
-    std::uint32_t spent{};    ///< 1: focus ran out while scrying; the wizard must release Stir to scry again
+    /// 1: focus ran out while scrying; the wizard must release the button Stir to scry again.
+    std::uint32_t spent{};
     std::uint32_t version{};  ///< number of changes of modes and curves so far
     THAUM_COMPONENT(WornModes, worn, strength, told, order_told, spent, version);
 };
@@ -51,7 +52,7 @@ struct Scrying {
     double distance{};  ///< distance of the probe from the hidden core (m, world)
     Tick near_since{};  ///< when the probe came within reach of the core (ticks of play); 0: not within reach
     vec3 pen{};         ///< position of the hand when it last drew a curve (m, device frame)
-    std::uint32_t pen_down{};  ///< 1: Trace is held, and `pen` is valid
+    std::uint32_t pen_down{};  ///< 1: the button Trace is held, and `pen` is valid
     std::uint32_t drawing{};   ///< 1: the hand draws the strength curve of the newest mode, and feels no mode
     THAUM_COMPONENT(Scrying, place, force, distance, near_since, pen, pen_down, drawing);
 };

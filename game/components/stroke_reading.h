@@ -11,7 +11,7 @@ struct StrokeReading {
     /// Probability that the gesture was meant, 0 to 1. For an unrecognised stroke: probability that the
     /// nearest gesture was meant, if half of all strokes are no gesture at all.
     double probability{};
-    double force{};  ///< mean force along the stroke, before caps and faders (N)
+    double force{};  ///< mean force along the stroke, before limits and the player's faders reduce it (N)
     /// Number of turns around the middle of a closed stroke, clockwise as the wizard sees it; negative:
     /// counter-clockwise; 0: the stroke is not closed.
     double turns{};

@@ -26,14 +26,15 @@ struct Controls {
     std::int32_t forward{};        ///< forward motion, -127 to 127; negative: backward
     std::int32_t trigger{};        ///< position of the trigger, 0 to 255
     std::int32_t wheel{};          ///< wheel steps since the last gameplay tick
-    /// Displacement of the hand in this tick while the player holds clutch or Trace or works at a station
-    /// (um, device frame).
+    /// Displacement of the hand in this tick while the player works at a station, or holds one of the buttons
+    /// Clutch and Trace, which let the input move the hand instead of the view (um, device frame).
     std::int32_t hand_right{}, hand_up{}, hand_back{};
-    /// Displacement of the hand from its home by a stick, while Trace is held (um, device frame).
+    /// Displacement of the hand from its home by a stick, while the button Trace is held (um, device frame).
     std::int32_t stick_right{}, stick_up{};
-    std::uint32_t harsh{};  ///< 1: fire was pressed while Trace is held, which makes a key chord harsh
-    std::uint32_t
-        stick_draws{};  ///< 1: the stick has been at its rim since Trace went down, so it moves the hand
+    /// 1: fire was pressed while the button Trace was held, so a spell cast by a wand's key is harsh.
+    std::uint32_t harsh{};
+    /// 1: the stick has been at its rim since the button Trace went down, so it moves the hand.
+    std::uint32_t stick_draws{};
     THAUM_COMPONENT(Controls, held, pressed, wand_held, wand_pressed, strafe, forward, trigger, wheel,
                     hand_right, hand_up, hand_back, stick_right, stick_up, harsh, stick_draws);
 };

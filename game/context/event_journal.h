@@ -57,7 +57,7 @@ public:
     }
 
 private:
-    // Works as a bit mask because the size is a power of two.
+    // Mask that turns an event's number into its place in the buffer, whose size is a power of two.
     std::uint64_t mask() const { return events_.size() - 1; }
 
     void grow() {

@@ -41,8 +41,8 @@ void add_body(SurfacePatch& patch, const physics::Physics& physics, physics::Key
     haptics::SurfaceBody& body = patch.bodies[patch.body_count++];
     body.position = frame.to_device(state.position);
     body.orientation = glm::conjugate(frame.turn) * state.orientation;
-    // This velocity is the mean over the tick: it takes the point exactly from its position in the previous
-    // device frame to its position in the present one.
+    // The velocity from `was` to the present position is the mean over the tick: it takes the point exactly
+    // from its position in the previous device frame to its position in the present one.
     const vec3 was = before.to_device(state.position - tick_seconds * state.velocity);
     const bool rests = frame == before && state.velocity == vec3(0);
     body.velocity = rests ? vec3(0) : (body.position - was) / tick_seconds;

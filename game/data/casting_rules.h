@@ -19,9 +19,9 @@ struct CastingRules {
     Tick shortest{};          ///< duration below which a stroke is not read (ticks)
     double smallest{};        ///< arc length below which a stroke is not read (m)
     // Rules of casting without a button, in which a gesture ends where the hand comes to rest.
-    Tick free_rest{};                 ///< time for which the hand must rest after the gesture (ticks)
-    double free_rest_way{};           ///< radius within which a hand counts as resting (m)
-    Tick free_pause{};                ///< duration of a rest that cannot be part of a gesture (ticks)
+    Tick free_rest{};        ///< time for which the hand must rest after the gesture (ticks)
+    double free_rest_way{};  ///< radius within which a hand counts as resting (m)
+    Tick free_pause{};       ///< duration from which on a rest is too long to be part of a gesture (ticks)
     double free_least_probability{};  ///< probability of the reading that a gesture needs in order to cast
                                       ///< its spell, 0 to 1
     double free_quiet_probability{};  ///< probability that suffices instead if the hand was slow before the
@@ -32,18 +32,18 @@ struct CastingRules {
     /// Speed of the hand before a window of motion, as a multiple of the speed in the window, above which the
     /// hand was already moving, so that the gesture cannot begin with this window.
     double free_most_pace{};
-    /// Arc length below which a closed gesture needs the full probability even after a slow start (m)
+    /// Arc length below which a closed gesture needs free_least_probability even after a slow start (m)
     double free_loop{};
     double free_stop{};  ///< duration of a pause within a gesture from which on the gesture may be two
                          ///< movements (s)
-    /// That duration as a share of the gesture's duration. A pause splits a gesture only if it reaches both
-    /// limits.
+    /// Share of the gesture's duration that such a pause must also reach: it splits a gesture only if it is
+    /// longer than free_stop and than this share.
     double free_stop_share{};
-    double free_near_probability{};  ///< probability from which on a gesture that casts nothing is shown as a
-                                     ///< near miss, 0 to 1
-    double free_smallest{};          ///< minimum width or height of a gesture, whichever is larger (m)
-    double free_shortest{};          ///< minimum duration of a gesture (s)
-    Tick free_apart{};               ///< minimum time between two spells (ticks)
+    /// Probability from which on the player is told of a gesture that almost cast a spell, 0 to 1.
+    double free_near_probability{};
+    double free_smallest{};  ///< minimum width or height of a gesture, whichever is larger (m)
+    double free_shortest{};  ///< minimum duration of a gesture (s)
+    Tick free_apart{};       ///< minimum time between two spells (ticks)
 };
 
 CastingRules read_casting_rules(const Config& file);

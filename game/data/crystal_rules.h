@@ -30,7 +30,7 @@ struct CrystalRules {
     std::vector<std::string> tool_names;  ///< files of assets/carving in the order of the wand keys
     std::vector<field::Tool> tools;       ///< the tools read from the files in `tool_names`
     double focus_per_second{};            ///< focus that a tool takes while it is applied (1/s)
-    /// Share of a tool's change that remains where the change leads away from the key's shape, 0 to 1.
+    /// Share that remains of a tool's change where the change leads away from the key's shape, 0 to 1.
     double against_key{};
     double turning{};  ///< speed at which a carver turns the crystal (rad/s)
     double overlap{};  ///< overlap with the key's shape at which the wizard gains the Lens, 0 to 1
@@ -44,7 +44,7 @@ struct CrystalRules {
     Tick work_lasts{};  ///< time for which a wizard must hold both Azoth and the Lens to win (ticks)
 };
 
-/// Reads everything except the tools.
+/// Reads all rules except the tools, which have files of their own.
 CrystalRules read_crystal_rules(const Config& file);
 
 /// Reports a tool that changes a property which crystals of a match lack. `root`: the root table of

@@ -48,8 +48,8 @@ public:
         return std::find(faulty_.begin(), faulty_.end(), name) == faulty_.end();
     }
 
-    /// Checks a file together with others, if they have no faults of their own. `report` reports an error at
-    /// a line of `file`.
+    /// Checks a file against other files, once those were read: `report` reports errors at lines of `file`.
+    /// Does nothing without the file.
     template <class Report>
     void check_across(const std::optional<Config>& file, Report report) {
         if (!file) return;
@@ -240,7 +240,7 @@ auto noting(std::optional<Config>& kept, Read read) {
     };
 }
 
-/// A copy of the presentation read so far.
+/// A copy of the presentation as far as it was read, to which a loader adds its part.
 std::shared_ptr<Presentation> begun_presentation(const MatchData& data) {
     return data.presentation ? std::make_shared<Presentation>(*data.presentation)
                              : std::make_shared<Presentation>();
@@ -252,7 +252,8 @@ void load_wands(MatchData& data, Loader& loader) {
     std::vector<WandSounds> sounds;
     auto shown = begun_presentation(data);
     shown->events = loader.load("events.toml", read_event_rows, false);
-    shown->events.resize(event_kinds().kinds.size());  // empty if an earlier error prevented reading
+    // Makes room for all kinds: after an error in reading, the list is empty.
+    shown->events.resize(event_kinds().kinds.size());
     for (const auto& kind : wand_kinds()) {
         const auto read = [&](const Config& file) {
             auto wand = read_wand(kind, file);
@@ -329,8 +330,8 @@ void load_gestures(MatchData& data, Loader& loader) {
         gestures.push_back(std::move(**read));
         files.push_back(file);
     }
-    // If a gesture file has a fault, spells and recipes would wrongly seem to name gestures that do not
-    // exist.
+    // If a gesture file has a fault, the match gets no gestures. Otherwise spells and recipes would wrongly
+    // seem to name gestures that do not exist.
     if (gestures.size() < names.size()) return;
     if (const auto fault = fault_of(gestures)) {
         loader.refuse({text(loader.shown("gestures"), ": ", *fault)});

@@ -19,10 +19,10 @@ struct OrbMode {
     /// derivative by a filter is per metre in the orb.
     field::TransferFunction strength{};
     field::TransferFunction friction{};  ///< coefficient of friction, as a function of the field's value
-    /// Property at the right end of the plane on which a wizard draws the strength curve.
+    /// Value of the mode's property at the right end of the plane on which a wizard draws the strength curve.
     double max_property{};
-    double least{};  ///< strength at the bottom of the drawing plane (N); property 0 is at the plane's left
-                     ///< end
+    /// Strength at the bottom of the drawing plane (N); the plane's left end is the property's value 0.
+    double least{};
 };
 
 struct OrbRules {

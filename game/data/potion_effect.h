@@ -45,7 +45,8 @@ public:
     virtual void over(const PotionUse&) const {}
     /// Called when the wizard has died, whether or not the wizard has drunk the potion.
     virtual void lost(const PotionUse&) const {}
-    /// Components and resources that these functions write, besides Potions, EventLog and resource::Journal.
+    /// Components and resources that drunk(), over() and lost() write, besides Potions, EventLog and
+    /// resource::Journal.
     virtual ecs::Mask writes(const ecs::World& world) const = 0;
     /// Adds systems that act while the potion acts on a wizard.
     virtual void add_systems(const PotionSystems&) const {}

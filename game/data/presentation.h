@@ -115,8 +115,9 @@ struct SpellPresentation {
     std::uint32_t colour = 0xFFFFFF;
     std::string shown{};    ///< name on the screen
     std::string gesture{};  ///< name of the gesture that casts it
-    std::uint32_t slot{};   ///< wand key of the spell's chord, 0 to wand_slots - 1
-    double focus{};         ///< focus that a gentle cast costs
+    /// Wand key that casts the spell while the button Trace is held, 0 to wand_slots - 1.
+    std::uint32_t slot{};
+    double focus{};  ///< focus that a gentle cast costs
 };
 /// Reads what is seen, heard and felt, from the tables `look` and `event` of the spell's data file.
 SpellPresentation read_spell_presentation(std::string_view name, const ConfigTable& spell);

@@ -16,8 +16,8 @@ constexpr double several_turns = 1.5;
 
 vec3 place_of(const DrawnPoint& p) { return {p.x, p.y, p.z}; }
 
-/// Calls the function with number, position, time and force of each point of a stroke, after jumps were
-/// spread over the rest before them. The points of a spread jump share its force.
+/// Calls the function with number, position, time and force of each point of a stroke. Before, jumps are
+/// spread over the rests before them (spread_jumps). The points of a spread jump share its force.
 template <class Take>
 void each_point(const DrawnStroke& stroke, Take&& take) {
     const double apart = stroke.every * gameplay_dt;
@@ -174,7 +174,8 @@ Reading read_drawn(const GestureSet& gestures, const DrawnStroke& trace, Reading
     const auto stroke = put_points(trace, space);
     const auto found = recognise_drawn(gestures.recogniser(), stroke, space.recogniser);
     Reading reading{.stroke = {.force = mean_force_along(stroke)}, .nearest = found.gesture};
-    // An unrecognised stroke may well be no gesture at all. Players are not shown its probability.
+    // An unrecognised stroke may well be no gesture at all. Its probability allows for that, and players are
+    // not shown it.
     reading.stroke.probability = found.accepted ? found.probability : found.even_probability;
     if (!found.accepted) return reading;
     reading.stroke.gesture = found.gesture;

@@ -36,9 +36,9 @@ double mean_force_of(const DrawnStroke& stroke);
 /// Reason why a stroke is not read at all.
 enum class Slip : std::uint8_t {
     none,       ///< the stroke is read
-    tap,        ///< Trace was pressed without a stroke
+    tap,        ///< the button Trace was pressed only for a moment, or the hand hardly moved
     too_small,  ///< the hand moved, but not far enough
-    too_quick   ///< Trace was let go too soon
+    too_quick   ///< the button Trace was let go too soon
 };
 Slip slip_of(const CastingRules& rules, const DrawnStroke& trace);
 

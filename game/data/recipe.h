@@ -53,9 +53,10 @@ struct ChangedBrew {
 /// What the potion does to the wizard who brewed it, besides its effects.
 struct PotionGift {
     Tick lasts{};
-    double pace{1};          ///< factor on the walking speed
-    double gravity{1};       ///< share of the wizard's weight that is left
-    bool work_half = false;  ///< true: the wizard holds half of the Great Work until death
+    double pace{1};     ///< factor on the walking speed
+    double gravity{1};  ///< share of the wizard's weight that is left
+    /// True: the potion is half of the Great Work, which the wizard holds until death.
+    bool work_half = false;
 };
 
 struct Recipe {

@@ -30,7 +30,7 @@ namespace thaum::game::inline data {
 
 /// Numbers that every spell has in its data file.
 struct SpellStats {
-    /// Wand key of the chord that casts the spell without a stroke, 0 to wand_slots - 1.
+    /// Wand key that casts the spell without a stroke while the button Trace is held, 0 to wand_slots - 1.
     std::uint32_t slot{};
     std::string gesture;  ///< name of the gesture that casts it
     double focus{};       ///< focus that a gentle cast costs
