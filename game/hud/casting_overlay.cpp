@@ -279,7 +279,7 @@ void add_shapes(Overlay& out, const SpellCell& cell, const GestureSet& gestures)
                                         paints.light_red});
 }
 
-/// Adds the words of a cell: the key of the chord, the cost, and the spell's name below the gesture.
+/// Adds the words of a cell: the key that casts the spell, the cost, and the spell's name below the gesture.
 void add_words(Overlay& out, const SpellCell& cell, std::string_view key) {
     const fvec2 low = cell.box.low, high = cell.box.high;
     const float u = cell.u, side = 13 * u;

@@ -31,8 +31,9 @@ void add_ward(render::Overlay& out, const CastingPicture& casting, const ViewLay
 /// unit (px).
 void add_focus(render::Overlay& out, const CastingPicture& casting, fvec2 centre, float u);
 
-/// Adds the spells to the strip of wands, a cell for each: the gesture that casts it, the key of its chord,
-/// and its cost in focus. A spell that costs more focus than the player has is grey and struck through.
+/// Adds the spells to the strip of wands, a cell for each: the gesture that casts it, the wand key that casts
+/// it while the button Trace is held, and its cost in focus. A spell that costs more focus than the player
+/// has is grey and struck through.
 void add_spell_strip(render::Overlay& out, const Picture& picture, const ControlNames& controls,
                      std::uint32_t player, const ViewLayout& l);
 

@@ -23,7 +23,7 @@ constexpr float line = 20;  // height of a line of messages, notices or feed
 constexpr float under_notices = under_score + 2 * line + edge;
 constexpr float lesson_words = 14;  // text size of a lesson (HUD units)
 constexpr float min_ring = 26, max_ring = 66;
-constexpr float min_likely = 14;  // height of the likely spell above the ring
+constexpr float min_likely = 14;  // height of the panel for the likely spell, above the ring
 
 // Minimum sizes of views (HUD units). A tall view has its messages above the corner panels, a flat view
 // between them.
@@ -301,7 +301,7 @@ float count_size_of(const std::array<std::optional<ViewLayout>, players>& views)
 }
 
 constexpr float min_words = 4;             // smallest text size of the typeface (px)
-constexpr float widest_character = 1.12F;  // em
+constexpr float widest_character = 1.12F;  // largest width of a character (em)
 
 /// Upper estimate of a character's width in the typeface (em).
 float character_width(char c) {
@@ -427,7 +427,7 @@ float width_of(std::string_view line, float size) {
 }
 
 FittedWords fit(std::string_view words, float size, fvec2 room) {
-    // The typeface can only be drawn in whole sizes (px).
+    // The text size is a whole number, since the typeface can only be drawn in whole sizes (px).
     FittedWords out{{}, std::max(min_words, std::floor(size))};
     out.lines = broken(words, out.size, room.x);
     while (out.size > min_words && !fits(out, room)) {

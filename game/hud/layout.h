@@ -50,7 +50,8 @@ struct ViewLayout {
 
 /// All panels of a window.
 struct HudLayout {
-    std::array<std::optional<ViewLayout>, players> views;  ///< std::nullopt: the view is not shown
+    /// For each player, the panels of the view; std::nullopt: the view is not shown.
+    std::array<std::optional<ViewLayout>, players> views;
     float unit{};  ///< length of a HUD unit in panels of the whole window (px)
     Panel score;
     Panel notices;  ///< notices for both players

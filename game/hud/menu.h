@@ -45,7 +45,7 @@ struct MenuPicture {
     bool operator==(const MenuPicture&) const = default;
 };
 
-/// Part of a row at a point.
+/// Part of a menu row that a point can hit: the row, or the arrow that decreases or increases its value.
 enum class MenuPart : std::uint8_t { row, less, more };
 struct MenuPlace {
     std::size_t row{};

@@ -36,7 +36,7 @@ struct MissedStation {
 struct PromptUses {
     static constexpr std::uint32_t learnt = 3;  ///< number of uses after which a prompt is no longer shown
     std::array<std::array<std::uint32_t, prompt_kinds>, players> count{};
-    /// Last time that the player pressed Stir too far from a station or was pushed away from it;
+    /// Last time that the player pressed the button Stir too far from a station or was pushed away from it;
     /// std::nullopt: never, or using a station has succeeded since.
     std::array<std::optional<MissedStation>, players> missed{};
     bool operator==(const PromptUses&) const = default;
@@ -58,8 +58,8 @@ struct Prompt {
 /// to it.
 std::optional<Prompt> prompt_of(const PlayerPicture& player, const ControlNames& controls);
 
-/// Words for a player who has just pressed Stir too far from a station, or was pushed away from it; empty for
-/// other players. `now`: the picture's tick.
+/// Words for a player who has just pressed the button Stir too far from a station, or was pushed away from
+/// it; empty for other players. `now`: the picture's tick.
 std::string_view words_of_missed_station(Tick now, std::uint32_t player, const PromptUses& uses);
 
 /// Opacity of a prompt, 0 to 1.

@@ -17,8 +17,8 @@ namespace thaum::game::inline hud {
 
 /// Contents of the bar, except the time of the picture.
 struct ReplayBar {
-    Tick length{};                 ///< length of the log (ticks)
-    Tick indexed{};                ///< tick up to which the index makes every jump quick
+    Tick length{};   ///< length of the log (ticks)
+    Tick indexed{};  ///< tick up to which every jump is quick, because states are stored (ReplayIndex)
     std::optional<Tick> target{};  ///< tick to which a running jump leads
     double speed = 1;
     bool paused = false;

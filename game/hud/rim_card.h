@@ -16,8 +16,8 @@
 
 namespace thaum::game::inline hud {
 
-/// Bars at the bottom of the card. `mixed`: how well the brew is mixed, 0 to 1. `fresh`: share of the time
-/// until the brew boils over that is left, 0 to 1.
+/// Bars at the bottom of a card (a panel at a station). `mixed`: how well the brew is mixed, 0 to 1. `fresh`:
+/// share of the time until the brew boils over that is left, 0 to 1.
 struct BrewGauge {
     float mixed{}, fresh{};
     float goal{};  ///< value of `mixed` from which on the brew counts as well mixed

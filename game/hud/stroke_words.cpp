@@ -33,8 +33,8 @@ std::string words_of_miss(const CastingPicture& casting) {
     const auto* why = is_too_fast(*casting.rules, reading.force) ? "too fast" : "not read";
     const bool is_like_none = whole_percent(reading.probability) == 0;
     if (is_like_none || shown_gesture(casting, reading.nearest).empty()) return why;
-    // Players are not shown the probability here, because it depends on how often they scribble without
-    // meaning a gesture.
+    // The caption has no probability, because that depends on how often the player scribbles without meaning
+    // a gesture.
     return text(why, "; nearest: ", shown_gesture(casting, reading.nearest));
 }
 

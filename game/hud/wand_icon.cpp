@@ -89,7 +89,7 @@ std::size_t next_in_slots(const std::vector<WandPresentation>& wands, std::size_
     if (in_hand >= wands.size()) return wands.size();
     const auto ahead = [&](const WandPresentation& w) {
         return w.slot - wands[in_hand].slot - 1;
-    };  // unsigned, so it continues from the last slot to the first
+    };  // unsigned: slots before the present one count as far ahead, so the search wraps round
     const auto next = std::min_element(wands.begin(), wands.end(),
                                        [&](const auto& a, const auto& b) { return ahead(a) < ahead(b); });
     return static_cast<std::size_t>(next - wands.begin());

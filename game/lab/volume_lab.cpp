@@ -386,7 +386,7 @@ void change_device(VolumeLab& lab, haptics::DeviceSpec device) {
         mode.settings.reach *= grown[mode.volume];
         mode.settings.pitch *= grown[mode.volume];
     }
-    // These modes and places were valid with the old device, so this cannot fail.
+    // These modes and places were valid with the old device, so the change cannot fail.
     const auto changed = change_volume_lab(lab, settings);
     THAUM_ASSERT(changed.has_value(), "settings that were in use");
 }

@@ -24,8 +24,10 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds longest_connecting{1000};
 constexpr std::chrono::milliseconds longest_first_reply{300};
-constexpr std::chrono::milliseconds longest_waiting{500};  ///< longest time that a request may wait
-constexpr std::chrono::milliseconds longest_pong{1000};    ///< longest time from a ping to its answer
+/// Longest time that a request may wait before the connection is ended.
+constexpr std::chrono::milliseconds longest_waiting{500};
+/// Longest time from a ping to its answer before the connection is ended.
+constexpr std::chrono::milliseconds longest_pong{1000};
 constexpr std::chrono::milliseconds between_pings{
     250};  ///< shortest time between pings, which go out with requests only
 constexpr std::chrono::milliseconds longest_parting{100};
@@ -215,7 +217,7 @@ int PlayerLink::take_piece(const char* data, std::size_t size) {
     if (reply_.size() + size > max_reply_bytes) return -1;
     reply_.append(data, size);
     if (lws_remaining_packet_payload(socket_) > 0 || lws_is_final_fragment(socket_) == 0) return 0;
-    // A message that is no reply does no harm.
+    // A message that is no reply is ignored.
     if (const auto reply = read_bhaptics_reply(reply_); reply && (reply->devices || reply->vest))
         newest_ = *reply;
     reply_.clear();

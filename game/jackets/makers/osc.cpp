@@ -168,7 +168,7 @@ bool OscJacket::send(const std::string& message) {
 
 void OscJacket::end() {
     if (peers_.empty()) return;
-    // These are the last messages of this output, so three are sent: two of them may be lost.
+    // These are the last messages of this output. UDP may lose them, so three are sent.
     for (int i = 0; i < 3; ++i) send(silent_);
     for (const Peer& peer : peers_) ::close(peer.socket);
     peers_.clear();

@@ -65,7 +65,7 @@ Expected<FileWriter> start_new(const std::filesystem::path& wanted, std::filesys
 }
 
 Expected<void> FeltRecorder::open() {
-    if (!fault_.empty()) return fail(fault_);  // it does not try again after a fault, such as a full disk
+    if (!fault_.empty()) return fail(fault_);  // after a fault, such as a full disk, it is not opened again
     end();
     auto made = start_new(wanted_, path_);
     if (!made) return made.error();

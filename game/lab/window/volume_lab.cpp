@@ -398,7 +398,7 @@ Expected<VolumeLabPlan> read_volume_plan(const Arguments& arguments) {
     protect_companions(plan);
     plan.session_file = arguments.path("--session");
     if (auto read = read_modes(arguments, plan); !read) return read.error();
-    // The camera comes near once more, because the options may have changed the level of the surface.
+    // The camera comes near a second time, because the options may have changed the level of the surface.
     if (!session->view) come_near(plan.lab, plan.view);
     if (auto put = put_on_usual_mode(arguments, plan.lab); !put) return put.error();
     note_slow_filters(plan);

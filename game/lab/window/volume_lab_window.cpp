@@ -52,8 +52,9 @@ struct Session {
     int height = 1;   ///< height of the window (px)
     int history = 0;  ///< undo (-1) or redo (1) that is due
     Seen seen{};
-    std::int64_t moved = 0;   ///< time at which the picture last changed (ns)
-    std::uint32_t saved = 1;  ///< value of Bricks::newest of the body when it was opened or saved
+    std::int64_t moved = 0;  ///< time at which the picture last changed (ns)
+    /// Number of the body's newest change (Bricks::newest) when the body was opened or saved.
+    std::uint32_t saved = 1;
 };
 
 /// Whether the body was carved and has not been saved since.

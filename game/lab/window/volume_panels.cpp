@@ -187,8 +187,8 @@ bool show_filters(LabMode& chosen) {
     add("smooth", field::FilterKind::smooth);
     ImGui::SameLine();
     add("scale", field::FilterKind::scale);
-    // The other filters convert between vector and scalar. Without them the mode could read nothing, so they
-    // cannot be removed.
+    // If the last filter converts between vector and scalar, it cannot be removed: without it the mode could
+    // read nothing.
     if (chosen.filters.empty() || leads({.filters = {chosen.filters.back()}})) return changed;
     ImGui::SameLine();
     if (!ImGui::SmallButton("remove the last filter")) return changed;
