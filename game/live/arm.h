@@ -62,7 +62,8 @@ private:
     input::ArmStatus status_{};
     input::TickReport times_{};
     int losses_ = 0;
-    std::jthread thread_;  ///< watches the arm; last, so that it ends while the other members still live
+    /// Watches the arm; declared last, so that it ends while the other members still live.
+    std::jthread thread_;
 };
 
 /// An arm's state as the session shows it.

@@ -15,7 +15,7 @@ namespace thaum::game::inline live {
 /// match that are due, this one included.
 inline std::int64_t arm_pace_correction(std::int64_t waiting, Tick behind) {
     constexpr std::int64_t in_reserve = 2, most = 10, step_ns = 4000;
-    if (waiting == 0) return 0;  // the arm may have stopped
+    if (waiting == 0) return 0;  // the arm may have stopped, so its clock is not followed
     const std::int64_t ahead = waiting - static_cast<std::int64_t>(behind - 1) - in_reserve;
     return -step_ns * std::clamp(ahead, -most, most);
 }

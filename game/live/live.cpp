@@ -216,7 +216,7 @@ Expected<void> run_live(const LivePlan& plan) {
     auto drawing = start_thread([&] { run_render(plan, shared, *window); });
     if (!drawing) return drawing.error();
     auto reading = start_thread([&] { look_at_data(plan, shared, *window); });
-    // Sounds are made here while the render thread makes the arena's scene.
+    // While the render thread makes the arena's scene, this thread makes the sounds.
     shared.sound = LiveSound::start(plan.assets, plan.settings);
     Live live{plan, shared, session, {*window, pads, std::move(own_pads.faults), plan.settings.fullscreen}};
     const auto played = play_matches(live);

@@ -33,7 +33,8 @@ LiveMenu::LiveMenu(MenuState state, MenuContext context, std::filesystem::path s
 void LiveMenu::open(std::string_view page) {
     state_ = opened(std::move(state_), page);
     request_ = MenuRequest::none;
-    if (page == page_name::pause) mouse_.reset();  // position unknown: the cursor was captured during play
+    // From now on the position is unknown: the cursor was captured during play.
+    if (page == page_name::pause) mouse_.reset();
 }
 
 void LiveMenu::close() {
@@ -226,7 +227,8 @@ void LiveMenu::pad(int place, const input::PadState& before, const input::PadSta
 
 void LiveMenu::point_by_pad(const Device& device, const input::PadState& before, const input::PadState& now,
                             std::int64_t now_ns) {
-    if (!before.present) return;  // a stick that is pushed when the pad is plugged in may be stuck
+    // A stick that is pushed when its pad is plugged in may be stuck, so it is ignored.
+    if (!before.present) return;
     const auto way = menu_direction_of(now);
     if (way == menu_direction_of(before) || (on_start_page() && joined_just_now(device, before))) return;
     if (held_.pad == device.pad) release();

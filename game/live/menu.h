@@ -37,7 +37,7 @@ public:
     void open(std::string_view page);
     void close();
 
-    // Calls for events while a menu is open.
+    // The next functions pass on events while a menu is open.
     void key(int key, bool pressed, std::int64_t now_ns);
     /// One character of typed text.
     void character(char32_t character);
@@ -68,7 +68,7 @@ public:
     /// Whether the page of a joystick's set-up is shown.
     bool sets_up_pad() const { return is_open() && state_.pages.back().page == page_name::pad_setup; }
 
-    // News for the menu.
+    // The next functions tell the menu what is new.
     /// Names of joysticks that are not known as pads and of pads that were set up by hand, and a line for
     /// each joystick that cannot be used.
     void tell_sticks(std::vector<std::string> unknown, std::vector<std::string> own,
@@ -115,7 +115,7 @@ public:
     /// peak), as the mixer's page does.
     void set_own_force(std::size_t player, std::uint32_t percent);
     void choose_arena(std::size_t arena) { state_.arena = arena; }
-    // Changes by the session's keys, for this run only.
+    // The next functions make changes by the session's keys, which last for this run only.
     void toggle_fullscreen() { state_.settings.fullscreen = !state_.settings.fullscreen; }
     void turn_split();
 

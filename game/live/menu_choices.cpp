@@ -39,7 +39,7 @@ MenuContext::Named rules_of(const std::filesystem::path& assets, const std::stri
     return told(name, rules);
 }
 
-/// Name and label of an arena. A match reports all other faults of the file.
+/// Name and label of an arena, or a fault that prevents them. A match reports all other faults of the file.
 MenuContext::Named arena_of(const std::filesystem::path& assets, const std::string& name,
                             const std::vector<MenuContext::Named>& before) {
     const auto config = config_of(assets, text("arenas/", name, ".toml"));

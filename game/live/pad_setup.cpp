@@ -12,7 +12,7 @@
 namespace thaum::game::inline live {
 namespace {
 
-constexpr std::size_t max_of_name_shown = 28;  // the rows of the menu hold no more
+constexpr std::size_t max_of_name_shown = 28;  // longest part of a name that fits a row of the menu
 
 std::string shown(const std::string& name) { return printable(name, max_of_name_shown); }
 

@@ -11,8 +11,8 @@ using game::Picture;
 
 namespace {
 
-/// Delay of the shown picture behind the newest one (ms). With this delay the next picture has usually
-/// arrived already.
+/// Delay of the shown picture behind the newest one (ms). With it the next picture has usually arrived, so
+/// that the shown one is interpolated between two.
 constexpr double delay_ms = 6;
 
 /// The last two pictures, and the picture interpolated between them for the present time.

@@ -94,7 +94,7 @@ void go_to(ReplayThread& r, Tick target) {
     r.sound.forget();
     r.body.forget();
     publish(r);
-    // Another jump may have been asked for meanwhile.
+    // Another jump may have been asked for meanwhile. That request must not be lost.
     r.shared.replay.target.compare_exchange_strong(target, ReplayRequests::nowhere);
 }
 

@@ -414,7 +414,7 @@ void LiveSession::carry_out_request() {
         case MenuRequest::apprentice: return;  // handled by the start screen, or carried out already
     }
     report(hands_.take_plugged_pads(menu_.settings()));
-    // A pad may have been unplugged since the menu asked.
+    // A pad may have been unplugged since the menu asked; the match then stays paused.
     if (!hands_.first_lost()) requests.go_on = first_person(shared_.seats).value_or(0);
 }
 

@@ -43,12 +43,12 @@ public:
     void wheel(double steps, std::int64_t now_ns);
     void focus(bool focused, std::int64_t now_ns);
 
-    // Calls for the start screen.
+    // The next functions serve the start screen.
     void open_start_screen(std::int64_t now_ns);
     /// Runs after the events of one poll. Returns whether a match must start.
     bool step_start_screen(const Pads& pads, std::int64_t now_ns);
 
-    // Calls for a match.
+    // The next functions serve a match.
     /// Gives the players of the next match their seats and arms.
     void take_seats(const Pads& pads);
     /// Begins a match, whose simulation thread may run already.
@@ -109,7 +109,7 @@ private:
     void apply_settings();
     Screen screen() const;
 
-    // The start screen.
+    // The next functions serve the start screen.
     bool succeeds(const Expected<void>& result);
     Expected<void> load_chosen();
     void follow_arena();

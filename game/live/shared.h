@@ -28,7 +28,7 @@ inline constexpr Tick mark_shown = 1500;  ///< time for which the screen shows a
 /// Times of one event that a tick has taken (ns, monotonic clock).
 struct InputStamp {
     std::int64_t came_ns{};  ///< arrival of the event
-    std::int64_t due_ns{};   ///< Picture::due_ns of the tick that took the event
+    std::int64_t due_ns{};   ///< time at which the tick that took the event was due (Picture::due_ns)
 };
 
 /// Everything the main thread wants shown besides the match itself.

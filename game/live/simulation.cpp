@@ -23,7 +23,7 @@ constexpr Tick max_behind = 250;
 constexpr Tick publish_period = 4;  ///< period of published pictures in real time (ticks)
 // Periods for a pause and the time after the end, when little moves:
 constexpr Tick idle_wake = 8;  ///< ticks computed at each wake-up of the thread
-/// half of the time for which the render thread shows one picture then (ticks)
+/// period of published pictures in that time; the render thread then shows each for twice as long (ticks)
 constexpr Tick idle_publish_period = 32;
 /// delay after the end before a rematch counts, because players may still be shooting (ticks)
 constexpr Tick rematch_not_before = 800;
@@ -122,7 +122,7 @@ bool start_round(SimulationThread& s, MatchStart start) {
         show_scene(s.shared, start.data);
         game::MatchSetup setup{
             .seed = start.seed, .devices = devices_of(s.shared.seats, s.shared.arms), .workers = 1};
-        // the same gestures as in the log's header
+        // gives the match the same gestures as the log's header has
         (void)game::use_profile(*start.data, std::move(start.profile), setup);
         s.round.own = std::make_unique<Simulation>(std::move(start.data), std::move(setup));
         s.round.match = s.round.own.get();

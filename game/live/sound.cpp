@@ -108,7 +108,7 @@ void MatchSound::follow(const game::Simulation& match) {
     if (data_ != &match.data()) {
         data_ = &match.data();
         scene_.reset();
-        forget();  // the words refer to strings of the old data
+        forget();  // the words refer to strings of the old data, so they are dropped
     }
     for (auto& lines : heard_) lines.pass_frame();
     if (sound_ != nullptr && !sound_->is_wanted()) return;

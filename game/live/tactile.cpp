@@ -37,7 +37,8 @@ void LiveTactile::use_jacket(std::uint32_t player, const std::string& words) {
     if (seat.jacket_words == words) return;
     seat.jacket_words = words;
     const auto jacket = parse_jacket(words).value_or(Jacket{});
-    // Without a layout meanwhile, no frame of the former layout reaches the next jacket.
+    // While the next jacket is being connected there is no layout, so that no frame of the former layout
+    // reaches it.
     seat.layout = &no_layout;
     seat.jacket.use(make_jacket_(jacket, player));
     seat.layout = seat.own_motors > 0 && jacket ? &own_layout : &jacket.layout();

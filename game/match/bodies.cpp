@@ -31,7 +31,8 @@ void collect(ecs::World& world, ecs::Entity wizard, ecs::Entity thing, const phy
         return;
     }
     const bool ready = blow.by != thing || tick >= blow.counts_again;
-    const vec3 velocity = std::as_const(world).get<Motion>(thing).velocity;  // before this physics step
+    // Velocity before this physics step, and so before the blow.
+    const vec3 velocity = std::as_const(world).get<Motion>(thing).velocity;
     if (!ready || glm::dot(velocity, towards) < hitting_speed) return;
     blow = {.by = thing, .began = tick, .counts_again = tick + again, .impulse = contact.impulse};
 }

@@ -41,7 +41,7 @@ public:
     /// Plays until `tick` ticks are done in total. Returns false if the log is shorter.
     bool play_to(Tick tick);
     /// Continues from a state that another Playback of the same log saved at tick `at`, which must be a
-    /// keyframe.
+    /// keyframe (a multiple of keyframe_interval).
     Expected<void> restore(std::span<const std::byte> snapshot, Tick at);
     /// Input frame of the last tick that was played.
     const input::InputFrame& frame() const { return frame_; }

@@ -121,8 +121,8 @@ void add_round_system(MatchContext& context, ecs::Schedule& schedule) {
                       const auto& rules = context.data.round;
                       const auto& match = std::as_const(w).single<Match>();
                       const bool enough = kills[0] >= rules.kills || kills[1] >= rules.kills;
-                      // If both players reach the kill limit in one tick, the one with more kills wins. Equal
-                      // kills are a draw.
+                      // The kill limit comes before the Great Work (another way to win). If both players
+                      // reach the limit in one tick, the one with more kills wins; equal kills are a draw.
                       const auto worker = great_worker(context, tick);
                       if (enough) {
                           end_round(context, Ending::kills, leader(kills), tick);

@@ -133,8 +133,8 @@ void Simulation::tick(const input::InputFrame& frame) {
     publish_models(context_, brew_, live);
     for (const auto& device : frame.devices) world.single<Match>().skipped += device.skips;
     ++now_;
-    // A state saved at a keyframe must include impulses that systems gave to bodies after the physics step,
-    // such as those on a recalled thing in flight.
+    // At a keyframe the state may be saved. It must then include impulses that systems gave to bodies after
+    // the physics step, such as those on a recalled thing in flight.
     if (now_ % keyframe_interval == 0) copy_places(context_);
 }
 

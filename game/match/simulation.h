@@ -79,14 +79,14 @@ public:
     /// Writes the World's snapshot (ecs/snapshot.h). It can be restored only if now() is a multiple of
     /// keyframe_interval.
     void save(Bytes& out) const;
-    /// Restores a state that another Simulation of the same data and setup saved at tick `at`, a keyframe.
-    /// Data that is only shown starts anew: older events and forces are lost, and force_hash() is valid only
-    /// after the next tick.
+    /// Restores a state that another Simulation of the same data and setup saved at tick `at`, a multiple of
+    /// keyframe_interval. Data that is only shown starts anew: older events and forces are lost, and
+    /// force_hash() is valid only after the next tick.
     Expected<void> restore(std::span<const std::byte> snapshot, Tick at);
     /// Returns a match that continues this one with other data (game/match/carry_over.h). Its state no longer
     /// follows from its own data, seed and input, so it must not be logged.
     std::unique_ptr<Simulation> continued_with(std::shared_ptr<const MatchData> data) const;
-    /// Like the function above, with a setup whose own gestures players have recorded in the meantime. The
+    /// Like continued_with(data), with a setup whose own gestures players have recorded in the meantime. The
     /// setup must have the same seed and devices.
     std::unique_ptr<Simulation> continued_with(std::shared_ptr<const MatchData> data, MatchSetup setup) const;
 

@@ -74,7 +74,7 @@ void wait_for_control(MenuState& s, const MenuEvent& event, const MenuContext& c
     if (event.kind == Kind::back) s.waiting.reset();
 }
 
-/// Takes the words that were typed.
+/// Ends typing: the words become the player's name, or the name under which a new profile is saved.
 void take_typed(MenuState& s) {
     auto words = player_name(*s.typing).value_or(std::string());
     s.typing.reset();

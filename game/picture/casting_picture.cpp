@@ -37,7 +37,8 @@ void find_places(const Simulation& match, ecs::Entity wizard, StrokePicture& out
     }
 }
 
-/// Replaces the force of the stroke by that of a key chord, if one was pressed during the stroke.
+/// Replaces the force of the stroke by that of a key chord (a wand's key while the button Trace is held), if
+/// one was pressed during the stroke.
 void take_chord(const Simulation& match, ecs::Entity wizard, const DrawnStroke& drawn, StrokePicture& out) {
     const auto* last = match.world().find<LastReading>(wizard);
     out.chord = drawn.over == by_chord && last != nullptr && last->at != 0;
@@ -127,7 +128,7 @@ void take_outcome(const Simulation& match, std::uint32_t player, CastingPicture&
     if (out.outcome_age_s <= reading_seconds) out.outcome = ended.outcome;
 }
 
-/// Copies the path of a hand that may cast without a button, and its last near miss.
+/// Copies the path of a hand that may cast without a button, and the gesture that last almost cast a spell.
 void take_free(const Simulation& match, ecs::Entity wizard, FreePicture& out) {
     constexpr std::uint32_t shown = 125;  // number of points in one second
     out.count = 0;

@@ -62,9 +62,10 @@ struct ReadingPicture {
     std::uint32_t gesture{no_gesture}, nearest{no_gesture};  ///< indices in CastingPicture::gestures
     /// Probability, mean force (N) and turns of the stroke, as in LastReading.
     double probability{}, force{}, turns{};
-    std::optional<std::uint32_t> chord{};  ///< slot of the key chord; std::nullopt: a stroke was read
-    Event event{};                         ///< event that gives the outcome; unused for StrokeOutcome::none
-    std::string refusal{};                 ///< why the spell had nothing to act on; empty: unknown
+    /// Slot of the key chord that replaced the stroke; std::nullopt: a stroke was read.
+    std::optional<std::uint32_t> chord{};
+    Event event{};          ///< event that gives the outcome; unused for StrokeOutcome::none
+    std::string refusal{};  ///< why the spell had nothing to act on; empty: unknown
 };
 
 /// The hand of a wizard who casts without a button.

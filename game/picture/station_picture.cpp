@@ -58,7 +58,7 @@ Comer comer_of(const Simulation& match, ecs::Entity wizard) {
             look_rotation(gaze.yaw, gaze.pitch) * vec3(0, 0, -1)};
 }
 
-/// Whether a press of Stir is meant for a station that is out of `reach` (m, along the ground).
+/// Whether a press of the button Stir is meant for a station that is out of `reach` (m, along the ground).
 bool misses(const Comer& comer, vec3 middle, double reach) {
     return comer.presses && off_axis(comer.eye - middle) < reach + missed_station_m;
 }

@@ -48,7 +48,7 @@ inline constexpr std::size_t curve_points = 33;
 /// State of a wizard at the orb, for the card of the orb.
 struct ScryingPicture {
     bool near{};    ///< true: the wizard is near enough to begin
-    bool misses{};  ///< true: the player presses Stir a few steps too far away from the orb
+    bool misses{};  ///< true: the player presses the button Stir a few steps too far away from the orb
     bool faces{};   ///< true: the wizard looks towards the orb, or scries
     bool scries{};  ///< true: the wizard holds the probe
     /// Names of all modes, by the key that chooses them; empty: none.
@@ -86,10 +86,10 @@ struct CrystalPicture {
 
 /// State of a wizard at a crystal, for the card of the crystal.
 struct CarvingPicture {
-    bool near{};              ///< true: the wizard is near enough to begin
-    bool misses{};            ///< true: the player presses Stir a few steps too far away from a crystal
-    bool faces{};             ///< true: the wizard looks towards the crystal nearby, or carves
-    bool carves{};            ///< true: the wizard holds a tool
+    bool near{};    ///< true: the wizard is near enough to begin
+    bool misses{};  ///< true: the player presses the button Stir a few steps too far away from a crystal
+    bool faces{};   ///< true: the wizard looks towards the crystal nearby, or carves
+    bool carves{};  ///< true: the wizard holds a tool
     std::uint32_t crystal{};  ///< index in Picture::crystals of the crystal that the wizard carves
     TipPicture tip{};         ///< tip of the tool that the wizard holds
     /// Names of all tools, by the key that chooses them; empty: none.
@@ -101,13 +101,14 @@ struct CarvingPicture {
 
 /// Progress of a wizard's Great Work, whose two halves are Azoth (a potion) and the Lens (from a crystal).
 struct WorkPicture {
-    bool lens{};      ///< true: the wizard holds the Lens
-    double left_s{};  ///< time until the Great Work is completed (s); 0: the wizard does not hold both halves
+    bool lens{};  ///< true: the wizard holds the Lens
+    /// Time until the Great Work is completed (s); 0: the wizard does not hold both Azoth and the Lens.
+    double left_s{};
     double whole_s{};  ///< time for which the wizard must hold both Azoth and the Lens (s)
 };
 
-/// Maximum distance from the area where work at a station can begin, at which a press of Stir still counts as
-/// a failed attempt (m).
+/// Maximum distance from the area where work at a station can begin, at which a press of the button Stir
+/// still counts as a failed attempt (m).
 inline constexpr double missed_station_m = 4;
 
 bool presses_stir(const ecs::World& world, ecs::Entity wizard);
@@ -116,8 +117,8 @@ void take_orb(const Simulation& match, OrbPicture& out);
 /// Copies the crystals in the order of the arena's solids. Voxels are copied only for a crystal that has
 /// changed.
 void take_crystals(const Simulation& match, std::vector<CrystalPicture>& out);
-/// These functions copy a living wizard's state at the orb and at a crystal, and the held parts of the Great
-/// Work.
+/// The next three functions copy a living wizard's state at the orb, that at a crystal, and the held parts of
+/// the Great Work.
 void take_scrying(const Simulation& match, ecs::Entity wizard, std::uint32_t player, ScryingPicture& out);
 void take_carving(const Simulation& match, ecs::Entity wizard, std::uint32_t player, CarvingPicture& out);
 void take_work(const Simulation& match, ecs::Entity wizard, std::uint32_t player, WorkPicture& out);

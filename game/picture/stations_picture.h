@@ -16,10 +16,10 @@ struct StationsPicture {
     bool refilled{};       ///< true while stirring refills the wands
     bool stirs{};          ///< true if the player holds a ladle
     bool at_rim{};         ///< true if the player can start to stir
-    bool misses_rim{};     ///< true if the player presses Stir a few steps away from the rim
+    bool misses_rim{};     ///< true if the player presses the button Stir a few steps away from the rim
     ScryingPicture scrying;
     CarvingPicture carving;
-    bool work_half{};  ///< true if the wizard holds the half of the Great Work that is brewed
+    bool work_half{};  ///< true if the wizard holds Azoth, the half of the Great Work that is brewed
     WorkPicture work;
 
     /// Whether the wizard stirs, scries or carves. The hand then moves no wand.

@@ -39,7 +39,7 @@ void leave_start(MenuState& s, const Device& device, const Rows& rows) {
     if (const auto seat = seat_of(s, device)) {
         s.seats[*seat].reset();
     } else if (device.kind == DeviceKind::pad) {
-        join(s, device);  // every other button of a pad joins too
+        join(s, device);  // as every other button of a pad does
     } else {
         s.pages.back().cursor = s.pages.back().middle = rows.size() - 1;  // Quit is the last row
         s.chooser = device;
@@ -66,7 +66,8 @@ game::MenuRow choice_row(std::string label, const std::string& help,
             .dim = !one.fault.empty()};
 }
 
-// A choice is kept in the settings for the next start of the program, unless its file is broken.
+// The functions below choose among data files. A choice is kept in the settings for the next start of the
+// program, unless its file is broken.
 
 void turn_level(const RowPress& press, int way) {
     auto& s = press.state;
