@@ -116,7 +116,8 @@ void GestureWall::read(const game::Simulation& match) {
         return;
     }
     chosen_ = static_cast<int>(number);
-    // An unrecognised stroke gets no score; see words_of_miss in game/hud/stroke_words.cpp.
+    // An unrecognised stroke gets no score: its probability depends on how often the player scribbles without
+    // meaning a gesture.
     scores_[number] = meant ? score : -1;
     const auto& shown = (*gestures_)[number];
     if (meant)
@@ -215,7 +216,7 @@ void GestureWall::follow(const game::Simulation& match) {
     const auto* drawn = world.find<game::DrawnStroke>(wizard);
     const auto now = match.match().played;
     if (drawn != nullptr) {
-        // At the cauldron, the card helps with strokes instead (hud/rim_card.h).
+        // At the cauldron, a panel (hud/rim_card.h) helps with strokes instead.
         if (drawn->on_brew != 0) return;
         if (!drawing_) begin_stroke();
         if (match.now() % game::gameplay_period == 0) stroke_ = game::points_of(*drawn);

@@ -55,7 +55,8 @@ private:
     std::vector<int> scores_{};
     std::vector<gesture::StrokePoint> stroke_{};
     bool drawing_ = false;
-    bool chord_ = false;  ///< true: a key chord has replaced the newest stroke
+    /// True: a key chord (a wand's key while Trace is held) has replaced the newest stroke.
+    bool chord_ = false;
     int chosen_ = -1;
     Tick read_at_{};  ///< LastReading::at of the newest reading that was shown
     Tick shown_until_{};

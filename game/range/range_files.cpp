@@ -11,7 +11,7 @@ namespace {
 std::vector<std::filesystem::path> paths_of(const std::filesystem::path& assets, const MatchData& data) {
     std::vector<std::filesystem::path> paths;
     for (const auto& file : data.files) paths.push_back(assets / file.name);
-    paths.push_back(assets / "events.toml");  // changes only what is shown, so that no match depends on it
+    paths.push_back(assets / "events.toml");  // not among data.files, because it changes only what is shown
     return paths;
 }
 

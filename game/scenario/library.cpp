@@ -444,7 +444,7 @@ void open_string(lua_State* lua) {
     wrap(lua, -1, "rep", safe_rep);
     wrap(lua, -1, "byte", counted_by_range);
     for (const char* name : {"find", "match", "gmatch", "gsub"}) refuse_patterns(lua, -1, name);
-    // Removes arithmetic on texts, which would call the machine's own pow, like the operator ^.
+    // Removes the operator ^ for texts, which would call the machine's own pow, as ^ does for numbers.
     lua_pushliteral(lua, "");
     lua_getmetatable(lua, -1);
     remove_fields(lua, -1, {"__pow"});
@@ -480,7 +480,7 @@ int long_level(std::string_view source, std::size_t at) {
     return end < source.size() && source[end] == '[' ? static_cast<int>(end - at - 1) : -1;
 }
 
-/// Position after the end of the long text or comment that begins here.
+/// Position after the end of the long text or comment that begins at `at`.
 std::size_t skip_long(std::string_view source, std::size_t at, int level) {
     const auto close = text("]", std::string(static_cast<std::size_t>(level), '='), "]");
     const auto end = source.find(close, at);

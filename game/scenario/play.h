@@ -75,7 +75,7 @@ struct FeltForces {
     std::string csv;  ///< rows in the format of `thaum replay --forces`
 };
 
-/// The state at a keyframe tick, from which a run can continue.
+/// The state at a keyframe (a multiple of keyframe_interval ticks), from which a run can continue.
 struct Keyframe {
     Tick tick{};
     Bytes world;

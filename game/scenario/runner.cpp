@@ -17,7 +17,8 @@ namespace thaum::game::inline scenario {
 namespace {
 
 constexpr std::size_t max_source = 1U << 20U;
-/// Changes below this limit happen in an arena even without any action (HP, m, rad and so on).
+/// Changes below this limit happen in an arena even without any action, so they prove nothing (HP, m, rad and
+/// so on).
 constexpr double noticeable = 0.02;
 
 /// Result of one run.

@@ -220,7 +220,8 @@ Expected<Sandbox::Progress> Sandbox::resume() {
         return Progress::waits;
     }
     auto message = message_of(state_->script);
-    // If the steps ran out during an allocation, Lua reports only that memory is short.
+    // If the steps ran out during an allocation, Lua's message says only that memory is short, so it is
+    // replaced.
     const std::string why = state_->late ? out_of_time : endless;
     if (state_->exhausted && message.find("steps") == std::string::npos &&
         message.find("processor time") == std::string::npos)

@@ -420,7 +420,7 @@ void push_free_casting(lua_State* lua, const Play& play, std::uint32_t player) {
 }
 
 /// Pushes the potions that act on the player, each with the time left (s), and `work_half`: whether the
-/// player holds half of the Great Work.
+/// player holds Azoth, half of the Great Work.
 void push_potions(lua_State* lua, const Play& play, std::uint32_t player) {
     const auto& potions = part<Potions>(play, player);
     const auto played = play.match->match().played;

@@ -14,7 +14,7 @@ const Cauldron& cauldron_of(const Play& play) {
     return world_of(play).single<Cauldron>();
 }
 
-/// Sets the list of ingredients in the brew, such as {"ember", "salt"}.
+/// Adds to the table on Lua's stack the list of ingredients in the brew, such as {"ember", "salt"}.
 void set_contents(lua_State* lua, const Play& play, const Cauldron& cauldron) {
     lua_newtable(lua);
     lua_Integer count = 0;

@@ -141,7 +141,7 @@ int verb_carver(lua_State* lua, void* context) {
     return 1;
 }
 
-/// Verb that sets the scene: gives a wizard one half of the Great Work.
+/// Verb that sets the scene: gives a wizard one half of the Great Work, Azoth or the Lens.
 int verb_give(lua_State* lua, void* context) {
     auto& play = began(context);
     const auto wizard = wizard_of(world_of(play), arg::player(lua, 1));

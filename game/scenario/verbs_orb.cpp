@@ -9,7 +9,7 @@ namespace {
 
 namespace arg = arguments;
 
-/// Sets the list of active modes by name, the oldest first.
+/// Adds to the table on Lua's stack the list of active modes by name, the oldest first.
 void set_modes(lua_State* lua, const Play& play, const WornModes& modes) {
     lua_newtable(lua);
     lua_Integer count = 0;

@@ -54,7 +54,7 @@ void set_player(lua_State* lua, const char* key, std::uint32_t player) {
     lua_setfield(lua, -2, key);
 }
 
-/// Sets the names of a revealed recipe's ingredients in their order, as a list.
+/// Adds to the table on Lua's stack the names of a revealed recipe's ingredients in their order, as a list.
 void set_ingredients(lua_State* lua, const Play& play, const Event& event) {
     const auto words = brew_words_of(*play.data);
     lua_newtable(lua);
@@ -198,7 +198,7 @@ void push_difference(lua_State* lua, const ecs::Difference& d) {
     arg::set_text(lua, "field", d.field);
     arg::set_text(lua, "before", d.a);
     arg::set_text(lua, "after", d.b);
-    if (d.entity == ecs::none) return;  // a blob belongs to no entity
+    if (d.entity == ecs::none) return;  // a blob belongs to no entity, so the field is left out
     lua_pushinteger(lua, d.entity);
     lua_setfield(lua, -2, "entity");
 }

@@ -181,7 +181,7 @@ void add_cauldron(const ArenaScene& arena_scene, const Picture& picture, std::ui
     if (!sees_brew(arena_scene, picture, viewer)) add_bubbles(arena_scene, picture.played_s, out);
 }
 
-/// Wisps swell, drift apart and fade. A lighter brew has more of them.
+/// Adds steam as wisps that swell, drift apart and fade. A lighter brew has more of them.
 void add_steam(const ArenaScene& arena_scene, const Picture& picture, std::vector<Instance>& out) {
     if (!arena_scene.bowl) return;
     const double heat = picture.cauldron.there ? picture.cauldron.heat : 0;

@@ -163,7 +163,7 @@ void add_contact_shades(const ArenaScene& arena_scene, const Picture& picture, s
         if (thing.fixed || thing.key.shape == physics::Shape::mesh) continue;
         const bool box = thing.key.shape == physics::Shape::box;
         const vec3 size = box ? thing.key.size : vec3(thing.key.size.x, thing.key.size.y, thing.key.size.x);
-        // A round contact shade does not suit a long plank.
+        // A round contact shade does not suit a long plank, which gets none.
         if (std::max(size.x, size.z) > 2) continue;
         const double height = thing.key.shape == physics::Shape::sphere ? size.x : size.y;
         add_contact_shade(arena_scene, thing.position, 1.35 * std::hypot(size.x, size.z), height, out);

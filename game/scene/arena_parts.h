@@ -5,7 +5,7 @@
 
 namespace thaum::game::inline scene {
 
-/// Share of their own light that surfaces emit if they both shine and are lit.
+/// Share of its own light that a surface emits if it both shines and is lit by other lights.
 inline constexpr float glow_share = 0.85F;
 
 /// Model matrix of a thing at a position.

@@ -26,8 +26,8 @@ struct ArenaScene {
         ShapeKey key;
         Meshes meshes;
     };
-    /// A thing that never moves. Its meshes contain the light baked at its position, so the position is part
-    /// of the key. Masonry has no meshes here, because it is part of `stone`.
+    /// A thing that never moves. Its meshes contain the light baked at its position, so they are looked up by
+    /// position, too. Masonry has no meshes here, because it is part of `stone`.
     struct Solid {
         ShapeKey key;
         vec3 position{};

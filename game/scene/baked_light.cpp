@@ -7,7 +7,8 @@ namespace thaum::game::inline scene {
 namespace {
 
 constexpr double corner_reach = 2;  // distance beyond which stone does not darken a point (m)
-// Less than 1, because a dark corner still gets light reflected by other stone.
+// Largest share of the sky's light that nearby stone takes away. Less than 1, because a dark corner still
+// gets light reflected by other stone.
 constexpr double corner_strength = 0.9;
 constexpr float lamp_from_wall = 0.35F;  // distance of a lamp from its wall (m)
 const fvec3 lamp_glow = fvec3(5.2F, 2.5F, 0.85F);

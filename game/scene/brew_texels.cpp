@@ -126,7 +126,7 @@ void light_row(const Seen& seen, std::size_t j, std::size_t k, float per_two_h, 
                std::span<float> out) {
     const auto& box = seen.box;
     const auto row = [&](std::size_t y, std::size_t z) { return seen.sum() + box.row(y, z); };
-    // At the border the difference is one-sided.
+    // At the border, where one neighbour is missing, the difference is one-sided.
     const auto before = [](std::size_t n) { return n == 0 ? 0 : n - 1; };
     const float *here = row(j, k), *below = row(before(j), k), *above = row(std::min(j + 1, box.y - 1), k),
                 *behind = row(j, before(k)), *ahead = row(j, std::min(k + 1, box.z - 1));

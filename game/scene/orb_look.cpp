@@ -21,7 +21,7 @@ using render::translated;
 
 constexpr double shown_m = 12;  ///< distance beyond which the painted ball is shown instead of the flow (m)
 constexpr int lines = 16;
-// Shares of the orb's radius.
+// The following lengths are shares of the orb's radius.
 /// Radius of the ball, and of the part of it in which the flow is drawn.
 constexpr double glass = 0.96, filled = 0.9;
 constexpr double seeds_within = 0.72, flow_length = 2.4, flow_step = 0.06, moved = 0.004;

@@ -239,7 +239,7 @@ std::string_view help_of(Action action) {
     }
 }
 
-/// The key of a wand also chooses a mode at the orb or a tool at a crystal.
+/// Help on the key of a wand, which also chooses a mode at the orb or a tool at a crystal.
 std::string help_of_wand(std::size_t wand, std::string_view name) {
     if (wand >= station_keys) return text("Takes the wand ", name, ".");
     const auto other = text("mode or tool ", wand + 1, " at orb and crystal.");

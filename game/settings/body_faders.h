@@ -8,7 +8,8 @@
 
 namespace thaum::game::inline settings {
 
-/// Name of a purpose's fader ("Hits"), and what it changes in one sentence.
+/// The first function gives the name of a purpose's fader ("Hits"), the second one what it changes, in one
+/// sentence.
 std::string_view label_of(tactile::Purpose purpose);
 std::string_view effect_of(tactile::Purpose purpose);
 

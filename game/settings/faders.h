@@ -19,7 +19,8 @@ struct Fader {
 /// One fader for each source, in the order of haptics::fluid_modes.
 using Faders = std::array<Fader, haptics::fluid_modes.size()>;
 
-/// Name of the fader's source ("Viscosity"), and its effect in one sentence (the function below).
+/// The first function gives the name of a fader's source ("Viscosity"), the second one its effect in one
+/// sentence.
 std::string_view label_of_fader(std::size_t source);
 std::string_view effect_of_fader(std::size_t source);
 

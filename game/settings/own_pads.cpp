@@ -41,7 +41,7 @@ Expected<std::string> content_of(const std::filesystem::path& file) {
     return read_own_text_file(file, max_mappings_file);
 }
 
-/// Rewrites the file without the mappings of one model, and with a new line at its end.
+/// Rewrites the file without the mappings of one model, and with the line `last` at its end.
 Expected<void> replace(const std::filesystem::path& file, std::string_view model, std::string_view last) {
     if (file.empty()) return fail("there is no home folder to save it in");
     const auto content = content_of(file);

@@ -64,7 +64,7 @@ double half_extent(const physics::BodyDesc& body) {
     }
 }
 
-/// Destination of the thing's middle (m, world).
+/// Place in front of the wizard to which the thing's middle flies (m, world).
 vec3 place_before(const MatchContext& context, const RecallData& data, ecs::Entity wizard,
                   physics::Key thing) {
     const vec3 eye = sight_of(context, wizard).eye;

@@ -31,10 +31,11 @@ struct LiftData {
     double lost{};
     /// Largest torque that keeps the thing's orientation (N m).
     double turn_torque{};
-    /// Largest force that carries the thing along with the frame (N).
+    /// Largest force that carries the thing along with the wizard's frame (N).
     double carry{};
-    double follow{};  ///< rate at which the frame's rotation follows the view (1/s)
-    double follow_rate{}, follow_acceleration{};  ///< limits of the frame's rotation (rad/s, rad/s^2)
+    double follow{};  ///< rate at which the rotation of the wizard's frame follows the view (1/s)
+    /// Limits of the rotation of the wizard's frame (rad/s, rad/s^2)
+    double follow_rate{}, follow_acceleration{};
     /// Largest speed that a turn of the view gives to a held thing (m/s).
     double follow_speed{};
     double wheel{};  ///< distance per wheel step (m, world)
@@ -51,10 +52,10 @@ struct LiftData {
 /// State of the lift wand in a wizard's hand. Symbols with P_ are those of paper 002.
 struct LiftHand {
     ecs::Entity held{};
-    quat turn{1, 0, 0, 0};            ///< orientation of the thing relative to the frame's yaw
-    double yaw{}, pitch{};            ///< direction of the frame (rad)
-    double yaw_rate{}, pitch_rate{};  ///< rotation rates of the frame (rad/s)
-    vec3 taken_object{};              ///< P_obj0: position of the thing when it was taken up (m, frame)
+    quat turn{1, 0, 0, 0};  ///< orientation of the thing relative to the yaw of the wizard's frame
+    double yaw{}, pitch{};  ///< direction of the wizard's frame, which follows the view smoothly (rad)
+    double yaw_rate{}, pitch_rate{};  ///< rotation rates of the wizard's frame (rad/s)
+    vec3 taken_object{};  ///< P_obj0: position of the thing when it was taken up (m, wizard's frame)
     /// P_device0: position of the device when the thing was taken up (m, device frame)
     vec3 taken_device{};
     vec3 hip{};            ///< P_HIP: the hand's point after the last tick (m, world)
@@ -174,7 +175,7 @@ ecs::Entity aimed_at(const MatchContext& context, const LiftData& data, ecs::Ent
 
 /// For the picture: whether the loose thing under the crosshair can be taken up, or why not.
 Target target_of(const MatchContext& context, const LiftData& data, ecs::Entity wizard) {
-    // Multiple of the wand's range up to which a thing is reported to the picture.
+    // Multiple of the wand's range within which the picture tells about a thing under the crosshair.
     constexpr double shown_reach = 3;
     if (std::as_const(context.world).get<LiftHand>(wizard).held) return {};
     const auto [thing, mass, distance] = loose_thing_ahead(context, wizard, shown_reach * data.range);
@@ -320,7 +321,7 @@ void follow_angle(const LiftData& data, double reach, double off, double& angle,
     angle += rate * physics_dt;
 }
 
-/// Turns the frame smoothly towards the view.
+/// Turns the wizard's frame smoothly towards the view.
 void follow(const LiftData& data, const Gaze& gaze, LiftHand& hand) {
     const double reach = glm::length(hand.taken_object);
     follow_angle(data, reach, wrapped(gaze.yaw - hand.yaw), hand.yaw, hand.yaw_rate);

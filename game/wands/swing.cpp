@@ -80,7 +80,8 @@ std::optional<Hold> latched_at(const MatchContext& context, const SwingData& dat
         const double nearness = glm::dot(to / distance, ahead);
         if (nearness < best) return;
         const auto hit = context.physics.read().ray(eye, motion.position, layer::ground, wizard.index);
-        // There is an obstacle, unless the ray has hit the anchor, which is in the ground layer, too.
+        // What the ray hits first is an obstacle, unless it is the anchor itself, which is in the ground
+        // layer, too.
         if (hit && hit->key != e.index) return;
         best = nearness;
         found = Hold{motion.position, e};

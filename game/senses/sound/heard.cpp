@@ -73,7 +73,7 @@ void HeardLines::add(const HeardLine& line) {
         return;
     }
     if (count_ == lines_.size()) {
-        // The oldest of the least important lines is dropped.
+        // If there are too many lines, the oldest of the least important ones is dropped.
         const auto plain =
             std::find_if(lines_.begin(), lines_.end(), [](const auto& l) { return !l.important; });
         const auto leaves = plain != lines_.end() ? plain : lines_.begin();

@@ -10,7 +10,7 @@ constexpr Tick told_seconds = 10, counted_seconds = 3;
 constexpr double fight_fades_s = 8, final_s = 30, weak_health = 0.4;
 /// Loudness of each layer of music, and the time in which layers fade in and out (s).
 constexpr double calm = 0.5, pulse = 0.5, tension = 0.5, last_layer = 0.6, change_s = 1.5;
-/// Loudness below which a layer is left out. The mixer keeps all layers synchronous.
+/// Loudness below which a layer of the music is left out. The mixer keeps all layers in step.
 constexpr double unheard = 1e-3;
 constexpr std::array<Cue, score_layers> layers{Cue::music_calm, Cue::music_pulse, Cue::music_tension,
                                                Cue::music_final};

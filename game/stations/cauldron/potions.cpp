@@ -78,8 +78,8 @@ const Recipe* finished_mix(const MatchContext& context, const Cauldron& cauldron
     return nullptr;
 }
 
-/// Fault of a stroke for which the brew has a reason, such as another owner; none if a recipe waits for a
-/// stroke.
+/// Fault of a stroke that lies in the state of the brew, such as another owner, not in the drawing; none if a
+/// recipe waits for a stroke.
 BrewFault fault_of_brew(const Cauldron& cauldron, const Recipe* recipe, std::uint32_t player) {
     if (cauldron.begun == 0) return BrewFault::unfinished;
     if (cauldron.owner != player) return BrewFault::foreign;
@@ -418,7 +418,7 @@ void change_brew(const MatchData& data, Cauldron& cauldron, Tick tick) {
     if (!(lack > 0)) return;
     const auto& rules = *data.cauldron;
     constexpr double gain = 0.1;                   // share of the missing speed that one push adds
-    constexpr std::uint32_t pusher = 0xFFFF'0000;  // value of Stroke::by for the first of the pushes
+    constexpr std::uint32_t pusher = 0xFFFF'0000;  // value of Stroke::by for the first push by a potion
     const double radius = 1.5 * rules.ladle.radius, out = data.arena.bowl->size.radius / 2;
     const double push = gain * lack * rules.density * fluid.density * fluid::pushed_volume(radius);
     const vec3 rise{0, fluid.rise > 0 ? push : 0, 0};

@@ -5,8 +5,8 @@
 namespace thaum::game::inline stations {
 namespace {
 
-/// Density after an edit. If the edit leads away from the key (`wanted`: the key is solid here), only the
-/// share `against` of the change remains.
+/// Density after an edit. If the edit leads away from the key (`wanted`: the key is solid at this voxel),
+/// only the share `against` of the change remains.
 float along_grain(float before, float after, bool wanted, double against) {
     if (after == before || (after > before) == wanted) return after;
     return before + static_cast<float>(against) * (after - before);

@@ -52,7 +52,7 @@ void step_mode(MatchContext& context, const Scryer& scryer, vec3 place, int step
     change_mode(context, scryer, place, next, modes);
 }
 
-/// Changes modes by the keys of wands. While Trace is held, these keys cast spells.
+/// Changes modes by the keys of wands. While the button Trace is held, these keys cast spells instead.
 void choose_modes(MatchContext& context, const Scryer& scryer, vec3 place, const Controls& controls,
                   WornModes& modes) {
     if ((controls.held & bit(Button::trace)) != 0) return;
