@@ -16,7 +16,7 @@ foreach(name fake_hd fake_hd_old)
 endforeach()
 target_compile_definitions(fake_hd_old PRIVATE FAKE_HD_OLD)
 
-# Holds a force on a faulty arm, in a process that may hang or die.
+# Holds a force on a faulty arm. It is a process of its own, since it may hang or die.
 add_executable(arm_probe drivers/arm_probe.cpp)
 target_include_directories(arm_probe PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(arm_probe PRIVATE thaum_flags thaum_arms ${CMAKE_DL_LIBS})

@@ -20,7 +20,7 @@ thaum_test(test_haptic_modes
         stability/haptics_modes_hostile_test.cpp stability/haptics_still_hand_test.cpp
     LINK thaum_modes)
 
-# A mode that only this program has: one .cpp.
+# Tests a haptic mode that only this program has, in one .cpp.
 thaum_test(test_own_mode
     SOURCES own_mode/homing.cpp own_mode/own_mode_test.cpp
     LINK thaum_modes)

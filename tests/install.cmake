@@ -1,4 +1,4 @@
-# Sanitizers are no part of what is installed.
+# A build with sanitizers is not made to be installed, so it leaves these tests out.
 if(THAUM_SANITIZE)
     return()
 endif()

@@ -54,7 +54,7 @@ thaum_driver_test(resize ${CMAKE_CURRENT_SOURCE_DIR}/drivers/resize.sh
     $<TARGET_FILE:thaum> $<TARGET_FILE:live_log_probe>)
 set(part_of_range "")
 if(THAUM_SANITIZE STREQUAL thread)
-    set(part_of_range range)  # the thread sanitizer sees a match in live_threads
+    set(part_of_range range)  # range.sh leaves out its match: the thread sanitizer sees one in live_threads
 endif()
 thaum_driver_test(range ${CMAKE_CURRENT_SOURCE_DIR}/drivers/range.sh
     $<TARGET_FILE:thaum> $<TARGET_FILE:press_keys> ${part_of_range})

@@ -151,7 +151,8 @@ TEST(CarvingAccuracy, AMixedColourDependsOnTheTimeNotOnTheNumberOfEdits) {
     const double once = mean_red(1);
     EXPECT_GT(once, 60);
     EXPECT_NEAR(mean_red(2), once, 0.5);
-    // Each edit changes the colour by less than half a step of its 8 bits.
+    // Each edit changes the colour by less than half a step of its 8 bits. Rounding must not lose these
+    // changes.
     EXPECT_NEAR(mean_red(500), once, 0.5);
 }
 

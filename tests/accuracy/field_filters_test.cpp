@@ -23,7 +23,7 @@ vec3 place_within(Random& random, double half) {
     return {random.uniform(-half, half), random.uniform(-half, half), random.uniform(-half, half)};
 }
 
-/// A source given by a formula, in a box of 2 m.
+/// A filter's input that is given by a formula, in a box of 2 m.
 FilterSource formula(AnyField field, double spacing) {
     const int n = static_cast<int>(2 / spacing) + 1;
     return {.field = field, .count = {n, n, n}, .spacing = vec3(spacing)};
@@ -31,7 +31,7 @@ FilterSource formula(AnyField field, double spacing) {
 FilterSource of_gyroid(double spacing) { return formula({field_of<Scalar>(wavy), {}}, spacing); }
 FilterSource of_beltrami(double spacing) { return formula({{}, field_of<Vector>(twist)}, spacing); }
 
-/// Samples of a source that is given by a formula, with a different spacing along each axis.
+/// Samples of a filter's input that is given by a formula, with a different spacing along each axis.
 struct SampledSource {
     Volume volume;
     Grid grid;

@@ -52,7 +52,7 @@ constexpr std::array unit_forms{UnitForm{"", mm},     UnitForm{"mm", mm},   Unit
 
 struct ExtraForm {
     const char* kind;
-    int size;        ///< size of the axis; 0: any
+    int size;        ///< size of the axis that is not spatial; 0: any
     int components;  ///< number of components that the reader returns: 1 or 3
 };
 constexpr std::array extra_forms{ExtraForm{"", 1, 1},          ExtraForm{"time", 0, 1},

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::array kernels{Kernel::linear, Kernel::catmull_rom};
 
-/// Samples with padding at the end of each row. The padding holds NaN.
+/// Samples with padding at the end of each row. The padding holds NaN, which shows in a result that reads it.
 struct Stored {
     std::vector<float> values;
     Grid grid;
@@ -135,7 +135,7 @@ TEST(FieldAccuracy, TheGradientIsTheValues) {
                 vec3 step(0);
                 step[axis] = 1e-6;
                 const double cell = (place[axis] - 1e-6) / 0.5, next = (place[axis] + 1e-6) / 0.5;
-                // The linear kernel has a kink at a cell's border.
+                // Skips places beside a cell's border, where the linear kernel has a kink.
                 if (std::floor(cell) != std::floor(next)) continue;
                 const double rise = (s.grid(place + step).value - s.grid(place - step).value) / 2e-6;
                 EXPECT_NEAR(here.gradient[axis], rise, 1e-8);

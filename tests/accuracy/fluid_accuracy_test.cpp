@@ -77,7 +77,7 @@ TEST(FluidAccuracy, ALidDragsTheFluidAsTheSeriesSays) {
         EXPECT_LE(fine, 1.5e-3);
         EXPECT_GE(order_between(coarse, middle), 1.9);
         EXPECT_GE(order_between(middle, fine), 1.9);
-        // With the full time step, viscosity may be solved implicitly.
+        // With the full time step, viscosity may be solved implicitly, which is less accurate.
         for (const int n : {8, 16, 32, 64}) EXPECT_LE(error_of(flow, scheme, n), 0.025) << n;
     }
 }
@@ -378,7 +378,7 @@ TEST(FluidAccuracy, AFluidAtRestVisitsNoCells) {
     EXPECT_EQ(energy(fluid), 0.0);
 }
 
-/// The fluid of `resting`, rotated so that gravity acts along another axis.
+/// The layers at rest of flows::resting, rotated so that gravity acts along another axis.
 Fluid resting_along(int axis) {
     auto fluid = flows::resting(fourth, 16).value();
     const double pull = fluid.settings.gravity.y;

@@ -8,7 +8,7 @@
 namespace thaum::fluid {
 namespace {
 
-/// Largest excess of kinetic plus potential energy over the start, as a share of the released energy.
+/// Largest excess allowed of kinetic plus potential energy over the start, as a share of the released energy.
 constexpr double max_excess = 0.01;
 
 void fall(flows::Weighing weighing, bool in_bowl, double viscosity) {
@@ -52,7 +52,7 @@ TEST(FluidBuoyancy, TheReportAccountsForRemovedEnergy) {
         if (report.rescaled == 0) continue;
         ++told;
         const double after = flows::kinetic_energy(fluid) + flows::potential_energy(fluid);
-        // The remaining energy equals that of the previous step, up to the rounding of densities.
+        // After rescaling, the energy equals that of the previous step, up to the rounding of densities.
         EXPECT_NEAR(after, before, 1e-8) << i;
     }
     EXPECT_GT(told, 0);

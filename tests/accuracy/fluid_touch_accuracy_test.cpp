@@ -48,7 +48,7 @@ struct StirredBox {
         add_fluid_step(rig.fluid(), flow());
     }
 
-    /// Momentum of the hand in the bowl (kg m/s); the force scale s_f scales its mass.
+    /// Momentum of the hand in the bowl (kg m/s). There its mass counts divided by the force scale s_f.
     vec3 hand_momentum() const {
         const auto& frame = rig.model.fluid.frame;
         return frame.turn * (rig.spec.mass * rig.tip.velocity) / frame.newtons_per_newton;

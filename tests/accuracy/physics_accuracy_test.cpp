@@ -57,7 +57,8 @@ TEST(PhysicsAccuracy, DampedFallFollowsTheClosedFormForAnyDamping) {
             physics.add(2, desc, at({0, 0, 0}, {3, 20, 0}));
             for (int i = 0; i < std::lround(2 / step); ++i) physics.step(step);
             const double c = -std::log1p(-damping);
-            const double share = -std::expm1(-2 * c) / c;  // integral of the remaining velocity (s)
+            // Integral over 2 s of the share of the velocity that remains (s)
+            const double share = -std::expm1(-2 * c) / c;
             const double fallen = c < 1e-5 ? 2.0 - 4 * c / 3 : (2 - share) / c;
             EXPECT_NEAR(physics.state(2).position.x, 3 * share, 1e-9) << damping << ' ' << step;
             EXPECT_NEAR(physics.state(2).position.y, 20 * share - g * fallen, 2e-9) << damping << ' ' << step;

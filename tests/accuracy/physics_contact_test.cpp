@@ -54,7 +54,8 @@ struct Drop {
             physics.step(step);
             now = physics.velocity(2).y;
         }
-        // Penetration is removed without adding speed. A corner may touch a step later.
+        // The solver first moves the body out of the ground, which adds no speed, and a corner may touch a
+        // step later. So the fastest of the next steps counts.
         double fastest = speed_at_ground(std::max(0.0, above()));
         for (int i = 0; i < 3; ++i) {
             physics.step(step);

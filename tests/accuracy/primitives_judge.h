@@ -1,5 +1,5 @@
-// accuracy/primitives_judge.h: checks whether a balance is what the documentation promises, without any code
-// of the solver.
+// accuracy/primitives_judge.h: checks whether a balance of spring and haptic primitives is what the
+// documentation (haptics/primitives/balance.h) promises, without any code of the solver.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -42,7 +42,7 @@ inline double fault(const PrimitiveSet& set, const Spring& spring, const Balance
             worst = std::max(worst, glm::length(force) - p.strength);
         }
         worst = std::max(worst, glm::length(outside));
-        if (distance <= touching) continue;  // near its kink, any force within its strength is right
+        if (distance <= touching) continue;  // where its force jumps, any force within its strength is right
         const double doubt = p.kind == PrimitiveKind::plane ? 0 : p.strength * 2 * touching / distance;
         worst = std::max(worst, glm::length(force - expected) - doubt);
     }

@@ -48,8 +48,8 @@ TEST(PrimitivesRandom, SixteenPrimitivesBalance) {
     EXPECT_LE(worst.fault, 1e-9);
 }
 
-/// Checks one of the sets on which the optimality check once failed, a few in a million. Their springs have
-/// 300 N/m.
+/// Checks one of the few sets in a million on which the solver's check of optimality once failed. The spring
+/// has 300 N/m.
 void expect_balanced(std::initializer_list<Primitive> primitives, vec3 centre) {
     PrimitiveSet set;
     for (const Primitive& p : primitives) ASSERT_EQ(set.add(p), PrimitiveFault::none);
@@ -357,7 +357,7 @@ TEST(PrimitivesRandom, LinesThatAreNearlyParallelGiveTheBestForceAndATrueResidua
 }
 
 TEST(PrimitivesRandom, TheStepBudgetHolds) {
-    // If strength / stiffness is huge, some sets are unsolved.
+    // If strength / stiffness is huge, some sets stay unsolved and use up all steps.
     Random random{5};
     Scale scale;
     int most = 0;
@@ -370,7 +370,7 @@ TEST(PrimitivesRandom, TheStepBudgetHolds) {
             most = std::max(most, found.steps);
         }
     }
-    // 12 passes over the forces, at one step each, are added to the budget.
+    // Beyond the budget, 12 passes over the forces may follow, with one step each.
     EXPECT_LE(most, balance_step_budget + 13);
     EXPECT_GT(most, 100);
 }

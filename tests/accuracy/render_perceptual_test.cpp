@@ -32,7 +32,7 @@ TEST(Perceptual, OneStepOfGreyIsItsStepOfLightness) {
     for (const int grey : {1, 9, 60, 127, 254}) {
         const auto g = static_cast<std::uint8_t>(grey), next = static_cast<std::uint8_t>(grey + 1);
         const auto d = distance(plain(20, 20, g, g, g), plain(20, 20, next, next, next));
-        // The rounded conversion matrix gives greys a chroma of less than 0.02.
+        // The rounded conversion matrix gives greys a chroma of less than 0.02, hence the tolerance.
         EXPECT_NEAR(d.mean, lightness(grey + 1) - lightness(grey), 1e-3) << grey;
         EXPECT_NEAR(d.worst, d.mean, 1e-6);
     }

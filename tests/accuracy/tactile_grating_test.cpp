@@ -1,5 +1,5 @@
-// Compares the effects of paper 004 with its formulas, written out independently here with the C library's
-// functions.
+// Compares the effects of paper 004 (the haptic jacket, see engine/README.md) with its formulas, written out
+// independently here with the C library's functions.
 #include <cmath>
 
 #include "unit/tactile_rig.h"

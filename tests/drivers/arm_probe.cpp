@@ -101,7 +101,8 @@ ArmStatus play(const OpenArm& arm, const Hand& hand, std::uint64_t enough) {
     }
 }
 
-/// If the script makes the library call tasks after its end (callback=after_end), waits for 100 such calls.
+/// If the fake library's script makes it call tasks after its end (callback=after_end), waits for 100 such
+/// calls.
 void outlive_calls_after_end(const char* library) {
     const char* script = std::getenv("FAKE_HD");
     if (script == nullptr || std::string(script).find("after_end") == std::string::npos) return;

@@ -14,8 +14,8 @@ at_failure() { cat "$folder/said"; import -window root "${SHOTS:-$folder}/failed
 drawn() { [ "$(import -window root -crop 400x100+100+500 -format %k info: 2>/dev/null)" -gt 100 ]; }
 # The wall covers the left of the picture by a dark plate.
 wall() { [ "$(import -window root -crop 200x18+100+538 -resize 1x1 -depth 8 txt: 2>/dev/null | grep -c '#[0-2][0-9A-F][0-2][0-9A-F][0-3][0-9A-F]')" = 1 ]; }
-# stroke DX DY STEPS...: draws lines of so many steps of DX and DY counts with Trace (the right button) held, in about a
-# second.
+# stroke DX DY STEPS...: draws one straight line for each three numbers, in STEPS steps of DX and DY counts,
+# with Trace (the right button) held. It takes about a second.
 stroke() {
     xdotool mousedown 3
     sleep 0.2

@@ -152,7 +152,8 @@ if [[ ${THAUM_MEMORY_KB:-} != unlimited ]] && { [[ $(id -u) != 0 ]] || command -
     unset THAUM_ASSETS
 fi
 
-# lined WORDS: expects exit code 2 and one line with WORDS, which name file and line of a fault between two files.
+# lined WORDS: expects exit code 2 and one line with WORDS: file, line and the value that does not fit another
+# file.
 lined() {
     local said
     said=$(THAUM_ASSETS=$folder/assets "$thaum" --headless --seconds 1 --out "$folder/out" 2>&1 >/dev/null)

@@ -84,7 +84,7 @@ takes_pad() {
 eventually "the pad's stick after it came back" takes_pad
 pad lx 0
 
-# 3. In the pause menu: another key for "move forward", and the other split.
+# 3. In the pause menu: another key for "move forward", and the other split of the window.
 presses Escape
 eventually "no pause" pause_menu
 choose Controls

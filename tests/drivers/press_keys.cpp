@@ -65,7 +65,7 @@ bool press(const Keyboard& keys, const char* name) {
 int main(int argc, char** argv) {
     const Keyboard keys;
     if (keys.display == nullptr) return std::fprintf(stderr, "press_keys: no display\n"), 1;
-    // The server answers its first requests before any key is pressed.
+    // Asks the server for all keys before the first press, so that its answers delay none.
     for (int i = 1; i < argc; ++i) keys.code(keys.display, keys.symbol(argv[i]));
     keys.sync(keys.display, 0);
     for (int i = 1; i < argc; ++i)

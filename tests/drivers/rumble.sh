@@ -19,7 +19,8 @@ pad() { echo "$@" >&4; }
 feel() { echo "$@" >&5; }
 says() { grep -q "^$1\$" "$folder/said"; }
 says_last() { [ "$(grep '^player 1 feels' "$folder/said" | tail -1)" = "player 1 $1" ]; }
-# since LINE, felt PATTERN, stopped: what the pad felt after a line of its file.
+# since LINE: what the pad's file got after a line. felt PATTERN, stopped: what of it came after the line
+# $from.
 lines() { wc -l <"$folder/felt"; }
 since() { tail -n +$(($1 + 1)) "$folder/felt"; }
 felt() { since "$from" | grep -qE "^$1\$"; }

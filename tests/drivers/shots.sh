@@ -1,9 +1,9 @@
 # tests/drivers/shots.sh: counts the kicks of shots in a table of forces, $folder/NAME.csv, whose log is
 # $folder/NAME.thaumlog; to be sourced. $probe: path of live_log_probe.
 
-# shots NAME PLAYER FROM_S: reads the stretches of force in that player's table from FROM_S on. Prints how
-# many are the kick of one shot, which lasts 15 ms and reaches 1.2 N; how many are not, because the machine
-# kept the arm or the match waiting; how many are not without that reason; and the largest force (N). The log
+# shots NAME PLAYER FROM_S: counts the stretches of force in that player's table from FROM_S on. Prints four
+# numbers: stretches that are the kick of one shot, which lasts 15 ms and reaches 1.2 N; others at which the
+# machine kept the arm or the match waiting; others without that reason; and the largest force (N). The log
 # shows the reason: while nobody waits, each tick has a sample of the arm, of a model that is a few ticks old.
 # A match that waits for a tenth of a second catches up afterwards: within a few milliseconds of the arm's
 # time it plays two shots, whose kicks add up. An arm that waits keeps its force.

@@ -16,7 +16,8 @@ lab=$!
 drawn() { [ "$(import -window root -crop 300x200+500+260 -format %k info: 2>/dev/null)" -gt 50 ]; }
 eventually "no window" drawn
 
-# A row of the trace since a line number that fulfils a condition of awk: columns as $time_s, $changed_voxels, ...
+# seen LINE CONDITION: tests whether a row of the trace after that line fulfils a condition of awk, in which
+# columns are named: $time_s, $changed_voxels, ...
 names=time_s,tip_x_m,tip_y_m,tip_z_m,proxy_x_m,proxy_y_m,proxy_z_m,force_x_n,force_y_n,force_z_n,value,changed_voxels,hand_x_m,hand_y_m,hand_z_m,tool,history
 trace() { cat "$folder"/trace.csv*; }
 rows() { trace | wc -l; }
@@ -139,7 +140,8 @@ import -window root "${SHOTS:-$folder}/volume_lab_question.png"
 xdotool mousemove 650 370 sleep 0.3 mousedown 1 sleep 0.3 mouseup 1
 wait "$lab" || fail "the exit code after the question"
 
-# The slider of a file with time is pulled to its end, and the last of three balls, which grow, is read.
+# A file with time holds a ball that grows in three steps. Its slider is pulled to the end, which shows the
+# last ball.
 {
     printf '%s\n' NRRD0005 'type: uchar' 'dimension: 4' 'sizes: 8 8 8 3' 'kinds: domain domain domain time' 'encoding: ascii' ''
     awk 'BEGIN { for (t = 1; t <= 3; t++) for (i = 0; i < 512; i++) {

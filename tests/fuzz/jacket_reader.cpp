@@ -21,7 +21,8 @@ Outcome read_setting(const std::string& input, const Places&) {
     if (none != (jacket->layout().motors == 0)) return {.fault = "no motors"};
     if (none) return {.accepted = true};
     if (jacket->place.empty() && jacket->maker->name != "audio") return {.fault = "no place"};
-    // Reading a place that was read must give the same place, so that equal places name one device.
+    // A jacket's place (an address or a device) that is read again must stay the same, since equal places
+    // name one device.
     const auto again = jacket->maker->read(jacket->form->word, jacket->place);
     if (!jacket->place.empty() && (!again || *again != jacket->place)) return {.fault = "another place"};
     return {.accepted = true};

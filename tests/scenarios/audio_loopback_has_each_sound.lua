@@ -1,5 +1,6 @@
--- Each sound comes out of the loopback device of OpenAL as itself: audible, and its bands resemble its own recipe more than
--- any other, but for one in twenty. In a match the bolt is heard among its bands, and silence is silent.
+-- Each sound that is played to the loopback device of OpenAL is audible there, and its bands resemble its own
+-- recipe more than any other; one sound in twenty may fail. In a match the bolt is heard among its bands, and
+-- silence is silent.
 match {players = {"script", "script"}}
 senses {sound = true}
 local me = wizard(1)

@@ -25,7 +25,7 @@ local function charge_for(seconds)
     local began, before = nil, 0
     local last = time() + seconds
     while time() < last do
-        local c = me:readiness()  -- charge behind the force of the next tick
+        local c = me:readiness()  -- charge by which the next tick's force is computed
         local force = feel()
         expect_near(force, share * 2.6 * c, 1e-12, "force in proportion to the charge")
         expect(force >= before, "force never falls while charging")

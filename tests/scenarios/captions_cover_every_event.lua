@@ -16,7 +16,7 @@ local function listen(seconds)
 end
 local function expect_told(line) expect(told[line], "'" .. line .. "' is told") end
 
--- In play.
+-- Captions in play.
 me:move(0, 1)
 listen(1.5)
 me:press("jump")

@@ -4,12 +4,13 @@
 match {players = {"script", "bot 1"}, seed = 8, set = {"quick.kills=9"}}
 local me = wizard(1)
 local middle, voxel = crystal(1).middle, crystal(1).voxel
-local scale, front, reach = 5.5, 0.1, {x = 0.08, y = 0.06, z = 0.035}  -- of the hand
+-- Hand's scale (world per device), distance before the crystal's middle (m, world), reach (m, device)
+local scale, front, reach = 5.5, 0.1, {x = 0.08, y = 0.06, z = 0.035}
 local home, side
 
 local function within(v, most) return math.max(-most, math.min(most, v)) end
 
--- Place of the hand's device for a tool at a place of the world.
+-- Place of the hand in its device that puts the tool at a place of the world.
 local function hand_for(p)
     return {x = -side * (p.x - middle.x) / scale, y = (p.y - middle.y) / scale,
             z = (-side * (p.z - middle.z) - front) / scale}

@@ -10,7 +10,7 @@ local function face_foe(metres)
     foe:face(0, 0)
     wait(0.3)
 end
--- Way of the foe along the ground within a second.
+-- Casts a V in so many seconds. Returns how far it pushes the foe along the ground (m).
 local function pushed_by(seconds)
     local from = foe:position()
     me:cast("v", {seconds = seconds})
@@ -35,7 +35,7 @@ me:face(-90, 0)
 foe:place {-3, 0, 19}
 expect_near(pushed_by(1), 0, 0.01, "a foe behind stays")
 
--- Things by their mass.
+-- Loose things are thrown back the faster, the less mass they have.
 wait(10)
 foe:place {15, 0, -15}
 local function throw_of(mass)

@@ -24,7 +24,7 @@ ball:place {-14, 0.25, 14}
 me:face(90, 0)
 wait(0.5)
 
--- Caught by the wand, held without fire, and thrown again.
+-- The thing is caught by the wand, held without fire, and thrown again.
 me:cast("star", {seconds = 1.5, size = 0.08})
 expect_event {kind = "cast", by = 1, within = 0.1}
 local top = 0
@@ -40,7 +40,7 @@ me:press("throw", 0.05)
 wait(0.2)
 expect(length(ball:velocity()) > 8, "it is thrown again")
 
--- With another wand it lands.
+-- With another wand in hand the thing lands before the wizard.
 wait(2)
 me:press("wand_1")
 wait(0.1)
@@ -52,7 +52,7 @@ wait(3)
 expect(distance(ball:position(), me:position()) < 3.5, "it lies at the feet")
 expect(ball:position().y < 0.3, "on the ground")
 
--- Out of the pit, and harshly through the foe.
+-- A harsh star brings the thing through the foe, and a gentle one brings it out of the pit.
 wait(8)
 ball:place {-6, -4.7, 9}
 foe:place {-4, 0, 19}

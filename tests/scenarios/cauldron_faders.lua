@@ -38,7 +38,7 @@ for _, one in ipairs(both) do one:hold("clutch") end
 for i = 1, 400 do
     tick()
     pushed = math.max(pushed, length(less:ladle_force()))
-    -- The dry friction at the hand lets go first.
+    -- In the first 100 ticks the dry friction may still hold the hand, so they do not count.
     if i > 100 then felt = math.max(felt, length(less:force())) end
 end
 for _, one in ipairs(both) do one:release("clutch") end
@@ -47,7 +47,7 @@ expect(felt < 0.005, "force without the flow fader: " .. felt)
 expect(distance(less:hand(), from[1]) < 1e-3, "way of the hand without the flow fader: " .. distance(less:hand(), from[1]))
 expect(distance(all:hand(), from[2]) > 5e-3, "way of the hand with the flow: " .. distance(all:hand(), from[2]))
 
--- Wall.
+-- The wall: both ladles are pressed against it.
 local function draw_both(right, up)
     for _ = 1, 300 do
         for _, one in ipairs(both) do one:stroke(right, up) end
@@ -65,7 +65,7 @@ expect(length(all:force()) > 0.2, "force of the wall: " .. length(all:force()))
 expect(length(less:force()) < 0.005, "force of the wall without its fader: " .. length(less:force()))
 draw_both(-3, 1)
 
--- Recoil.
+-- Recoil: each player drops an ingredient into the brew.
 local kicks = {0, 0}
 for i, one in ipairs(both) do
     one:release("stir")

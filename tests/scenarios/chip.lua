@@ -29,7 +29,7 @@ expect(me:shots() >= 2, "shots were fired")
 expect(#events {kind = "chipped"} == 0, "a far bolt chips nothing")
 expect(crystal(1).hash == before.hash, "and changes no voxel")
 
--- The shaft lies in the middle of every key.
+-- Whatever the key in the crystal, its shaft lies in the middle, so a shot there strikes solid matter.
 local eye = me:eye()
 local seen = crystal_ray(1, eye, {c.middle.x - eye.x, c.middle.y - eye.y, c.middle.z - eye.z})
 expect(seen, "the crystal is in the crosshair")

@@ -19,7 +19,7 @@ expect_near(drawer:ward(), 42, 1e-9, "a harsh shield")
 equal("s", 3, 1.2, false)
 expect(#fogs() == 2, "two clouds")
 expect_near(fogs()[1].radius, fogs()[2].radius, 0, "of one size")
--- The chord takes the place of a wand's key, and of the stroke that is drawn meanwhile.
+-- The key of a chord selects no wand, and the stroke that is drawn meanwhile is not read.
 expect(#events {kind = "unread"} == 0, "the hand at rest means nothing else")
 local before = presser:shots()
 presser:hold("fire")

@@ -20,7 +20,7 @@ wait(2)
 local whole = me:force().y
 expect_near(whole, -0.01 * mass, 0.015, "the whole weight is felt at first")
 
--- Weight. A switch fades by at most 40 N/s, so 0.04 N in a tick.
+-- The weight's fader. The change fades by at most 40 N/s, so 0.04 N in a tick.
 local function steepest(seconds)
     local before, most = me:force(), 0
     for _ = 1, seconds * 1000 do
@@ -41,7 +41,7 @@ me:fader("weight", 100)
 wait(0.5)
 expect_near(me:force().y, whole, 0.01, "the whole weight is back")
 
--- The largest force, in hundredths of 3.3 N, and no forces at all.
+-- The fader of the largest force, in hundredths of 3.3 N. At 0 there are no forces at all.
 me:fader("force", 5)
 wait(0.5)
 expect(length(me:force()) <= 0.05 * 3.3 + 1e-9, "a twentieth of the device's force at most: " .. length(me:force()))
@@ -55,7 +55,7 @@ expect_near(me:force().y, whole, 0.02, "the force is back")
 me:release("fire")
 wait(0.5)
 
--- Recoil. Each player has a fader of their own.
+-- The recoil's fader: each player has one of their own.
 local function kick_of(one)
     one:face(0, 0)
     one:press("wand_1")

@@ -1,4 +1,5 @@
--- Death breaks the Great Work: both halves are lost, and the round goes on. With both halves again the 30 s begin anew.
+-- Death breaks the Great Work: its two halves (Azoth and Lens) are lost, and the round goes on. With both
+-- halves again the 30 s begin anew.
 match {players = {"script", "script"}, seed = 1}
 local me, foe = wizard(1), wizard(2)
 clear_props()

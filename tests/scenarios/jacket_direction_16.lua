@@ -1,5 +1,5 @@
--- A bolt from each of 16 directions is felt on its side of a jacket, and not at all on the far one. What is told and what
--- lights up agree.
+-- A bolt from each of 16 directions is felt on its side of a jacket, and not at all on the far one. The
+-- caption names the side whose cells are on.
 match {players = {"script", "script"}, set = {"bolt.shot.damage=1"}}
 clear_props()
 senses {layouts = {"x40", "x16"}}

@@ -2,7 +2,7 @@
 match {players = {"script", "script"}}
 senses {layouts = {"x40", "x16", "pad"}}
 local me, foe = wizard(1), wizard(2)
-me:look(30, 0) -- a player acts
+me:look(30, 0) -- the runner fails a scenario in which no player's action changes the match
 wait(0.5)
 local centre = me:centre()
 for i = 1, 100 do

@@ -1,4 +1,5 @@
--- The gradient mode pushes to where the flow is fast: a ring round the core. Against the push it is the way to the middle.
+-- The gradient mode pushes to where the flow is fast: a ring round the core. From the ring, the way against
+-- the push leads to the core.
 match {players = {"script", "script"}, seed = 5}
 local s = seeker(1, 2)
 

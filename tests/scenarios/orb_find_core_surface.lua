@@ -1,4 +1,5 @@
--- The surface mode holds ways to slower places. Against what is felt while the hand moves about, it is the way to the core.
+-- The surface mode resists ways to slower places. The core lies against the forces that are felt while the
+-- hand moves about.
 match {players = {"script", "script"}, seed = 2}
 local s = seeker(1, 6)
 

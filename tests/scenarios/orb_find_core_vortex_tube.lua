@@ -1,4 +1,5 @@
--- The vortex tube mode holds ways out of a vortex. What is felt while the hand moves about points to the core.
+-- The vortex tube mode resists ways out of a vortex. The forces that are felt while the hand moves about
+-- point to the core.
 match {players = {"script", "script"}, seed = 4}
 local s = seeker(1, 5)
 

@@ -24,7 +24,7 @@ local function scry_the_order()
 end
 wait(1)
 
--- Counterclockwise from the top, 2 wide.
+-- A circle drawn counterclockwise from its top, 2 wide: the points of its stroke.
 local back = {}
 for i = 0, 48 do back[i + 1] = {-math.sin(2 * math.pi * i / 48), math.cos(2 * math.pi * i / 48)} end
 
@@ -66,7 +66,8 @@ local function empty()
     wait_until(function() return #brew().contents == 0 end, 45)
 end
 
--- Drops all ingredients, each a little into its window. `late`: the share of the window that is waited for.
+-- Drops all ingredients, each one soon after its window has begun: the span of how far the last one has
+-- spread. `late`: the share of the window that is waited for.
 local function mix(name, late, rim)
     for i, ingredient in ipairs(recipes[name][1]) do
         drop(ingredient, rim)
@@ -123,7 +124,7 @@ for _, name in ipairs {"haste", "ironhide", "feather", "venom", "azoth"} do
     drop(recipe[1][2], west)
     faulty("early", name, "early")
     empty()
-    -- Too late, or for a recipe that only asks for enough, the first stroke too soon.
+    -- Too late; or, for a recipe whose windows do not end, the first stroke too soon.
     if window[2][2] < 1 then
         mix(name, 0, west)
         stir_until(window[2][2] + 0.02)

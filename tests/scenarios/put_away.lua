@@ -27,7 +27,7 @@ me:place(salt)
 wait(0.1)
 expect(count("hands_full") == 2, "told again at the next visit")
 
--- Throw there: one for the other.
+-- Throw at another niche exchanges the ingredient for what lies there.
 me:press("throw", 0.05)
 wait(0.05)
 expect(count("put_away") == 1 and newest("put_away") == "ember", "the ember is put away")
@@ -41,7 +41,7 @@ expect(count("ingredient") == 2, "and stays in its niche")
 wait(0.7)
 expect(count("ingredient") == 3, "it lies there again after 2 s")
 
--- Anywhere else. Both ingredients are back in their niches, long before the 8 s after they were taken.
+-- Throw anywhere else. Both ingredients are back in their niches, long before the 8 s after they were taken.
 me:place(aside)
 me:press("throw", 0.05)
 expect(count("put_away") == 3, "put away far from all niches")
@@ -52,7 +52,8 @@ me:place(salt)
 wait(0.1)
 expect(count("ingredient") == 4 and newest("ingredient") == "salt", "the salt is back")
 
--- At the rim with the ladle in hand. With fire in the same moment it falls into the brew instead.
+-- Throw at the rim, with the ladle in hand, puts the ingredient away. With fire in the same moment it falls
+-- into the brew instead.
 me:place {2.2, 0, 0}
 me:hold("stir")
 wait(0.2)

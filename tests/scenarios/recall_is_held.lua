@@ -45,7 +45,7 @@ energy = me:energy()
 wait(1)
 expect(me:energy() > energy, "and costs no more energy")
 
--- A press of fire takes over: the ball is let go with it, and held on while it lasts.
+-- A press of fire takes over: the ball is held as long as fire is pressed, and let go with it.
 catch()
 me:press("fire", 0.1)
 wait(1)

@@ -46,8 +46,8 @@ local function ease_off()
     expect_near(300 * -me:hand().z, cap, 0.1, "the force waits until the spring is within the cap")
     expect(not on_screen(caption))
     -- The offset starts at minus the spring force and shrinks by 0.04 N a tick. The spring force itself,
-    -- which falls as the hand eases off, is not delayed. From the second tick on, the brake on a spring that holds more
-    -- than it received takes up to 0.08 N.
+    -- which falls as the hand eases off, is not delayed. From the second tick on, a brake acts, because the
+    -- spring holds more energy than it received; it takes up to 0.08 N.
     local before, first = {0, 0, 0}, 300 * -me:hand().z
     for i = 1, 25 do
         local force = me:force()

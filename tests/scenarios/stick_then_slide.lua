@@ -19,7 +19,8 @@ me:look(0, -2.5)  -- into the floor
 wait(1)
 expect(length(me:force()) > 0.3, "the floor is felt")
 
--- Pressure and pull along the floor, as forces on the hand (N). The weight's fader is no part of the spring.
+-- Pressure and pull along the floor, as forces on the hand (N). Taken out: the 0.2 N by which the thing's
+-- weight is felt, since the spring does not cause them.
 local function parts()
     local f, p = me:force(), me:pitch()
     local y, z = f.y + 0.2, f.z

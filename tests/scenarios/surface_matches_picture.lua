@@ -32,7 +32,8 @@ local function press(x, y)
     if length(me:force()) < 0.2 then return nil end
     local at = carver(1).place
     local seen = crystal_ray(1, {at.x, at.y, middle.z - 0.6}, {0, 0, 1})
-    -- The hand may have slid into a groove that the ray of its place along the view does not reach.
+    -- The hand may have slid into a groove, where a ray along the view misses its place. So a ray along the
+    -- force counts, too.
     local push = carver(1).force
     local along = crystal_ray(1, {at.x + push.x * 0.05, at.y + push.y * 0.05, at.z + push.z * 0.05}, {-push.x, -push.y, -push.z})
     return math.min(seen and distance(seen, at) / voxel or 99, along and distance(along, at) / voxel or 99)

@@ -1,4 +1,5 @@
--- A brew more than twice as viscous slows both wizards within 5 m to 0.75 of their pace.
+-- A brew more than twice as viscous as the pure one slows wizards within 5 m of it, both of them, to 0.75 of
+-- their pace.
 match {players = {"script", "script"}}
 clear_props()
 local me, foe = wizard(1), wizard(2)

@@ -11,8 +11,8 @@ wait(0.3)
 me:draw(3, -1, 0.3)  -- to the right and back, where the wall is near
 wait(1)
 local hand, force, ladle, middle = me:hand(), me:force(), me:ladle(), brew().middle
--- Position of the ladle from the hand's, at 15 m per metre. The wizard looks along +x, and a resting hand is
--- 0.35 m before the middle.
+-- Place of the hand that belongs to the ladle's place, at 15 m of the ladle per metre of the hand. The wizard
+-- looks along +x, and a resting hand holds the ladle 0.35 m before the bowl's middle.
 local held = {x = (ladle.z - middle.z) / 15, z = (middle.x - 0.35 - ladle.x) / 15}
 local off = length {hand.x - held.x, 0, hand.z - held.z}
 expect(off > 0.001, "the wall holds back the hand")

@@ -359,8 +359,8 @@ inline Settings turning_settings(const Scheme& scheme, int n) {
     return result;
 }
 
-/// Number of steps of one revolution in which the fastest component, at the edge of the box, crosses at
-/// most `cfl` cells.
+/// Number of steps of one revolution in which the fastest component, at the edge of the box, crosses at most
+/// `cfl` cells per step.
 inline int steps_of_turn(int n, double cfl) { return static_cast<int>(std::ceil(pi * n / cfl)); }
 
 inline double gaussian(vec3 place) {

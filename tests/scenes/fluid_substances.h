@@ -162,7 +162,7 @@ inline Settings deformation_settings(const Scheme& scheme, int n) {
     return result;
 }
 
-/// Number of steps in which the fastest component crosses at most `cfl` cells.
+/// Number of steps in which the fastest component crosses at most `cfl` cells per step.
 inline int steps_of_deformation(int n, double cfl) {
     return static_cast<int>(std::ceil(2 * deformation_end * n / cfl));
 }

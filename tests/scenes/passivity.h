@@ -77,8 +77,8 @@ public:
     void add(const HandRow& now, PassiveEnergy& out) {
         out.max_booked = std::max(out.max_booked, now.booked);
         if (rows_ >= 2) {
-            // Uses the force of the previous tick, because only now the position at its end and the next
-            // surface are known.
+            // Uses the force of the previous tick, because the hand's position at that tick's end and the
+            // surface after it are known only now.
             const HandRow &first = before_[0], &row = before_[1];
             const vec3 step = row.real ? now.at - row.at : row.at - first.at;
             const double out_at_hand = glm::dot(row.passive, step);

@@ -19,7 +19,7 @@ std::int32_t anything(Random& random) {
     }
 }
 
-/// Start of a test with one of the wands, so that lift and swing share the tests.
+/// A wand by its name, and what makes the hand lift or swing with it, so that one test serves both wands.
 struct StressedWand {
     const char* name;
     void (*begin)(HandsRig&);

@@ -189,7 +189,8 @@ run
 rm "$tree/build/release/game/thaum"
 printf '%s\n' "configure 1" "30000 1.o" "10000 2.o" "10000 3.o" >"$tree/tools/build_times.txt"
 tool ninja <<'NINJA'
-# As the real one: build.ninja comes first, and a plan by that name does not go beyond it.
+# Like the real ninja, it brings build.ninja up to date first, and a dry run (-n) of that name goes no
+# further.
 [[ $* != *build.ninja ]] || exit 0
 [[ $* != *" -n "* || $* == *" -f plan.ninja "* ]] || { echo "[1/2] Re-running CMake..."; exit 0; }
 for step in 1 2 3; do echo "[$step/3] Building CXX object $step.o"; done
@@ -495,7 +496,7 @@ expect "and builds in the tree" test -x "$tree/build/release/game/thaum"
 
 ready_machine
 run
-: >"$tree/build/release/build.ninja"  # as after a loss of power
+: >"$tree/build/release/build.ninja"  # empty, as after a loss of power
 echo second >"$tree/engine/code"
 run
 expect "configures anew where nothing is in build.ninja" runs "" second usual

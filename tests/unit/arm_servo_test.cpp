@@ -48,7 +48,7 @@ struct Mirror {
     bool panic = false, rearm = false;
     double push = 1;
     DeviceSample newest{};
-    std::uint32_t epoch = 1;  // epoch of the remembered models
+    std::uint32_t epoch = 1;  // the arm's epoch for which the models in `kept` were made
 
     const RememberedModel* find(std::uint32_t number) const {
         const auto& model = kept[number % remembered_models];
@@ -300,7 +300,8 @@ TEST_F(ArmServoTest, PanicAndItsEndReachTheArm) {
     mirror.panic = false;
     both(1);
     EXPECT_EQ(arm.forces.back(), vec3(0));
-    // After a panic stop, the force stays zero in the next epoch, too, until the player rearms.
+    // After a panic stop, the force stays zero until the player rearms. That holds after a skipped tick, too,
+    // at which arm and simulation start anew.
     mirror.tick(true);
     const auto then = arm.forces.size();
     both(200);

@@ -1,6 +1,6 @@
-// Tests of jackets whose motors (shakers) hang on the channels of a sound device: the right channel has the
-// wave, nothing clicks, and the wave ends after its time to live. One fake device lets OpenAL render into
-// memory, another keeps the blocks themselves.
+// Tests of jackets whose motors (shakers) hang on the channels of a sound device: the wave is on the motor's
+// own channel, nothing clicks, and the wave ends after its time to live. One fake device lets OpenAL render
+// into memory, another keeps the blocks themselves.
 #include "game/jackets/makers/audio.h"
 
 #include <gtest/gtest.h>

@@ -15,7 +15,8 @@ class BodyTrialTest : public testing::Test {
 protected:
     BodyTrialTest() { body_.emplace(LiveBody::load(THAUM_SOURCE_DIR "/assets").value()); }
 
-    /// Plays a tried effect to its end. Returns the strongest value of each cell, and the length.
+    /// Plays a tried effect to its end. Returns the strongest value of each cell, and the effect's length
+    /// (ms).
     std::pair<BodyTrial::Figure, std::int64_t> played(tactile::Purpose purpose, double share) {
         tactile::Faders faders;
         faders.of(purpose) = share;

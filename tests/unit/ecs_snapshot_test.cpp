@@ -146,7 +146,7 @@ TEST_F(EcsSnapshot, DiffNamesTheElementsOfABlob) {
     EXPECT_EQ((*sizes)[0].b, "4 elements");
 }
 
-/// `Velocity` and `Levels` as another build has them: one field more, and whole numbers.
+/// `Velocity` and `Levels` as another build has them: Velocity with one field more, Levels of whole numbers.
 namespace other_build {
 struct Velocity {
     vec3 linear{};

@@ -97,7 +97,7 @@ TEST(FluidSaved, ARestoredFluidContinuesWithTheSameBits) {
         EXPECT_EQ(saved.shape, c.shape);
         Brew again{std::move(saved.fluid), std::move(saved.surface)};
         if (c.settings.solver == Solver::thaum) {
-            // The comparison of the velocities includes the ghosts.
+            // All samples are compared, those of the ghost cells beyond the walls, too.
             EXPECT_EQ(again.fluid.now.velocity, through.fluid.now.velocity);
         }
         EXPECT_EQ(save(again.fluid, again.surface, c.shape), save(through.fluid, through.surface, c.shape));

@@ -51,7 +51,7 @@ TEST(FluidTouch, EachModeFollowsItsEquation) {
 
 TEST(FluidTouch, AMixtureIsFeltAsTheWeightedSumOfItsSubstances) {
     // Two substances, each in a grid of its own: their forces are added in proportion to their amounts
-    // (section 4.1 of the paper).
+    // (section 4.1 of paper 000).
     std::array<float, 8> one{}, other{}, still{};
     one.fill(0.25F);
     other.fill(0.5F);

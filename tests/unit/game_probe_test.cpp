@@ -20,7 +20,7 @@ HandFrame any_frame(Random& random) {
             .metres_per_metre = 10};
 }
 
-/// Position of a point after a tick of the frame motion that a patch gives (m).
+/// Where a point that is fixed to the frame is a tick later, by the frame's motion that a patch states (m).
 vec3 moved(vec3 velocity, vec3 spin, vec3 pivot_now, vec3 place) {
     const double speed = glm::length(spin);
     const vec3 arm = place - (pivot_now - tick_seconds * velocity);

@@ -99,7 +99,7 @@ TEST(HapticsCoupling, WhatNothingMovesStillPulls) {
     const auto r = couple(step, {.hand = {0.01, 0, 0}, .hand_velocity = {1, 0, 0}});
     EXPECT_EQ(r.velocity_change, vec3(0));
     EXPECT_EQ(r.displacement, vec3(0));
-    // The mean over a stretch that grows evenly.
+    // The mean force of a spring whose stretch grows evenly.
     EXPECT_NEAR(r.mean_force.x, 1000 * (0.01 + 0.5e-3) + 10, 1e-9);
 }
 

@@ -198,7 +198,7 @@ TEST(OwnGestures, AreRefusedOnlyIfStrokesWouldBeMistaken) {
 
 TEST(OwnGestures, ThatDoNotFitTogetherAreLeftOutInOneLine) {
     // The gestures circle and star each have more than half of the strokes that all gestures together may
-    // have.
+    // have, so only one of them fits in.
     auto many = triangle();
     while (many.strokes.size() <= gesture::max_templates / 2) {
         many.strokes.push_back(triangle().strokes.front());

@@ -12,7 +12,7 @@
 namespace thaum::physics {
 namespace {
 
-/// The system's own function, looked up behind ours.
+/// The C library's own function, which ours of the same name hides.
 template <class Function>
 Function* of_libm(const char* name) {
     void* const library = dlopen("libm.so.6", RTLD_LAZY);

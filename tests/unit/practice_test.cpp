@@ -25,8 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A value of this type holds either a log or a range's files, never both. A session can be started with
-// nothing else (MatchStart).
+// No recorded match can read changed files: a value of this type holds either a log or a range's files, never
+// both, and a session can be started with nothing else (MatchStart).
 static_assert(std::is_same_v<Recording, std::variant<std::monostate, input::LogWriter, game::RangeFiles>>);
 static_assert(std::is_same_v<decltype(MatchStart::recording), Recording>);
 

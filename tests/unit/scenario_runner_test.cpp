@@ -323,7 +323,7 @@ TEST_F(ScenarioRunner, ForcesAreKeptAndComparedToTheBit) {
     EXPECT_EQ(kept.play(), "");
     kept.options.keep_forces.clear();
     EXPECT_EQ(kept.play(), "");
-    // Adds a very small force in one tick.
+    // A very small force that is added in one tick must be found.
     kept.options.same_again = SameAgain::by_second_run;
     kept.options.spoil = [](Simulation& match, int) {
         if (match.now() != 500) return;

@@ -167,8 +167,8 @@ TEST(Settings, EachPlayerHasSticksAndOldFilesHaveOneDeadZoneForBoth) {
     const std::string old = "version = 1\n[pad]\nfire = \"pad b\"\nstick_dead_zone = 0.3 # worn\n";
     const auto former = parse_settings(old, "s").value();
     for (const auto& player : former.players) EXPECT_EQ(player, PlayerSettings{.stick_dead_zone = 0.3});
-    // A player's own value has precedence over the value for all pads. A change of the own value leaves the
-    // other player's.
+    // A player's own value has precedence over the value for all pads. A change of one player's own value
+    // leaves the other player's unchanged.
     auto wanted = former;
     wanted.players[1].stick_dead_zone = PlayerSettings{}.stick_dead_zone;
     const auto edited = edit_settings(old, "s", changes(former, wanted)).value();

@@ -59,7 +59,8 @@ TEST(Tact, AWrittenClipIsReadAsItIs) {
         EXPECT_EQ(imported.clipped, 0U);
         EXPECT_EQ(imported.skipped, 0U);
         EXPECT_EQ(tact_of(imported.clip), json);
-        // Players read only the frames of `feedback`, so without tracks the clip must be the same.
+        // Some programs that play the file read only the frames of `feedback`, so without tracks the clip
+        // must be the same.
         auto half = nlohmann::json::parse(json);
         half["project"]["tracks"].clear();
         auto baked = clip_in(half.dump());
