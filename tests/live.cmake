@@ -109,7 +109,7 @@ add_test(NAME drivers.hostile_files COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}
 add_test(NAME drivers.hostile_files_all COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/drivers/hostile_files.sh $<TARGET_FILE:thaum> all)
 set_tests_properties(drivers.hostile_files_all PROPERTIES LABELS long TIMEOUT ${longest_test})
 if(THAUM_SANITIZE)
-    # The sanitizers' shadow memory takes terabytes of address space.
+    # The sanitizers' shadow memory takes terabytes of address space, so memory is not limited.
     set_tests_properties(drivers.hostile_files PROPERTIES ENVIRONMENT "THAUM_MEMORY_KB=unlimited;THAUM_PATIENCE_S=30")
 endif()
 add_test(NAME drivers.verify COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/drivers/verify.sh $<TARGET_FILE:thaum> $<TARGET_FILE:forge_log>)

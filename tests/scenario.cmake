@@ -23,7 +23,7 @@ foreach(script ${scenarios})
     endif()
 endforeach()
 
-# A second thread plays the match of this scenario.
+# A second thread plays the match of this scenario, so the thread sanitizer runs it, too.
 set_tests_properties(scenario.late_frames_same_result PROPERTIES
     LABELS "scenario;threads" ENVIRONMENT "${sanitizer_environment}")
 thread_program(thaum-tools)

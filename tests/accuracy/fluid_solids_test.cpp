@@ -208,7 +208,7 @@ void stir_a_bowl(int n) {
         ASSERT_LE(report.divergence, 1e-4) << i;
         ASSERT_FALSE(report.fell_back) << i;
     }
-    // Both positions are on the ladle's path.
+    // Both positions are on the ladle's path, so the fluid there moves with it.
     EXPECT_GT(velocity_at(fluid, {0.75, 0.5, 0.5}).z, 0.01);
     EXPECT_LT(velocity_at(fluid, {0.25, 0.5, 0.5}).z, -0.01);
     EXPECT_NEAR(amount(fluid, 0), mass, 1e-6 * mass);

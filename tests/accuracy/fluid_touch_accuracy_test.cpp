@@ -1,4 +1,4 @@
-// A hand and a computed fluid push each other, as fluid_touch.h requires of a game.
+// Tests of a hand and a computed fluid that push each other in the way that fluid_touch.h requires of a game.
 #include <gtest/gtest.h>
 
 #include "fluid/fields.h"

@@ -114,7 +114,7 @@ TEST(HapticModes, SnappingToACoreIsExactInACoreThatTurnsLikeASolid) {
         EXPECT_EQ(line.kind, PrimitiveKind::line);
         EXPECT_LE(glm::length(off - glm::dot(off, vortex.axis) * vortex.axis), 1e-12);
         EXPECT_LE(glm::length(glm::cross(line.direction, vortex.axis)), 1e-12);
-        use.settings.reach = 1e-4;  // shorter than the distance between proxy and axis
+        use.settings.reach = 1e-4;  // shorter than the distance between proxy and axis, so nothing snaps
         EXPECT_EQ(set_of(use, {.proxy = place}).items()[0].strength, 0);
     }
 }

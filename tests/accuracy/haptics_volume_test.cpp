@@ -62,7 +62,8 @@ TEST(VolumeFeel, StiffnessAndViscosityFollowTheOpacity) {
     FeltVolume v;
     v.feel.density = field_of<Scalar>(ramp);
     v.feel.opacity = {.density = field::window(10, 60, 0, 1),
-                      .gradient = field::window(0, 2e4, 0, 1),  // stiffness halved at this gradient
+                      // The ramp's gradient of 1e4 halves the stiffness.
+                      .gradient = field::window(0, 2e4, 0, 1),
                       .stiffness = 2,
                       .retarding = 4,
                       .retarding_always = 0.25};

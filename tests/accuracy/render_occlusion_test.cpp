@@ -1,4 +1,4 @@
-// Compares form factors with closed forms and with random ray counts.
+// Compares form factors with closed forms and with counts of rays.
 #include "render/occlusion.h"
 
 #include <gtest/gtest.h>

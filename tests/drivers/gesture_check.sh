@@ -28,7 +28,7 @@ grep -q ' of 32 trials of known gestures; 32 of unknown ones$' "$folder/said" ||
 grep -q '^told early *in none of the trials$' "$folder/said" || fail "said: $(cat "$folder/said")"
 "$thaum" gesture record v --strokes "$folder/made/strokes.csv" --count 1 --out "$folder/one.toml" >"$folder/said"
 grep -q "^1 stroke of 'v'$" "$folder/said" || fail "said: $(cat "$folder/said")"
-# A stroke of one point is refused by its line in the file that is read.
+# A stroke of one point is refused, and the message names its line in the file that is read.
 printf 'user,gesture,sample,t,x,y\na,dot,1,0,0,0\na,line,1,0,0,0\na,line,1,1,1,0\na,dot,2,0,0,0\n' >"$folder/dots.csv"
 if "$thaum" gesture record dot --strokes "$folder/dots.csv" --out "$folder/dot.toml" >"$folder/said" 2>&1; then fail "a dot is a gesture"; fi
 grep -q 'dots.csv:5: a stroke needs two points or more$' "$folder/said" || fail "said: $(cat "$folder/said")"

@@ -14,8 +14,9 @@ unset DISPLAY WAYLAND_DISPLAY
 export XDG_CONFIG_HOME=$folder/config XDG_DATA_HOME=$folder/data
 failures=0
 fail() { echo "failed: $1"; failures=$((failures + 1)); }
-# limited COMMAND...: runs a command that may compute for so many seconds; more for sanitizer and debug builds, which start
-# slowly. A busy machine may make it wait, so the limit of real time only ends a command that hangs.
+# limited COMMAND...: runs a command that may compute for 5 s, or for $THAUM_PATIENCE_S in sanitizer and debug
+# builds, which start slowly. A busy machine may make it wait, so the limit of real time only ends a command
+# that hangs.
 limited() ( ulimit -t "${THAUM_PATIENCE_S:-5}" && exec timeout 600 "$@" )
 
 # put KIND PLACE: puts an object of that kind in the place of a file.

@@ -25,7 +25,8 @@ bright() {
     [ "$level" -ge "$3" ] && [ "$level" -le "$4" ]
 }
 drawn() { [ "$(import -window root -crop 400x100+100+500 -format %k info: 2>/dev/null)" -gt 100 ]; }
-seat_taken() { bright "$1" 127 45 100; }  # the bar at the left of a seat has its team's light colour
+# A seat that is taken has a bar at its left in its team's light colour.
+seat_taken() { bright "$1" 127 45 100; }
 # quits: leaves the start screen by its last row.
 quits() { choose Quit Up && presses Return; }
 logs() { find "$matches" -name '*.thaumlog' 2>/dev/null | wc -l; }

@@ -19,8 +19,8 @@ pad() { echo "$@" >&4; }
 feel() { echo "$@" >&5; }
 says() { grep -q "^$1\$" "$folder/said"; }
 says_last() { [ "$(grep '^player 1 feels' "$folder/said" | tail -1)" = "player 1 $1" ]; }
-# since LINE: what the pad's file got after a line. felt PATTERN, stopped: what of it came after the line
-# $from.
+# since LINE: the lines that the pad's file got after that one. Of those since line $from, felt PATTERN tests
+# whether one matches, and stopped whether the last one stops an effect.
 lines() { wc -l <"$folder/felt"; }
 since() { tail -n +$(($1 + 1)) "$folder/felt"; }
 felt() { since "$from" | grep -qE "^$1\$"; }
@@ -80,7 +80,7 @@ eventually "no motors after the pad was put back" felt 'upload [01] 45746 45746 
 feel 1 0 0 1
 eventually "the motors did not stop after that" stopped
 
-# 4. A pad without motors costs one line.
+# 4. A pad without motors is reported in one line.
 eventually "no word on the second pad" says "player 2: pad '.*': no rumble: .*"
 [ "$(grep -c 'no rumble' "$folder/said")" = 1 ] || failed "several lines on the second pad"
 ! grep -q '^2\.' "$folder/felt" || failed "the second pad was called"

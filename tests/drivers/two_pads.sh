@@ -71,7 +71,7 @@ pad hy -1
 eventually "the cross does not turn the wheel" eval 'look; [ "$(field 0 wheel)" -gt 3 ]'
 pad hy 0
 
-# 3. The pause begins the match again, with a recording of its own.
+# 3. The pause menu begins the match again, with a recording of its own.
 presses Escape
 eventually "no pause" pause_menu
 choose 'Restart the match' s

@@ -16,7 +16,7 @@ local function listen(seconds)
 end
 local function expect_told(line) expect(told[line], "'" .. line .. "' is told") end
 
--- Captions in play.
+-- Captions of what a player does and feels in play.
 me:move(0, 1)
 listen(1.5)
 me:press("jump")

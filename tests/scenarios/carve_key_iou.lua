@@ -16,7 +16,7 @@ local function hand_for(p)
             z = (-side * (p.z - middle.z) - front) / scale}
 end
 
--- One tick of mouse and forward keys towards a place of the hand.
+-- Moves the mouse and presses forward keys for one tick, so that the hand goes towards a place.
 local function steer(to)
     local function counts(axis)
         return math.floor(within((within(to[axis], reach[axis]) - home[axis]) / 1e-4, 2) + 0.5)

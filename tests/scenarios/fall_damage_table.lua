@@ -23,7 +23,7 @@ me:press("jump")
 wait(1.5)
 expect_near(me:health(), before, 0, "jumping does no harm")
 
--- A fall from high enough kills, and a death by a fall costs a kill.
+-- A fall from high enough kills, and the wizard who dies by it loses a kill.
 me:place {-14, 60, 9}
 expect_event {kind = "death", subject = 1, within = 6}
 expect_near(me:kills(), -1, 0)

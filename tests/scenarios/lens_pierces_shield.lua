@@ -1,5 +1,5 @@
--- A blast by a wizard with the Lens does a quarter more harm, and a shield takes none of it. Without the Lens the shield
--- takes 30 HP. A bolt with the Lens is held off as ever.
+-- A blast by a wizard with the Lens does a quarter more harm, and a shield takes none of it. Without the Lens
+-- the shield takes 30 HP. A bolt with the Lens is held off by the shield all the same.
 match {players = {"script", "script"}, seed = 5}
 clear_props()
 local me, foe = wizard(1), wizard(2)

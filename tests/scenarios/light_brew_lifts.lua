@@ -8,7 +8,7 @@ local function fetch(x)
     me:release("stir")
     wait(0.1)
 end
--- Height of a jump at that place.
+-- Greatest height in a jump at the place x (m).
 local function jump(x)
     me:place {x, 0, 3}
     wait(0.3)

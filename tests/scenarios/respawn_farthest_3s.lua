@@ -17,7 +17,7 @@ local function die()
     return death
 end
 
--- Each time the killer stands nearer to another pad.
+-- Each time the killer stands elsewhere, so that another pad is the farthest one.
 for _, place in ipairs {{10, 0, 14}, {-12, 0, 13}, {12, 0, -12}, {-10, 0, -14}} do
     me:place(place)
     local death = die()

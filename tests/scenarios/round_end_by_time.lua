@@ -1,4 +1,4 @@
--- At the end of the time the player with more kills wins. A death by a fall costs one kill.
+-- At the end of the time the player with more kills wins. Who dies by a fall loses one kill.
 match {match = "quick", set = {"quick.seconds=6"}, players = {"script", "script"}}
 clear_props()
 local me, foe = wizard(1), wizard(2)

@@ -5,7 +5,7 @@ clear_props()
 senses {layouts = {"pad"}}
 local me, foe = wizard(1), wizard(2)
 
--- Strongest amplitude of each motor while a bolt from there is felt.
+-- Strongest amplitude of each motor while a bolt is felt that comes from dx and dz metres away.
 local function struck_from(dx, dz)
     me:place {0, 0, 12}
     me:face(0)

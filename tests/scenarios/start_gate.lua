@@ -20,7 +20,8 @@ wait(0.5)
 local rest = length(me:force())
 expect(rest < 0.3, "only the weight is felt, through the fader")
 
--- 8 mm forward is 16 cm into the wall. 300 N/m ask for 2.4 N, and the hand feels the limit.
+-- A hand 8 mm forward is 16 cm into the wall. The spring of 300 N/m asks for 2.4 N, but the hand feels only
+-- the force limit.
 local depth = 0.008
 local function press()
     me:reach({0, 0, -depth}, 0.05)

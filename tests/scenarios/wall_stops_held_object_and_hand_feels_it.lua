@@ -1,6 +1,6 @@
 -- Only forces move a held thing. A wall stops it, the spring to the hand stretches, and the hand feels that:
--- 300 N/m on the whole device, 20 : 1 in the world. When the hand lets go, the thing has not passed through
--- the wall.
+-- 300 N/m at the hand, whose way is 20 times as long in the world. When the hand lets go, the thing has not
+-- passed through the wall.
 match {players = {"script", "script"}, forces = {100, 100}}
 clear_props()
 local me = wizard(1)

@@ -15,7 +15,7 @@ namespace thaum::fluid {
 
 struct AttackPlan {
     double speed = 1e4;  ///< largest speed that one push gives to a cell (m/s)
-    bool jumps = true;   ///< true: the viscosity is changed in steps
+    bool jumps = true;   ///< true: the viscosity jumps to another value now and then
     bool bowl = false;   ///< true: the fluid is in a bowl instead of a box
     bool slips = false;  ///< true: the bowl's wall is free-slip
 };

@@ -544,7 +544,7 @@ as_user=(bash -c 'cd "$0" && rmdir "$0" && exec "$@"' "$place/gone")
 run
 expect "builds from a working folder that is gone" runs "" first usual
 
-# Two users' languages may sort names differently.
+# Two users' languages may sort names differently, which is no reason to build again.
 ready_machine
 tool sort <<<'language=${LC_ALL:-${LANG:-}}; [[ $language != de* ]] || set -- -r "$@"; exec /usr/bin/sort "$@"'
 export LANG=de_DE.UTF-8

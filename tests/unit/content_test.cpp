@@ -327,7 +327,7 @@ std::vector<std::vector<Mistake>> sets_of(const std::vector<Mistake>& mistakes) 
     return sets;
 }
 
-/// Files that systems and editors leave, and files by which people explain others, are no faults.
+/// Files that systems and editors leave behind, and files in which people explain others, are no faults.
 TEST_F(Content, FilesThatSystemsLeaveAreNoFaults) {
     const auto files = check_content(assets_).files;
     for (const auto* name : {"desktop.ini", "Thumbs.db", ".DS_Store", ".directory", "arenas/README.md",
@@ -353,7 +353,7 @@ TEST_F(Content, TheShippedFilesHaveNoFault) {
     EXPECT_EQ(with_foreign.faults.size(), 2U);
 }
 
-/// These values are playable, so they are not faults.
+/// These values are playable, so they are noted and are no faults.
 TEST_F(Content, WhatIsProbablyNotMeantIsNoted) {
     const auto note_after = [&](const Mistake& mistake) {
         make(mistake);

@@ -206,7 +206,7 @@ Cell<size> cell(std::uint32_t entity) {
 constexpr std::array<std::size_t, 24> cell_sizes{1,  2,  3,  4,  5,  7,  8,  9,  12, 15, 16,  17,
                                                  24, 31, 32, 33, 40, 44, 63, 64, 65, 96, 120, 128};
 
-/// Component number n of `cell_sizes`.
+/// A component whose size has the index n in `cell_sizes`.
 template <std::size_t n>
 using CellOf = Cell<cell_sizes[n]>;
 

@@ -20,7 +20,7 @@ HandFrame any_frame(Random& random) {
             .metres_per_metre = 10};
 }
 
-/// Where a point that is fixed to the frame is a tick later, by the frame's motion that a patch states (m).
+/// Position (m), a tick later, of a point fixed to a frame that moves as a patch of surfaces says.
 vec3 moved(vec3 velocity, vec3 spin, vec3 pivot_now, vec3 place) {
     const double speed = glm::length(spin);
     const vec3 arm = place - (pivot_now - tick_seconds * velocity);

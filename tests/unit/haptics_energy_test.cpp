@@ -10,7 +10,7 @@
 namespace thaum::haptics {
 namespace {
 
-/// The reference device of the Z-width test: 0.1 kg, 0.5 N s/m, no hand, no dry friction, no quantum.
+/// The reference device of the Z-width test: 0.1 kg, 0.5 N s/m, no hand, no dry friction, exact encoders.
 DeviceSpec reference_device(int latency) {
     DeviceSpec spec;
     spec.peak_force = 1000;

@@ -349,7 +349,7 @@ TEST(HapticsSafety, AHandThatPressesOnIsLedToTheContinuousForceAndKeptThere) {
     // the window; no control law can avoid that. Then the force approaches the continuous one, and no second
     // burst follows.
     const double budget = 0.88 * 0.88 * 10,
-                 last = 0.88 * std::sqrt(10 / 10.5);  // the length of the window and half a second more
+                 last = 0.88 * std::sqrt(10 / 10.5);  // final force (N): 0.88 N for 10 s, spread over 10.5 s
     for (const double wanted : {3.3, 2.0, 1.2}) {
         Stage stage;
         stage.feel(vec3(0));

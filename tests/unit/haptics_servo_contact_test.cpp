@@ -117,7 +117,7 @@ TEST(HapticsServo, TurningTheViewPastAWallDoesNotKickTheHand) {
     rig.model.patch = wall_below(0);
     rig.feel();
     double most = 0;
-    // By turning 60 degrees at 200 degrees per second, the wall approaches by 5 cm.
+    // While the view turns by 60 degrees at 200 degrees per second, the wall approaches by 5 cm.
     for (int tick = 1; tick <= 300; ++tick) {
         const double turn = 0.0035;
         const vec3 normal = rotation({0, 0, 1}, turn * tick) * vec3(0, 1, 0);

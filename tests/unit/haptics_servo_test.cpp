@@ -61,8 +61,8 @@ TEST(HapticsServo, AnEncodersQuantumIsNoSpeed) {
 }
 
 TEST(HapticsServo, WhatATetherHoldsIsThatOfWhereItIsByNow) {
-    // With an old model the anchor moves on, and the spring is stretched in accordance with its force. The
-    // observer received that energy, so the spring may give it back, but no more.
+    // With a model of 10 ticks ago the anchor has moved on, and stretches the spring by as much. The observer
+    // counts the energy of that stretch as received, so the spring may give it back, but no more.
     Rig rig;
     rig.feel();
     rig.model.tether = {
@@ -82,7 +82,8 @@ TEST(HapticsServo, AThingCaughtBehindACornerDoesNotShutTheForcesOff) {
     Rig rig;
     rig.feel();
     for (int time = 0; time < 6; ++time) {
-        // The spring of the lift wand, stretched as far as a small object may be away, then released.
+        // The lift wand's spring, stretched to the largest distance that a small object may have, then
+        // released.
         rig.model.tether = {.anchor = {0.4, 0, 0}, .stiffness = 300, .number = rig.model.tether.number + 1};
         for (int tick = 0; tick < 200; ++tick) rig.feel();
         // The force becomes smaller after some time, because the motors are warm.

@@ -339,7 +339,7 @@ TEST(StrokeTrail, IsWiderWithForceAndStaysInItsView) {
     }
 }
 
-/// Longest line of a drawn circle during which the hand rests in the middle for some points (px).
+/// Longest line (px) in the picture of a circle, half-way along which the hand rests for `rest` points.
 float longest_line(std::uint32_t rest) {
     auto picture = new_casting_picture();
     auto& casting = picture.wizards[0].casting;

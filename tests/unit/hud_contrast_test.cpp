@@ -72,7 +72,7 @@ struct Drawn {
 /// A line of places across a mark.
 using Across = std::vector<fvec2>;
 
-/// Places from `inner` to `outer` (px) in a direction given as on a clock (rad).
+/// Places from `inner` to `outer` (px) in the direction `angle`, clockwise from straight up (rad).
 Across along_ray(fvec2 centre, float angle, float inner, float outer) {
     Across places;
     for (float r = inner; r <= outer; r += 0.5F)

@@ -282,7 +282,7 @@ TEST(DrawnShot, ShowsTheWayThatTheStoneThenFlies) {
     EXPECT_GT(glm::distance(*drawn.wand.spring, drawn.wand.reach), 0.05) << "the spring is stretched";
     frame.devices[0].buttons = 0;
     frame.devices[0].counts[input::hand::trigger] = 0;
-    // Between the picture and the shot, the hand moves back a little.
+    // Between the picture and the shot, the hand moves back a little, hence the tolerance.
     EXPECT_LT(worst_of_flight(match, frame, drawn), 0.3);
     EXPECT_EQ(picture_of(match).wizards[0].wand.arc_points, 0U);
 }

@@ -478,7 +478,8 @@ TEST(InputLog, TooSlowADiskStopsRecordingAndKeepsAWholeLog) {
     EXPECT_GT(writer.extra_blocks(), 0U);
     const auto closed = writer.close("");
     auto reader = LogReader::open(folder / "log").value();
-    // Closing fails because memory is faster than zstd, unless this thread did not run for a while.
+    // The ticks come from memory, faster than zstd packs them, so closing fails, unless this thread did not
+    // run for a while.
     if (!closed) {
         EXPECT_TRUE(contains(closed.error().message, text("kept up to tick ", reader.ticks())));
         EXPECT_EQ(reader.ending(), LogEnding::cut_off);

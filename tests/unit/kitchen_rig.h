@@ -72,7 +72,8 @@ public:
     void draw(const StrokeReading& reading, double reached = 0.7, std::uint32_t player = 0) {
         draw_from(reading, reached, reached, player);
     }
-    /// Draws a stroke that began when the brew was mixed to `begun_at`, and stirred it up to `reached`.
+    /// Draws a stroke that begins when the brew is mixed to the share `begun_at`, and ends when it is mixed
+    /// to `reached`.
     void draw_from(const StrokeReading& reading, double begun_at, double reached, std::uint32_t player = 0) {
         cauldron().reached = reached;
         brew_by_stroke(match_->context_to_change(), wizard(player), {reading, begun_at}, now());

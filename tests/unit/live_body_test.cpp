@@ -94,7 +94,7 @@ TEST(LiveBodyThreads, SoundsReachAJacketWithoutLoudspeakersAndChangeNothing) {
 
 TEST(LiveBodyThreads, ThePlayerWhoDoesNotWantSoundsFeelsNone) {
     FeltDuel duel;
-    duel.settings.players[1].jacket_sound = 1;  // player 2 has no jacket
+    duel.settings.players[1].jacket_sound = 1;  // no effect: player 2 has no jacket
     duel.apply();
     duel.play(2);
     const auto frames = duel.frames();

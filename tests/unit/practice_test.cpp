@@ -323,7 +323,7 @@ TEST_F(ForceTrialTest, NothingHappensUnlessItWasAskedFor) {
     for (int i = 0; i < 2000; ++i) EXPECT_FALSE(tick(i % 300 == 0));
 }
 
-/// A range with a player who draws, some ticks after its start.
+/// A practice range in which a player draws on the gesture wall. Some ticks have passed since its start.
 class WallTest : public PracticeTest {
 protected:
     WallTest() { player_.play(20); }

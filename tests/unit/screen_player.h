@@ -48,12 +48,12 @@ public:
     const std::string& bot() const { return bot_; }
 
 private:
-    // Menus.
+    // What the player does in menus.
     void use_menu(const Screen& seen, Hands& hands);
     const Words* wanted_row(const Screen& seen);
     std::string key_towards(const Screen& seen, const Words& row);
 
-    // Lessons.
+    // What the player does in lessons.
     void read(const std::string& words);
     void follow_lesson(const Screen& seen, Hands& hands);
     void do_lesson(const Screen& seen, Hands& hands);
@@ -66,7 +66,7 @@ private:
     void fetch(const Screen& seen, Hands& hands);
     void brew(const Screen& seen, Hands& hands);
 
-    // The duel.
+    // What the player does in the duel.
     void fight(const Screen& seen, Hands& hands);
     void search(const Screen& seen, Hands& hands);
     std::string best_wand(const Screen& seen) const;

@@ -22,7 +22,7 @@ enum class Part : std::uint8_t {
     crosshair,
     strip,   ///< the strip of wands: the name and energy of the wand in hand, and the keys
     name,    ///< the player's name
-    feed,    ///< deaths
+    feed,    ///< the feed, which names deaths
     result,  ///< the panel after a round
     other
 };

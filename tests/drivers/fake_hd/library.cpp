@@ -54,7 +54,8 @@ FakeHdLive* map_live(const std::string& file) {
 
 std::array<double, 3> numbers_of(vec3 v) { return {v.x, v.y, v.z}; }
 
-/// Number of ticks by which the script's times are counted.
+/// Number of the tick in the count that the script's times use: from the first force on, or since the
+/// opening.
 std::uint64_t script_ticks(const Device& d) {
     if (!d.script.has("felt")) return d.ticks;
     return d.felt_at == 0 ? 0 : d.ticks - d.felt_at;
