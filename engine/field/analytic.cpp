@@ -19,8 +19,8 @@ Waves waves_of(vec3 x) {
 vec3 random_unit(Random& random) {
     for (;;) {
         vec3 v;
-        // One component after the other, because compilers evaluate the arguments of a call in different
-        // orders.
+        // Draws one component after the other, because compilers evaluate the arguments of a call in
+        // different orders.
         for (int axis = 2; axis >= 0; --axis) v[axis] = random.uniform(-1, 1);
         const double square = glm::dot(v, v);
         if (square > 0.01 && square <= 1) return v / std::sqrt(square);
@@ -54,8 +54,8 @@ Vector RankineVortex::operator()(vec3 place) const {
     const vec3 out = off - glm::dot(off, axis) * axis;
     const double square = glm::dot(out, out);
     const bool inside = square <= radius * radius;
-    // The velocity is `turn` times (axis x out). `fall` is the derivative of `turn` with respect to the
-    // squared distance.
+    // The velocity is `turn` times (axis x out), where `out` leads from the axis to the place. `fall` is the
+    // derivative of `turn` with respect to the squared distance from the axis.
     const double turn = inside ? speed / radius : speed * radius / square;
     const double fall = inside ? 0 : -turn / square;
     const vec3 round = glm::cross(axis, out);

@@ -74,7 +74,7 @@ struct FlowWave {
     Vector operator()(vec3 place) const;
 };
 
-/// Three vortices and weak noise.
+/// A flow that is the sum of three vortices and weak noise.
 struct VortexFlow {
     std::array<RankineVortex, 3> vortices{};
     std::array<FlowWave, 6> noise{};

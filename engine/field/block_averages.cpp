@@ -12,9 +12,9 @@ constexpr std::size_t few_values = 100;
 constexpr int widest_block = 16;
 /// Fewest blocks along an axis for which averages are made. Fewer blocks would not show the shape of a body.
 constexpr int fewest_blocks = 4;
-/// Ratio of the widest to the finest spacing from which on slices count as having steps of their own.
+/// Smallest ratio of the widest to the finest spacing at which the slices of a scan count as coarse steps.
 constexpr double far_apart = 2;
-/// Edge of a block for samples with steps, as a multiple of the widest spacing.
+/// Edge of a block if slices are far apart or samples have few values, as a multiple of the widest spacing.
 constexpr double over_steps = 2;
 
 /// Average of the finite samples of a box; NaN if there are none.
@@ -92,9 +92,9 @@ void fill(BlockAverages& averages, const Grid& grid, const VoxelBox& blocks) {
     }
 }
 
+constexpr int in_a_row = 16;
 /// Whether the next `in_a_row` samples, which are adjacent in memory, all equal `value`, as in most parts of
 /// a mask.
-constexpr int in_a_row = 16;
 bool all_equal(const float* samples, float value) {
     bool equal = true;
     for (int i = 0; i < in_a_row; ++i) equal &= samples[i] == value;

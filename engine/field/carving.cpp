@@ -10,11 +10,13 @@
 namespace thaum::field {
 namespace {
 
-// Distance from a constant at which a filter sets it exactly, as a share of the range from empty to full.
+// Distance from its constant at which a filter sets a density to the constant exactly, as a share of the
+// range from empty to full.
 constexpr double close_enough = 0x1.0p-20;
-constexpr double half_covered = 0.5;  // least weight at which a constant sets colour and material
+// Least weight at which a constant sets the colour of a voxel, and any operation its material.
+constexpr double half_covered = 0.5;
 
-/// One operation of a tool, with all that its use at one place of a body needs.
+/// One operation of a tool at one of its places in a body, with all that it needs there.
 struct Cast {
     const Operation* operation;
     Footprint footprint;
@@ -124,7 +126,7 @@ bool is_at_surface(const VoxelView& body, std::array<int, 3> voxel) {
     return false;
 }
 
-/// Changes one voxel. Returns true if a bit of it changed.
+/// Applies an operation to one voxel. Returns true if a bit of it changed.
 bool change(const VoxelView& body, const Cast& cast, std::size_t voxel, double weight, Edit& sums) {
     const Properties& changes = cast.operation->changes;
     bool changed = false;
@@ -152,7 +154,7 @@ bool change(const VoxelView& body, const Cast& cast, std::size_t voxel, double w
     return changed;
 }
 
-/// A bit for each changed voxel of a brick: a byte for each row.
+/// Which voxels of a brick have changed: a bit for each voxel, a byte for each row.
 using Changed = std::array<std::uint8_t, brick_size * brick_size>;
 
 void apply(const VoxelView& body, const Cast& cast, const VoxelBox& brick, Changed& changed, Edit& sums) {

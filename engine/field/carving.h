@@ -24,7 +24,7 @@ struct Dab {
     vec3 motion{};     ///< motion of the tool since the last dab (m)
     mat3 turn{1.0};    ///< rotation from the tool's frame to the body's; boxes, plates and stamps use it
     double seconds{};  ///< time since the last dab (s), by which a filter acts
-    /// Random seed for the rounding of colours; differs from dab to dab, such as the tick.
+    /// Random seed for the rounding of colours. It differs from dab to dab, as the number of the tick does.
     std::uint64_t seed{};
 };
 

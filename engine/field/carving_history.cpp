@@ -72,7 +72,7 @@ void open_step(CarvingHistory& history) {
     ++history.mark;
 }
 
-/// Forgets the steps before the open one that could be redone. The open step then counts as done.
+/// Makes the open step the last one that is done, and forgets the steps before it that could be redone.
 void forget_redo(CarvingHistory& history) {
     if (!history.open || history.done == history.steps.size()) return;
     const auto from = history.steps.begin() + static_cast<std::ptrdiff_t>(history.done);

@@ -28,7 +28,7 @@ struct BrickCopy {
     std::array<std::uint8_t, voxels_of_brick> material{};
 };
 
-/// Copies that belong to one stroke: a run in the ring of copies.
+/// Copies of bricks that belong to one stroke: a run in the ring of copies.
 struct CarvingStep {
     std::uint64_t first{};  ///< number of the first copy, counted over the whole life of the history
     std::uint64_t count{};
@@ -37,7 +37,7 @@ struct CarvingStep {
 /// History of one body. Only the functions below change it.
 struct CarvingHistory {
     std::vector<BrickCopy> ring{};  ///< ring buffer; copy n is at index n modulo the capacity
-    std::uint64_t capacity{};       ///< number of copies that fit
+    std::uint64_t capacity{};       ///< number of copies that fit into the memory
     std::uint64_t next{};           ///< number of the next copy
     /// Steps that can be undone, then steps that can be redone, then an open
     /// step that has changed nothing yet.

@@ -62,7 +62,7 @@ struct Extent {
     Stamp stamp{};           ///< weights, used by ExtentShape::stamp
 };
 
-/// Set of properties of a voxel.
+/// Set of properties of a voxel, such as those that an operation changes.
 struct Properties {
     bool density = false, colour = false, material = false;
 

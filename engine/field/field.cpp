@@ -73,7 +73,7 @@ Taps taps_at(double x, int count, std::ptrdiff_t stride, double per_metre, Kerne
         taps.slope[i] = weights.slope[i] * per_metre;
     }
     const bool low_edge = low == 0, high_edge = low == count - 2;
-    // In a grid of three samples each cell touches one end, but no cell touches both.
+    // At most one end is folded: even in a grid of three samples, no cell touches both ends.
     if (low_edge) fold(taps, 0, {1, 2, 3});
     if (high_edge) fold(taps, 3, {2, 1, 0});
     return taps;

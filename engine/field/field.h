@@ -28,13 +28,13 @@
 
 namespace thaum::field {
 
-/// A scalar quantity at a place.
+/// Value and gradient of a scalar quantity at one place.
 struct Scalar {
     double value{};
     vec3 gradient{};  ///< derivative along x, y and z (1/m)
 };
 
-/// A vector quantity at a place.
+/// Value and gradient of a vector quantity at one place.
 struct Vector {
     vec3 value{};
     std::array<vec3, 3> gradient{};  ///< gradient of each component (1/m)
@@ -93,9 +93,9 @@ struct Grid {
     vec3 spacing{1};  ///< distance between samples along each axis, > 0 (m)
     Kernel kernel{Kernel::catmull_rom};
 
-    // Pass the place on in registers, component by component. If the caller has just written it to memory,
-    // clang loads two numbers at once, and the processor must wait until both are stored: half of the time of
-    // an evaluation.
+    // Passes the place on in registers, component by component. Otherwise, if the caller has just written it
+    // to memory, clang loads two numbers at once, and the processor must wait until both are stored. The wait
+    // takes half of the time of an evaluation.
     Scalar operator()(vec3 place) const { return scalar_at(place.x, place.y, place.z); }
     /// The same value as operator(), to the last bit, without the gradient and in less time.
     double value(vec3 place) const { return value_at(place.x, place.y, place.z); }

@@ -124,7 +124,7 @@ Scalar read_clamped(const void* what, vec3 place) {
 Scalar read_smoothed(const void* what, vec3 place) { return stage_of(what).smoothed.component[0](place); }
 Vector read_smoothed_vector(const void* what, vec3 place) { return stage_of(what).smoothed(place); }
 
-/// Output field of a stage, without a bounding box.
+/// The output of a filter stage as a field without a bounding box.
 template <bool quick>
 AnyField endless_output_of(const FilterStage& stage) {
     const bool vector = stage.input.is_vector();
@@ -152,7 +152,7 @@ SampleBox filtered_box(const void* what) {
     return box;
 }
 
-/// Output field of a stage, bounded if its input is.
+/// The output of a filter stage as a field that is bounded if its input is.
 template <bool quick>
 AnyField output_of(const FilterStage& stage) {
     AnyField out = endless_output_of<quick>(stage);

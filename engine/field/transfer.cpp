@@ -9,7 +9,8 @@ namespace thaum::field {
 namespace {
 
 constexpr double max_coordinate = 1e100;
-/// Largest number of columns of one stroke. A longer stroke draws this many, evenly spaced.
+/// Largest number of columns (new points of the function) that one stroke draws. In a longer stroke they are
+/// farther apart.
 constexpr double max_columns = 512;
 
 double limited_coordinate(double v) {
@@ -54,7 +55,8 @@ void thin_out(Draft& draft, double kept) {
     }
 }
 
-/// Sets the column at x. `left` and `right` are the positions of its neighbours.
+/// Gives the function the value y at x, a column. `left` and `right` are the positions of the columns beside
+/// it.
 void set_column(TransferFunction& f, double left, double x, double right, double y) {
     const auto old = points_of(f);
     const auto has = [&](double at) { return std::ranges::any_of(old, [&](vec2 p) { return p.x == at; }); };
@@ -85,7 +87,7 @@ double TransferFunction::operator()(double x) const {
     if (next == p.end()) return p.back().y;
     const vec2 a = *(next - 1), b = *next;
     const double y = a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x));
-    // Without the limit, rounding could pass b by a unit in the last place.
+    // Keeps y between those of a and b, beyond which rounding could take it by a unit in the last place.
     return std::clamp(y, std::min(a.y, b.y), std::max(a.y, b.y));
 }
 
@@ -130,7 +132,7 @@ void draw(TransferFunction& f, double x, double y, double width) {
     if (!(width > 0) || !std::isfinite(x) || !std::isfinite(width) || std::isnan(y)) return;
     const double column = std::round(limited_coordinate(x) / width);
     const double left = (column - 1) * width, middle = column * width, right = (column + 1) * width;
-    // Far from 0, neighbouring columns may round to the same number.
+    // Far from 0, neighbouring columns may round to the same number. Then nothing is drawn.
     if (!(left < middle && middle < right && -max_coordinate <= left && right <= max_coordinate)) return;
     set_column(f, left, middle, right, limited_coordinate(y));
 }

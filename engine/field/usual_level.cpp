@@ -21,8 +21,8 @@ void for_each_value(const Volume& volume, Use use) {
     }
 }
 
-/// For each class `last`, the variance between two groups of classes: those up to and including `last`, and
-/// those above it (up to a constant factor). The value of a class is its index.
+/// For each class (an interval of values), how well the samples would separate above it: the variance between
+/// the classes up to it and those above it, up to a constant factor. The value of a class is its index.
 std::array<double, classes> variances(const std::array<double, classes>& counts) {
     double all = 0, sum = 0;
     for (std::size_t i = 0; i < classes; ++i) {

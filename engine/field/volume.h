@@ -58,7 +58,7 @@ struct FileAxes {
 struct Rounding {
     double low{}, high{};  ///< smallest and largest finite sample of the file
     double width{};        ///< high - low, computed in the file's number type
-    /// Distance between neighbouring floats at the largest sample by size; 0: no sample was rounded.
+    /// Distance between neighbouring floats at the sample of largest magnitude; 0: no sample was rounded.
     double step{};
     std::size_t beyond{};  ///< number of finite samples that are too large for a float
 };
@@ -113,8 +113,9 @@ SampleRange range_of(const Volume& volume);
 std::size_t not_finite(const Volume& volume);
 
 /// Level that separates the samples best into two classes, such as air and tissue (N. Otsu, A threshold
-/// selection method from gray-level histograms, 1979): of 255 levels, the middle of those at most 0.1 % worse
-/// than the best. For vectors, the level of their lengths. The middle of the range if all samples are equal.
+/// selection method from gray-level histograms, 1979): of 255 levels, the middle of those that separate at
+/// most 0.1 % worse than the best. For vectors, it is the level of their lengths. The middle of the range if
+/// all samples are equal.
 double usual_level(const Volume& volume);
 
 /// Samples a field at count[0] x count[1] x count[2] places, centred on the field's origin.

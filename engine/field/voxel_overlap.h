@@ -8,7 +8,8 @@
 
 namespace thaum::field {
 
-/// A count of voxels, derived from the densities: recounting at any time gives the same result.
+/// Counts of voxels by which two bodies are compared. They derive from the densities alone: recounting at any
+/// time gives the same result.
 struct VoxelOverlap {
     std::array<int, 3> count{};  ///< voxels along each axis
     float threshold{};           ///< density from which on a voxel is inside

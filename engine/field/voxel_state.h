@@ -10,7 +10,7 @@
 
 namespace thaum::field {
 
-/// Hashes of the bricks, as a cache. An empty cache gives the same hash of the body.
+/// Hashes of the bricks, as a cache. With an empty cache the hash of the body is the same, but takes longer.
 struct BrickHashes {
     std::vector<std::uint64_t> hash{};
     std::uint32_t seen = 0;  ///< value of Bricks::newest when the hashes were made

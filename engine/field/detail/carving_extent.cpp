@@ -19,10 +19,10 @@ vec3 margin_of(const Footprint& f) {
     return f.half / vec3(f.stamp->cells[0], f.stamp->cells[1], f.stamp->cells[2]);
 }
 
-/// Voxels around the centre that lie within the body. Values are clamped before they are converted to
-/// integers.
+/// Voxels around the centre of the shape that lie within the body. Numbers are clamped before they become
+/// integers, because the conversion of one beyond the range of int is undefined.
 VoxelBox box_of(const Footprint& f, const VoxelBox& all) {
-    // An infinite `reach` times a turn would give NaN.
+    // The limit keeps `reach` finite, because an infinite one times a turn would give NaN.
     vec3 reach = glm::min(f.half + margin_of(f), vec3(1e300));
     if (!is_round(f.shape)) {
         const mat3 size(glm::abs(f.turn[0]), glm::abs(f.turn[1]), glm::abs(f.turn[2]));
@@ -80,7 +80,7 @@ double stamp_weight(const Footprint& f, vec3 local) {
 
 using BrickAxis = std::array<double, brick_size>;
 
-/// A function of the distance from the centre along each axis, for the voxels of a part.
+/// For each voxel of a part and along each axis, `function` of the distance from the shape's centre.
 template <class Function>
 std::array<BrickAxis, 3> along_axes(const Footprint& f, const VoxelBox& part, Function function) {
     std::array<BrickAxis, 3> axes{};
@@ -92,8 +92,8 @@ std::array<BrickAxis, 3> along_axes(const Footprint& f, const VoxelBox& part, Fu
     return axes;
 }
 
-/// Sets every weight to weight(x, y, z), with the values of the functions along the axes. Returns the number
-/// of weights.
+/// Sets the weight of each voxel of a part to weight(x, y, z), where x, y and z are its values in `axes`.
+/// Returns the number of weights.
 template <class Weight>
 std::size_t combine(const std::array<BrickAxis, 3>& axes, const VoxelBox& part, PartWeights& weights,
                     Weight weight) {

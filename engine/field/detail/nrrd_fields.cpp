@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t shown = 60;  ///< longest part of a value that a message quotes (bytes)
 constexpr std::string_view magic = "NRRD000";
 
-/// Names of fields, without blanks, that are read, or known and skipped.
+/// Names, without blanks, of all fields that are known: those that are read and those that are skipped.
 constexpr std::array<std::string_view, 31> known_fields{"type",
                                                         "dimension",
                                                         "sizes",
@@ -60,7 +60,7 @@ std::string name_of_field(std::string_view name) {
     return out;
 }
 
-/// Names of those fields that contain blanks, as the format writes them.
+/// Those names of fields that contain blanks, as the format writes them.
 constexpr std::array<std::string_view, 14> names_with_blanks{
     "space dimension",   "space directions", "space origin", "space units", "data file",
     "measurement frame", "byte skip",        "line skip",    "axis mins",   "axis maxs",

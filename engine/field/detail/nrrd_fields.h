@@ -38,7 +38,7 @@ public:
     const std::vector<ListedFile>& listed_files() const { return listed_files_; }
     /// Line of each field, by the field's name as the format writes it, such as "space directions".
     std::map<std::string, std::size_t, std::less<>> lines() const;
-    /// Line of a field; 0 if it is missing.
+    /// Number of the line that holds a field; 0 if the field is missing.
     std::size_t line_of(std::string_view field) const;
     /// Text of a field; empty if the field is missing.
     std::string_view text_of(std::string_view field) const;
@@ -77,7 +77,8 @@ private:
     std::map<std::string, Line, std::less<>> fields_;
     std::vector<ListedFile> listed_files_;
     std::optional<std::size_t> end_;
-    std::size_t last_line_{1};  ///< the empty line that ends the header, or the last line of the file
+    /// Number of the empty line that ends the header, or of the last line of the file.
+    std::size_t last_line_{1};
     std::optional<Error> fault_;
 };
 

@@ -114,7 +114,7 @@ void read_sizes(NrrdFields& fields, std::size_t limit, NrrdHeader& header, Axes&
 /// Gives an axis the role that its kind means, and notes in the header what the kind says about colours.
 void take_kind(NrrdFields& fields, std::string_view word, Axis& axis, NrrdHeader& header) {
     const auto* kind = kind_of(word);
-    // An axis with one sample, of a list or the like, needs no role.
+    // An axis with a single sample needs no role, whatever its kind, such as a list.
     const bool of_one = axis.size == 1 && !is_unknown(word);
     if (kind == nullptr && !of_one) {
         fields.report(
@@ -328,13 +328,13 @@ std::array<std::optional<vec3>, 3> read_directions(NrrdFields& fields, const Axe
     return of_space;
 }
 
-/// Spacings of the axes of the file, from two kinds of fields.
+/// Spacings of the axes of the file: those given directly, and those that follow from the ends of the axes.
 struct Spacings {
     std::vector<std::optional<double>> given, of_ends;
 };
 
-/// Adds a note for the user if part of "axis mins" and "axis maxs" is ignored. Either only the spacings that
-/// they give are used, not the position, or other fields of space make both without effect.
+/// Adds a note for the user if the fields "axis mins" and "axis maxs" are ignored in part or whole. In part:
+/// only the spacings that follow from them are used, not the position. In whole: other fields override them.
 void note_ends(NrrdFields& fields, const Axes& axes, const Spacings& spacings, bool has_directions,
                NrrdHeader& header) {
     const auto low = numbers_if_there(fields, "axismins", axes);

@@ -104,7 +104,8 @@ std::string other_encoding(const NrrdHeader& header, const FileOfSamples& file) 
     if (may_be_plain && bytes.size() == skipped + size_of(header.type) * file.samples)
         return is("as many plain bytes as the sizes and the type promise", "write 'encoding: raw'");
     for (const Form& form : forms) {
-        // The first two bytes of a zlib stream may also occur in plain samples.
+        // A zlib stream is known by two bytes only, with which plain samples may begin, too. So these two
+        // count only if the header promises gzip.
         const bool sure = form.begins.size() > 2 || header.encoding == NrrdEncoding::gzip;
         if (sure && bytes.starts_with(form.begins)) return is(text(form.name, " bytes"), form.advice);
     }
@@ -144,7 +145,8 @@ void note_more(const NrrdHeader& header, const FileOfSamples& file, std::vector<
     const auto type = header.encoding == NrrdEncoding::raw
                           ? other_type(header, file.samples, file.bytes.size() + file.not_read)
                           : "";
-    // At most two bytes too many may be a line break before the samples, which would shift all of them.
+    // If at most two bytes are too many, they may be a line break before the samples, which would shift all
+    // of them.
     const bool one_line_more =
         header.encoding == NrrdEncoding::raw && file.bytes.size() <= size_of(header.type) * file.samples + 2;
     const auto ends = one_line_more ? line_too_many(header, file) : "";

@@ -10,7 +10,7 @@
 
 namespace thaum::field {
 
-/// All samples of a header, and the buffer that holds their bytes.
+/// All samples that a header describes, and the buffers that hold their bytes.
 struct NrrdSamples {
     Bytes file{}, joined{};
     std::string from_gzip{};

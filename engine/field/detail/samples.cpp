@@ -60,7 +60,7 @@ public:
         const auto number = static_cast<double>(value);
         const auto kept = static_cast<float>(number);
         if (!std::isfinite(kept)) ++beyond_;
-        // Integers from here on may have been rounded when they were converted to double.
+        // Integers of this size and larger may have been rounded when they were converted to double.
         constexpr double exact_integers = 0x1p53;
         const bool by_double = std::integral<T> && std::abs(number) >= exact_integers;
         rounded_ = rounded_ || by_double || static_cast<double>(kept) != number;
@@ -99,7 +99,8 @@ T stored_value(float sample) {
     if constexpr (std::floating_point<T>) {
         return static_cast<T>(sample);
     } else {
-        // The largest integer of 32 or 64 bits becomes a float that is too large for its type.
+        // The largest integer of 32 or 64 bits becomes a float that is too large for its type. So a sample
+        // that reaches this float is not converted, but becomes the largest integer.
         constexpr auto low = static_cast<float>(std::numeric_limits<T>::min());
         constexpr auto high = static_cast<float>(std::numeric_limits<T>::max());
         if (std::isnan(sample)) return T{};
