@@ -41,7 +41,7 @@ Mirrors wall_mirrors(int n, float factor, int depth) {
     return result;
 }
 
-/// Rules for a quantity that is sampled on the faces across the axis. Layers 0 and n are the walls
+/// Mirrored layers for a quantity that is sampled on the faces across the axis. Layers 0 and n are the walls
 /// themselves.
 Mirrors face_mirrors(int n, int depth) {
     Mirrors result;

@@ -23,7 +23,7 @@ struct SamplesAllocator {
     /// Type that std::allocator_traits requires.
     using value_type = T;
 
-    static constexpr std::size_t line = 64, page = 4096;  ///< bytes
+    static constexpr std::size_t line = 64, page = 4096;  ///< sizes of a cache line and of a page (bytes)
     /// Bytes from the start of a cache line to the first value. The first cell, `ghosts` values later,
     /// is then at the start of the next line.
     static constexpr std::size_t before = line - ghosts * sizeof(T);

@@ -21,7 +21,8 @@ namespace {
 /// all modes that are five times slower lose less than 1e-6.
 constexpr double max_phase = 1;
 
-/// Stiffnesses of the springs and of the level, divided by the mass of a node (1/s^2), and the drag (1/s).
+/// Stiffnesses of the springs and of gravity (`level`), divided by the mass of a node (1/s^2), and the drag
+/// (1/s).
 struct SpringNetwork {
     std::size_t stride{}, first{}, end{};  ///< index distance between rows; nodes from `first` to
                                            ///< before `end`, in x and in z, move
@@ -74,8 +75,8 @@ void close_rows(const SpringNetwork& net, double* values) {
 
 // ---- springs ---------------------------------------------------------------------------------------------
 
-/// Acceleration by the springs and the level (m/s^2). Opposite neighbours are summed in pairs, so that
-/// a mirror image gives the same bits.
+/// Acceleration by the springs and by gravity (m/s^2). Opposite neighbours are summed in pairs, so that a
+/// mirror image gives the same bits.
 inline double spring_acceleration(const SpringNetwork& net, const double* h, std::size_t i) {
     const std::size_t s = net.stride;
     const double middle = h[i];
@@ -178,7 +179,7 @@ void update_inside(const SpringSurfaceSettings& s, const Footprint& print, std::
 
 // ---- one step --------------------------------------------------------------------------------------------
 
-/// Arrays, constants and probes of one call.
+/// Arrays, constants and probes of one call of advance().
 struct SurfaceStepContext {
     const SpringSurfaceSettings& settings;
     const SpringNetwork net;
@@ -209,7 +210,7 @@ void add_probes(SurfaceStepContext& m, const double* h, double* a, double share)
 
 using Values = const double* __restrict;
 
-/// Accelerations `a` of the nodes: those by the springs at the heights h, minus drag v.
+/// Accelerations `a` of the nodes: those by the springs at the heights h, minus drag times velocity v.
 void accelerate(const SpringNetwork& net, Values h, Values v, double* __restrict a) {
     for (std::size_t z = net.first; z < net.end; ++z) {
         const auto [begin, end] = vectors(net, z);
@@ -217,8 +218,8 @@ void accelerate(const SpringNetwork& net, Values h, Values v, double* __restrict
     }
 }
 
-/// As above, but with the drag of the velocity of a later stage, v + t before. There `before` is the
-/// acceleration of an earlier stage.
+/// The same for a later stage, whose velocity is v + t before. There `before` is the acceleration of an
+/// earlier stage.
 void accelerate(const SpringNetwork& net, Values h, Values v, Values before, double t, double* __restrict a) {
     for (std::size_t z = net.first; z < net.end; ++z) {
         const auto [begin, end] = vectors(net, z);

@@ -139,7 +139,7 @@ struct SpringSurfaceStep {
 SpringSurfaceStep advance(SpringSurface& surface, SpringSurfaceScratch& scratch,
                           std::span<const SurfaceProbe> probes, double dt);
 
-/// Energy of motion, springs and level (J).
+/// Energy of motion, of the springs and of gravity (J).
 double energy(const SpringSurface& surface);
 
 /// Upper bound for all frequencies of the surface without probes (rad/s).

@@ -6,7 +6,7 @@
 namespace thaum::fluid {
 namespace {
 
-/// Advection of one row of values along one axis. The rate of change is multiplied by -2 h (m/s).
+/// Rate of change of one row of values by advection along one axis, multiplied by -2 h (m/s).
 struct AxisAdvection {
     const float* velocity;
     const float* open;  ///< shares of the faces that no solid covers; null: all faces are open
@@ -60,7 +60,7 @@ using LevelMeans = std::array<float, max_cells>;
 
 LevelMeans means_of(const LevelFaces& faces) {
     std::array<double, max_cells> sums{};
-    std::array<float, max_cells> counts{};  // numbers of open faces
+    std::array<float, max_cells> counts{};  // number of open faces at each position along x
     faces.each_8([&](std::ptrdiff_t at, std::ptrdiff_t x) {
         const Floats8 share = faces.open_at(at);
         const Floats8 both = share > zero8 ? faces.both_sides(at) : zero8;

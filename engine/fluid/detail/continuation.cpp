@@ -21,8 +21,8 @@ constexpr double max_weights = 4;
 /// Weight of upwind differences. With a smaller one, flows gained energy in some trials; with 1 a turning
 /// flow lost twice as much energy.
 constexpr float upwind_share = 0.5F;
-/// Number of partial sums over the sources of a velocity. In a single sum each addition would wait for the
-/// one before.
+/// Number of partial sums in which the sources of one continued velocity are added. In a single sum each
+/// addition would wait for the one before.
 constexpr std::uint32_t sums_at_once = 4;
 
 /// The faces across one axis, on which one component of the velocity is sampled.
@@ -56,7 +56,8 @@ Faces faces_across(const Lattice& lattice, const Solids& solids, std::size_t axi
 bool is_read(const Faces& faces, const Cells& cell) {
     const std::size_t at = faces.at(cell);
     const auto step = [&](std::size_t axis) { return static_cast<std::size_t>(faces.lattice.stride[axis]); };
-    // Faces on the walls of the box are filled together with the ghost cells.
+    // Faces on the walls of the box are filled together with the ghost cells, so they need no continued
+    // velocity.
     const bool on_wall = cell[faces.axis] == 0 && faces.lattice.edges[faces.axis] != Edge::periodic;
     if (faces.open(at) >= 1 || on_wall) return false;
     bool result = faces.solids.holds_fluid(at) || faces.solids.holds_fluid(at - step(faces.axis));
@@ -65,7 +66,7 @@ bool is_read(const Faces& faces, const Cells& cell) {
     return result;
 }
 
-/// An open face near the face whose velocity is continued.
+/// An open face near the face whose velocity is continued, as a part of the fit.
 struct FittedFace {
     std::size_t at{};
     vec3 apart{};     ///< place relative to the centre of the continued face (cells)

@@ -44,7 +44,7 @@ private:
         /// Index of the target's first source; the sources end where those of the next target begin.
         std::uint32_t first{};
     };
-    /// Faces of one component of the velocity.
+    /// Continued velocities of one component, by their faces and the faces from which they are computed.
     struct Component {
         /// The faces with continued velocities, then an entry without sources. It marks the end of the last
         /// face's sources.

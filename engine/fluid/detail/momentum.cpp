@@ -34,7 +34,7 @@ inline Floats8 flux(const CarryingRows& by, const float* q, std::ptrdiff_t i) {
     return load(by.high + i) * load(q + by.step) - load(by.low + i) * load(q - by.step);
 }
 /// Flux difference at order 4, by the formula in momentum.h, multiplied by a common factor. The sum of 30 T
-/// and its neighbours is 32 times T + delta2(T) / 32.
+/// (the advecting velocity) and its two neighbours is 32 times T + delta2(T) / 32.
 inline Floats8 flux_of_fourth(const CarryingRows& by, const float* q, std::ptrdiff_t i) {
     const Floats8 before = load(by.before + i), low = load(by.low + i);
     const Floats8 high = load(by.high + i), after = load(by.after + i);
@@ -85,7 +85,7 @@ inline Floats8 rate_at(const CarryingRows& a, const CarryingRows& b, const Carry
 /// Input and output arrays of one row.
 struct RowTargets {
     const float* start;
-    const float* before;  ///< result of the earlier stages; the start in the first stage
+    const float* before;  ///< sum of the earlier stages; in the first stage, velocity at the start (m/s)
     const float* force;   ///< acceleration by forces; null: no force
     const float* open;    ///< shares of the faces that no solid covers; null: all are open
     float* sum;

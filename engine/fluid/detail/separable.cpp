@@ -46,7 +46,8 @@ std::vector<double> column(const Wave& wave, int count, double offset) {
     return result;
 }
 
-/// Shortest range that is folded (places). Folding a shorter one would take longer than the work it saves.
+/// Shortest range of places that is folded, that is, replaced by sums and differences of mirrored places.
+/// Folding a shorter one would take longer than the work it saves.
 constexpr int min_fold = 8;
 constexpr double symmetry_error = 1e-9;
 
@@ -195,7 +196,8 @@ inline void unfold(const CellRange& places, Floats8* values) {
 /// sides.
 enum class TransformDirection : std::uint8_t { to_waves, from_waves, through };
 
-/// The matrices of a transform, one for each dense range of the waves: [in][out].
+/// The matrices of a transform, [in][out]: one for each dense range, a range of places that remains after all
+/// folds.
 struct DenseTransform {
     const Waves& waves;
     const std::vector<std::vector<float>>& matrices;

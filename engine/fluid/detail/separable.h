@@ -60,7 +60,7 @@ public:
 
 private:
     std::array<Waves, 3> waves_;
-    std::vector<float> along_z_;      ///< symbols (eigenvalues) of the waves along z
+    std::vector<float> along_z_;      ///< symbols (minus eigenvalue times h^2) of the waves along z
     std::vector<float> by_x_, by_y_;  ///< symbols of the waves along x and y, in the order of a plane: [x][y]
     float scale_;
     std::vector<float> scratch_;

@@ -81,7 +81,7 @@ private:
     Lattice lattice_;
     std::array<Samples, 3> open_;
     std::array<std::vector<CutFace>, 3> cut_faces_;
-    Samples diagonal_;  ///< sum of the open shares around a cell
+    Samples diagonal_;  ///< sum of the open shares of the faces of each cell
     Samples own_;       ///< additional factor of the preconditioner for the cell's own residual (m^2)
     Rows rows_;
     PressureSolver box_;

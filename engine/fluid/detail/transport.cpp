@@ -55,7 +55,7 @@ using Floats = const float* __restrict;
 // The loops over rows are functions that are not inlined and have no branches, so that GCC 12 vectorises all
 // of them.
 
-/// One row of faces.
+/// One row of faces, with what the flux through each of them depends on.
 struct FaceRow {
     Floats courant;
     Floats aperture, third, fifth;  ///< tables of the faces; null if all faces are open
@@ -65,7 +65,7 @@ struct FaceRow {
 /// Factors of one sub-step, which covers a part of the whole time.
 struct SubstepScale {
     float courant;    ///< factor on the Courant numbers of the whole time
-    float diffusion;  ///< k dt / h^2
+    float diffusion;  ///< diffusion coefficient times dt / h^2
     float sharpness;  ///< factor of the flux against the slope (see the top of this file)
 };
 
@@ -223,7 +223,7 @@ inline float limited_difference(Floats difference, Floats part, Floats room, std
     }
 }
 
-/// Sums over the faces of one level in one sub-step.
+/// What crosses one level (cells at one height) in one sub-step, as sums over its faces.
 struct LevelCrossing {
     double density{};  ///< density that crossed the level
     double flow{};     ///< net flow of fluid (cells)

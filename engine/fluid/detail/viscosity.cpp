@@ -42,18 +42,20 @@ Slabs slabs_along(const Lattice& lattice, std::size_t across) {
 /// ends. Row r has the r-th velocity of every line, and begins `row` values after row r - 1.
 struct Lines {
     float* value;
-    const float* coefficient;  ///< dt nu / (passes h^2) of the places, from Viscosity::face_coefficients_
+    /// dt nu / (passes h^2) at the places (samples of the velocity), from Viscosity::face_coefficients_
+    const float* coefficient;
     std::ptrdiff_t row;
-    std::ptrdiff_t count;  ///< places along a line
+    std::ptrdiff_t count;  ///< number of places (velocity samples) along a line
     std::ptrdiff_t pitch;  ///< number of parallel lines, rounded up to a multiple of eight
     Edge edge;
     bool through;  ///< true: the component is parallel to the line, so it is 0 on the walls at both ends
     bool no_slip_at_solids;
-    bool varies;     ///< whether the viscosity differs between places
-    float max_link;  ///< largest coefficient of a link, not counting links that a wall shortens
-    float lid;       ///< speed of the wall at the high end (m/s)
+    bool varies;  ///< whether the viscosity differs between places
+    /// Largest coefficient of a link (coupling of two places), not counting links that a wall shortens.
+    float max_link;
+    float lid;  ///< speed of the wall at the high end (m/s)
     std::span<const CutLink> cuts;
-    std::ptrdiff_t skipped;  ///< closed places left out before the first place
+    std::ptrdiff_t skipped;  ///< number of closed places (in a solid) left out before the first place
 };
 
 /// Part of a link's coefficient that uses the velocity before the step: half of it, for second order in time,
@@ -97,11 +99,11 @@ Lines lines_along(const Lattice& lattice, const ViscousStep& step, std::size_t a
             .skipped = 0};
 }
 
-/// Scratch rows with one value for each line.
+/// Scratch rows with one value for each of the parallel lines that are solved together.
 struct RowBuffers {
-    float* closed;   ///< coefficients of closed places
+    float* closed;   ///< coefficients that stand for closed places
     float* zeros;    ///< a row of zeros
-    float* link;     ///< coefficient of the link to the next place
+    float* link;     ///< coefficient of the link (coupling by viscosity) to the next place
     float* below;    ///< implicit part of the link from the previous place
     float* flux;     ///< explicit flux from the previous place
     float* to_wall;  ///< implicit part of the link to the wall at the low end
@@ -112,7 +114,7 @@ struct RowBuffers {
 /// value, and the second solution for periodic lines.
 struct EliminationFactors {
     float* upper;   ///< factor of the next place's value for each place, preceded by a row of zeros
-    float* corner;  ///< second solution for periodic lines, preceded by a row of zeros
+    float* corner;  ///< second solution, which closes periodic lines, preceded by a row of zeros
 };
 
 /// Coefficients of the links to the walls at the low and high end, as multiples of the coefficient of
@@ -145,7 +147,8 @@ LinkRows rows_around(const Lines& lines, const RowBuffers& buffers, std::ptrdiff
     return rows;
 }
 
-/// Whether viscosity varies and place r may hold an interface on at least one of the lines.
+/// Whether viscosity varies and place r may hold an interface (border of two fluids) on at least one of the
+/// lines.
 bool may_hold_interface(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r) {
     if (!lines.varies) return false;
     const PlacesAround rows{coefficients_at(lines, buffers, r - 2), coefficients_at(lines, buffers, r - 1),
@@ -210,13 +213,14 @@ void begin(const Lines& lines, const RowBuffers& buffers, const EliminationFacto
     }
 }
 
-/// One place on each of the parallel lines.
+/// Values and coefficients of one place on each of the parallel lines.
 struct PlaceRows {
     std::ptrdiff_t index;
     float* value;
     const float* coefficient;
     const float* next_coefficient;  ///< coefficients of the next place; null at the last one
-    /// Multiple for the link to the wall at the high end, from links_to_walls; 0 before the last place.
+    /// Factor on the coefficient for the link to the wall at the high end, from links_to_walls; 0 before the
+    /// last place.
     float wall_multiple;
 };
 
@@ -229,7 +233,7 @@ PlaceRows place_at(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t
             .wall_multiple = last ? links_to_walls(lines)[1] : 0};
 }
 
-/// Eight lines at one place after the explicit half.
+/// Values at one place of eight lines after the explicit half of the step.
 struct ExplicitHalf {
     Floats8 value;
     Floats8 to_next;        ///< explicit flux to the next place, or to the wall
@@ -562,7 +566,8 @@ void Viscosity::along(const ViscousStep& step, std::size_t axis, std::size_t acr
     const RowBuffers buffers{closed_.data(), zeros.data(),   link.data(), below.data(),
                              flux.data(),    to_wall.data(), ends.data()};
     const EliminationFactors left{upper_.data() + w, corner_.data() + w};
-    // The row of zeros before the first place. Slabs of another width may have left values in it.
+    // Clears the row of zeros before the first place, because slabs of another width may have left values in
+    // it.
     for (auto* rows : {&upper_, &corner_}) std::fill_n(rows->data(), w, 0.0F);
     for (int o = 0; o < lattice_.cells[outer]; ++o) {
         if (solids_ != nullptr) {

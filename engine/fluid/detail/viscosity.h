@@ -42,14 +42,14 @@ struct ViscousStep {
     const std::array<Samples, 3>* force{};
     bool no_slip_at_solids = true;  ///< true: no slip at solids; false: free slip
     double lid{};                   ///< speed along x of a no-slip wall at the top of y (m/s)
-    double dt{};                    ///< time (s)
+    double dt{};                    ///< length of the step (s)
     int passes = 1;                 ///< number of passes into which the step is divided
 };
 
-/// A link between a place that belongs to a line of the solver and a neighbour beyond a wall.
+/// A link (coupling by viscosity) between a place on a line of the solver and a neighbour beyond a wall.
 struct CutLink {
     int slab{};
-    std::ptrdiff_t at{};  ///< index in the slab of the lower place
+    std::ptrdiff_t at{};  ///< index, in the slab, of the lower of both places
     float nearer{};       ///< h divided by the distance from the open place to the wall
 };
 
@@ -102,7 +102,7 @@ private:
     std::array<std::vector<ScaledFace>, 3> scaled_;
     std::array<std::vector<DraggedFace>, 3> dragged_;
     std::vector<float> dragged_speeds_;  ///< velocities of the dragged faces
-    /// Links that a wall cuts, by component and direction, sorted by slab.
+    /// Links that a wall cuts, by component and direction, sorted by slab (layer of parallel lines).
     std::array<std::array<std::vector<CutLink>, 3>, 3> cuts_;
     /// Range with open places, by component, direction and slab.
     std::array<std::array<std::vector<CellRange>, 3>, 3> open_ranges_;
