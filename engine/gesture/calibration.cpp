@@ -17,10 +17,10 @@ constexpr int newton_steps = 30;
 /// weights.
 constexpr double ridge = 0.05;
 
-// Constants of probability_on_purpose. Of a grid of values, these give the least mean error on letters of one
-// writer, mouse gestures of ten users, and flat figures and spells of generated users, without a loss beyond
-// chance on any.
-/// Weight in the log odds of the logarithm of the ratio of two gestures' distances.
+// Constants of probability_on_purpose. Among the values of a grid, these give the least mean error on letters
+// of one writer, mouse gestures of ten users, and flat figures and spells of generated users, without a loss
+// beyond chance on any.
+/// Weight, in the log odds, of the logarithm of the ratio of two gestures' distances.
 constexpr double margin_weight = 17;
 /// Distance by which two strokes of one figure may well differ. The ratio of distances below it tells little.
 constexpr double common_distance = 0.15;

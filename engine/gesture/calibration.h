@@ -41,7 +41,7 @@ struct LabelledEvidence {
 
 /// Turns distances into the probability that a stroke was meant as its nearest gesture.
 struct Calibration {
-    /// Weights of 1, distance, margin and usual distance.
+    /// Weights of the constant 1, of distance, margin and usual distance.
     std::array<double, 4> weights{};
     std::vector<float> usual;  ///< for each gesture, the usual distance between its strokes
     /// For each gesture, the distance from which on a stroke is not accepted as that gesture.

@@ -16,7 +16,8 @@ public:
     /// The recogniser must outlive this object.
     explicit CloseLook(const Recogniser& recogniser) : recogniser_(recogniser) {}
 
-    /// Begins with the points from `first` to `last` and the template that the windows chose.
+    /// Begins with the points from `first` to `last`, a window of the spotter, and the template that it
+    /// resembles.
     void begin(std::size_t first, std::size_t last, const RecogniserSpace::Survivor& match);
     /// Ends the look without a result.
     void stop() { active_ = false; }
@@ -25,11 +26,11 @@ public:
     /// Does one step. Returns true when the search has ended; then the results below are valid.
     bool step(ShapeSpace& points);
 
-    /// First point of the best part.
+    /// First point of the part of the motion that fits the template best.
     std::size_t first() const { return first_; }
     /// Last point of the best part.
     std::size_t last() const { return last_; }
-    /// Distance of that part from the template.
+    /// Distance of the best part from the template.
     float distance() const { return distance_; }
 
 private:

@@ -44,7 +44,7 @@ Shares read_variations(const Recogniser& recogniser, std::span<const Gesture> ge
     return shares;
 }
 
-/// Distance from the nearest template of `from` to `to`, where `to` is the only gesture of the recogniser.
+/// Least distance of a template of `from` to the gesture `to`, by a recogniser that knows only `to`.
 Expected<double> distance_between(const Gesture& from, const Gesture& to, const RecogniserSettings& settings,
                                   RecogniserSpace& space) {
     auto alone = settings;

@@ -27,8 +27,8 @@ inline Wide smaller_of(Wide a, Wide b) {
     return reinterpret_cast<Wide>(x < y ? x : y);
 }
 
-/// Strokes for the lanes: OneStroke is one stroke for all lanes; the other is eight strokes in the layout of
-/// EightShapes. `from` gives the strokes of the lanes from a given lane on.
+/// Strokes for the lanes: OneStroke gives all lanes the same stroke, EightStrokes gives each its own (in the
+/// layout of EightShapes). `from` gives the strokes of the lanes from a given lane on.
 struct OneStroke {
     const float* values;
     OneStroke from(std::size_t) const { return *this; }

@@ -22,12 +22,13 @@ template <std::size_t points>
 struct alignas(32) EightOf {
     std::array<float, points * max_channels * lanes> values{};
 };
-/// Eight templates in the shape of the first comparison.
+/// Eight templates in the shape with which they are compared first.
 using EightShapes = EightOf<shape_points>;
 /// Eight templates in the fine shape.
 using EightFineShapes = EightOf<fine_points>;
 
-/// Puts the values of eight templates in the lanes. A template may be given several times.
+/// Puts the values of eight templates in the lanes. A template may be given several times, to fill lanes that
+/// are not needed.
 void set_lanes(EightShapes& eight, std::size_t channels, const std::array<const float*, lanes>& values);
 void set_lanes(EightFineShapes& eight, std::size_t channels, const std::array<const float*, lanes>& values);
 

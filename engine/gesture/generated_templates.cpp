@@ -11,8 +11,8 @@ constexpr double tolerance = 15;  // largest rotation against the template (degr
 
 GestureOptions options_of(Figure figure) {
     GestureOptions o;
-    // A circle or star that starts at another place is a rotated one, whose force rises and falls at another
-    // place. So these two figures may be rotated by any angle.
+    // A circle or star that starts at another place equals a rotated one whose force rises and falls
+    // elsewhere. So these two figures may be rotated by any angle.
     o.closed = figure == Figure::circle || figure == Figure::star;
     o.rotation = o.closed ? pi : tolerance / (180 / pi);
     o.direction_sensitive = figure == Figure::s;

@@ -60,7 +60,7 @@ struct UserStyle {
     std::array<vec3, max_nodes> idea{};
 };
 
-/// Draws the style of a new user.
+/// Draws the style of a new user at random.
 UserStyle random_style(Random& random);
 
 /// How hard a user draws.

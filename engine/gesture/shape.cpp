@@ -11,20 +11,22 @@
 namespace thaum::gesture {
 namespace {
 
-constexpr std::size_t few_points = 200;  // number of points up to which computing all places first is faster
-/// Exponent that a fine shape applies to the ratio of the axes' sizes, and the least size of an axis that
-/// counts, as a share of the largest.
+// Number of points up to which it is faster to compute the places of all than to search for some.
+constexpr std::size_t few_points = 200;
+/// Exponent that a fine shape applies to the ratio of the axes' sizes, and the size below which an axis
+/// counts as this large, as a share of the largest.
 constexpr float axis_exponent = 0.5F, min_axis = 0.5F;
 // Length of a direction after a long step, and the step (in sizes of the stroke) at which the direction has
-// half that length. Where points lie close together, their direction is uncertain.
+// half that length. Where points lie close together, their direction is uncertain, and so counts less.
 constexpr float direction_weight = 1.3F, slow_step = 0.12F;
 constexpr float force_deviation = 0.5F;  // standard deviation of the force channel
 // A rest may begin where the hand moves little for some time: a part of the stroke that lasts for about
 // `halt_share` of the longest halt is at most `halt_way` long, plus `tremor_step` for each step of tremor.
 // Lengths are shares of the extent.
 constexpr float halt_share = 0.75F, min_halt = 0.8F, halt_way = 0.04F, tremor_step = 0.01F;
-constexpr float surely_quick = 10;  // duration from which on all points of a stroke, not only the copied
-                                    // ones, are searched for rests (s)
+// Duration above which all points of a stroke are searched for rests; in a shorter stroke, the copied points
+// come first (s).
+constexpr float surely_quick = 10;
 /// Number of points outside of rests that is enough for a shape. If there are fewer, all points of the stroke
 /// are read, so that others replace those of rests.
 constexpr std::size_t enough_points = 48;
@@ -103,7 +105,7 @@ bool all_of(Ints4 lanes) { return (lanes[0] & lanes[1] & lanes[2] & lanes[3]) !=
 /// Step in points so that at most counted_points of the stroke are used.
 std::size_t stride_of(std::size_t points) { return (points + counted_points - 1) / counted_points; }
 
-/// Results of `copy`.
+/// What `copy` has found out about a stroke.
 struct Copied {
     bool finite{};   ///< true if all times and forces are finite
     bool plain{};    ///< true if each point has another place than the one before, and no earlier time
@@ -232,7 +234,7 @@ float distance(const ShapePoint& a, const ShapePoint& b) {
     return std::sqrt(dx * dx + dy * dy + dz * dz);
 }
 
-/// Keeps the copied points of the moving parts.
+/// Keeps the copied points of the moving parts and drops those of rests.
 void keep_moving(const MovingParts& parts, ShapeSpace& s) {
     const float start_t = s.t[parts.items[0].first];
     std::size_t count = 0;

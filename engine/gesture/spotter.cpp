@@ -8,18 +8,19 @@ namespace {
 
 constexpr double points_of_shortest = 40;  // number of points of the shortest window (a part of the motion
                                            // that is compared with templates)
-// Number of window ends within the arc length of the shortest window.
+// Number of places along the shortest window at which windows end.
 constexpr double ends_of_shortest = 14;
 /// Largest overlap of two reported gestures, as a share of the shorter one.
 constexpr double max_overlap = 0.15;
 // A gesture's score also depends on the usual distance between its own strokes. With this usual distance the
 // score is neither raised nor lowered.
 constexpr double plain_usual = 0.06;
-// Least dot product of a window and a template, as a share of the template's with itself.
+// Least dot product of a window and a template that are then compared elastically, as a share of the
+// template's product with itself.
 constexpr float min_match = 0.5F;
 constexpr std::size_t kept_points = max_points / 2;
 constexpr float max_looked_at = 0.25F;  // largest score of a window that gets a close look (close_look.h)
-// Interval of the ticks that are used for close looks, if some are due (ticks).
+// Interval at which a tick is used for a close look, if one is due (ticks).
 constexpr std::uint32_t look_every = 4;
 
 // Constants of the factors that, besides the distance, separate gestures from other motion. On strokes of
@@ -213,7 +214,7 @@ void Spotter::look_at_window(std::size_t first, bool depth) {
     window.first = first;
     window.start = origin_.t + static_cast<double>(points_.t[first]);
     window.end = origin_.t + static_cast<double>(points_.t[end_]);
-    // Templates that are means are left out: the mean of several strokes is smoother than any of them, and
+    // Templates that are means of strokes are left out: a mean is smoother than any of its strokes, and
     // motion that is no gesture is nearer to it.
     const Recogniser::Limits limits{.length_range = static_cast<float>(settings_.length_range),
                                     .means = false};
@@ -297,7 +298,7 @@ void Spotter::hold(const Candidate& c, std::size_t first, const RecogniserSpace:
     };
     if (!beats(seen_[c.gesture])) return;
     if (held.waiting && !beats(held.what)) return;
-    // A waiting window that is due, and not worse, gets its close look first.
+    // A waiting window that is due, and not worse, gets its close look first, so the new one is dropped.
     if (held.waiting && now_ >= held.due && c.score >= held.what.score) return;
     held = {true, c, dropped_ + first, dropped_ + end_, match, now_ + settings_.hold};
 }

@@ -24,7 +24,7 @@ namespace thaum::gesture {
 
 /// Settings of a Spotter.
 struct SpotterSettings {
-    /// Largest ratio of the arc lengths of a stroke and its template, and of the template to the stroke.
+    /// Largest ratio between the arc lengths of a stroke and a template, whichever of them is longer.
     double length_range = 3;
     double window_ratio = 1.12;  ///< ratio between the arc lengths of consecutive windows
     double longest = 8;          ///< longest duration of a stroke (s)
@@ -40,7 +40,7 @@ struct Candidate {
     std::uint32_t runner_up = Recognition::none;
     float distance{};
     float runner_up_distance{};
-    float score{};          ///< score, as described above; the smaller, the surer
+    float score{};          ///< score, as the top of this file describes it; the smaller, the surer
     double start{}, end{};  ///< times of the first and the last point (s)
     double mean_force{};
 
@@ -55,7 +55,8 @@ struct Spotted {
     double told{};  ///< time at which the gesture was reported (s)
 };
 
-/// Chooses among candidates that overlap. Separate from the scanner, so that thresholds can be compared.
+/// Chooses among candidates that overlap. Separate from the scanner, so that trials can compare thresholds on
+/// the same candidates.
 class CandidateChoice {
 public:
     CandidateChoice(double wait, float max_score) : wait_(wait), max_score_(max_score) {}
@@ -89,8 +90,8 @@ public:
     /// Allocates nothing.
     std::optional<Spotted> feed(const StrokePoint& point);
 
-    /// Does what `feed` does, but only collects the candidates of those ends of windows that were finished in
-    /// this tick.
+    /// Like `feed`, but reports nothing: returns all candidates of those ends of windows that were finished
+    /// in this tick.
     std::span<const Candidate> scan(const StrokePoint& point);
 
     std::uint64_t ends() const { return ends_; }  ///< number of window ends so far, skipped ones included
@@ -147,7 +148,7 @@ private:
     vec3 latest_{};         ///< place of the last point that was appended
     double now_ = -1e300;   ///< time of the last tick (s)
     float spacing_, end_step_;
-    float last_end_ = 0;  ///< arc length at the last scanned end
+    float last_end_ = 0;  ///< arc length at the last window end that was scanned
     std::vector<Window> windows_;
     std::size_t window_count_ = 0, verified_ = 0;
     float next_length_ = 0;  ///< arc length of the next window in this scan

@@ -81,11 +81,12 @@ public:
     }
 
     /// Shortens a rest by the approach to its place and by the departure from it, and extends it by all
-    /// neighbouring points (from `begin` on) in which the hand only trembles. A run that was found from the
-    /// approach may have ended too early, at a point of tremor far from its middle.
+    /// neighbouring points (from `begin` on) in which the hand only trembles. Extending is needed because a
+    /// run that began in the approach may have ended too early, at a point of tremor far from its middle.
     Rest without_motion(Rest rest, std::size_t begin) const {
-        // Distance from the middle, relative to its root mean square over the run, below which a point counts
-        // as tremor instead of motion. Points that differ only by rounding are no motion either.
+        // Distance from the middle below which a point counts as tremor instead of motion, as a multiple of
+        // the root mean square distance of the run's points. Points that differ only by rounding are no
+        // motion either.
         constexpr auto tremor_reach = static_cast<Real>(2.5), rounding = static_cast<Real>(1e-9);
         const auto points = static_cast<Real>(rest.last - rest.first + 1);
         Vec sum(0);
@@ -98,7 +99,7 @@ public:
         while (rest.first < rest.last && square_from(rest.middle, rest.first) > near) ++rest.first;
         while (rest.first < rest.last && square_from(rest.middle, rest.last) > near) --rest.last;
         const auto trembles = [&](std::size_t i) { return square_from(rest.middle, i) <= near; };
-        // A single point outside between points that tremble may be noise.
+        // A single point outside, between points that tremble, may be noise, so the rest goes on beyond it.
         const std::size_t end = stroke_.size();
         while (rest.first > begin &&
                (trembles(rest.first - 1) || (rest.first > begin + 1 && trembles(rest.first - 2))))

@@ -140,7 +140,8 @@ void calibrate_group(std::vector<Trial>& trials, std::uint32_t group) {
     }
 }
 
-/// Probability that only the share `false_accepts_wanted` of the strokes of unknown gestures exceeds.
+/// The probability that is exceeded by only the share `false_accepts_wanted` of the strokes of unknown
+/// gestures.
 double threshold_of(std::vector<double> unknown) {
     if (unknown.empty()) return 0;
     std::sort(unknown.begin(), unknown.end(), std::greater<>());

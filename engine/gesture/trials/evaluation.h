@@ -26,7 +26,7 @@
 
 namespace thaum::gesture {
 
-/// Whose strokes are templates, and whose are tested (see above).
+/// Whose strokes are templates, and whose are tested (see the top of this file).
 enum class Protocol : std::uint8_t { user_dependent, leave_user_out, random };
 
 /// The protocol with this name; std::nullopt: there is none.
@@ -59,7 +59,7 @@ struct Trial {
     bool right() const { return known && answer == truth; }
 };
 
-/// Trials of about the same shown probability.
+/// Trials of about the same probability, to compare it with the share of right answers.
 struct ReliabilityBin {
     std::size_t count{};
     double confidence{};  ///< mean probability
@@ -102,10 +102,10 @@ struct Certainty {
     double told{};
     double right{};  ///< share of the sure answers that are right; 0 if there are none
 };
-/// Certainty with which answers of at least this probability are told.
+/// Certainty of a method that tells only answers of at least this probability.
 Certainty certainty_of(const Evaluation& evaluation, double min_probability);
 
-/// Templates of one fold.
+/// Templates of one fold (a round of the test).
 std::vector<Gesture> gestures_of(std::span<const Stroke> strokes, const GestureIndex& index,
                                  std::span<const std::vector<std::size_t>> templates);
 

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::array<std::string_view, 6> names{"dot", "tdnn", "directions", "elastic", "default", "early"};
 
-/// The answer with the highest score. A score of 1 is the greatest possible.
+/// The gesture with the highest score, as an answer. The greatest possible score is 1, so 1 - score serves as
+/// the distance.
 Answer answer_of(std::span<const double> scores) {
     Answer answer;
     double best = -2, second = -2;

@@ -21,7 +21,7 @@ struct Found {
     double at{};  ///< time at which the candidate was found (s)
 };
 
-/// Counts of one session at one threshold.
+/// Numbers of right, false and missed reports in one session at one threshold.
 struct Count {
     std::size_t right{}, wrong{}, missed{};
     std::vector<double> delays;  ///< times from the end of a gesture to its report (s)
@@ -102,7 +102,7 @@ Count count_at(float threshold, std::span<const Found> found, const Truth& truth
     return count;
 }
 
-/// Counts of each session and threshold.
+/// The reports that were counted in each session at each threshold.
 using Counts = std::vector<std::array<Count, thresholds>>;
 
 Count sum_of_others(const Counts& counts, std::size_t without, std::size_t threshold) {
