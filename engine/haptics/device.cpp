@@ -41,7 +41,8 @@ void read_motion(const ConfigTable& table, DeviceSpec& spec) {
     spec.update_rate = table.number("update_rate_hz", {10, 100'000});
     spec.latency = static_cast<int>(table.integer("latency_ticks", {0, max_latency}));
     const double shortest = std::min({spec.workspace.x, spec.workspace.y, spec.workspace.z});
-    // Position over quantum is a count of the encoder, which must be exact in the 53 bits of a double.
+    // Smallest quantum that is accepted (m). Position over quantum is a count of the encoder, which must be
+    // exact in the 53 bits of a double.
     constexpr double min_quantum = 1e-9;
     if (spec.position_quantum > 0 && spec.position_quantum < min_quantum)
         report(table, "position_quantum_m", text("must be 0 or at least ", min_quantum));

@@ -203,7 +203,7 @@ void feel_flow(const FluidTouch& touch, FluidTouchState& state, const FluidTip& 
     if (!is_finite(force) || !is_finite(step)) return;
     damping.take(forces.slope, damping.left);
     state.force = force;
-    // A flow this fast is taken for an error of reading, and its work does not count.
+    // A larger step is taken for a reading error of the flow, and its work does not count.
     if (glm::length(step) <= longest_step) state.flow_work = glm::dot(forces.resistance, step);
     feel.passive += forces.viscosity + forces.resistance;
     feel.active += forces.flow;

@@ -102,10 +102,10 @@ struct BowlFrame {
     double newtons_per_newton{};  ///< s_f: device force per world force, >= 0
 };
 
-/// Drag of a ladle.
+/// Coefficients of the drag on a ladle.
 struct LadleDrag {
-    double viscous{};  ///< coefficient `viscous` in (1) and (2), >= 0 (m)
-    double form{};     ///< coefficient `form` in (3), >= 0 (m^3/s)
+    double viscous{};  ///< coefficient `viscous` in equations (1) and (2) above, >= 0 (m)
+    double form{};     ///< coefficient `form` in equation (3) above, >= 0 (m^3/s)
     /// Mass of fluid that a push of the ladle moves (kg): the fluid's density divided by the peak of the
     /// kernel (1/m^3) over which the push is spread. For fluid::push with a radius r it is 32 pi / 105 r^3
     /// times the density. 0: the flow does not react, and no loop limits the drag.
@@ -141,7 +141,7 @@ struct BowlWall {
                              ///< allows
 };
 
-/// The ladle's own mass (6), which a spring ties to the hand.
+/// The ladle's own mass (equation 6), which a spring ties to the hand.
 struct LadleMass {
     double mass{};       ///< mass (kg); 0: none
     double stiffness{};  ///< stiffness of the spring between mass and hand, > 0 (N/m)
@@ -150,7 +150,7 @@ struct LadleMass {
 };
 
 inline constexpr std::uint32_t fluid_period = 16;  ///< period of fluid steps (ticks)
-/// Largest gain of the loop from the hand through the fluid back to the hand (see above).
+/// Largest gain of the loop from the hand through the fluid back to the hand (see the top of this file).
 inline constexpr double loop_gain = 0.4;
 
 /// Fluid part of the haptic model.
@@ -174,13 +174,14 @@ void add_fluid_step(FluidTouch& touch, const FlowPatch& newest);
 
 /// State of the fluid forces; no padding. All zero without a fluid.
 struct FluidTouchState {
-    vec3 force{};  ///< sum of (1), (2) and (3) on the hand, before budget, cap and heat (N)
+    /// Sum of viscosity (1), flow (2) and resistance (3) on the hand, before budget, cap and heat (N).
+    vec3 force{};
     vec3 place{};  ///< place of the probe, held inside by the wall, whether felt or not (m, bowl frame)
-    vec3 wall{};   ///< force of the wall on the hand, (5) (N)
+    vec3 wall{};   ///< force of the wall on the hand, equation (5) (N)
     vec3 mass_position{}, mass_velocity{};  ///< position and velocity of the ladle's own mass (m, m/s)
-    double surface_force{};                 ///< upward force of (4) in the bowl (N)
-    double surface_height{};                ///< height h of the surface that was used (m)
-    /// Energy that the flow gives by (3) in the coming tick, at the hand's scale (J).
+    double surface_force{};   ///< upward force of the surface, equation (4), in the bowl frame (N)
+    double surface_height{};  ///< height h of the surface that was used (m)
+    /// Energy that the flow gives by its resistance (3) in the coming tick, at the hand's scale (J).
     double flow_work{};
     double immersed{};       ///< immersed share of the ladle, 0 to 1
     std::uint64_t number{};  ///< FluidTouch::number of the last tick; 0: there was no fluid
@@ -213,9 +214,9 @@ FluidForces feel_fluid(const FluidTouch& touch, FluidTouchState& state, const Fl
 /// Force of the flow on the ladle as commanded in the last tick (N, bowl frame). The fluid gets the opposite.
 vec3 force_on_ladle(const FluidTouch& touch, const FluidTouchState& state);
 
-/// Force (1) + (2) + (3) on a ladle at full strengths, without any limit by a device (N, bowl frame). It
-/// equals force_on_ladle if all strengths are full and the device can render them. A world whose hands may
-/// feel less of this force, or nothing, gives the opposite of it to the fluid.
+/// Sum of viscosity (1), flow (2) and resistance (3) on a ladle at full strengths, without any limit by a
+/// device (N, bowl frame). It equals force_on_ladle if all strengths are full and the device can render them.
+/// A world whose hands may feel less of this force, or nothing, gives the opposite of it to the fluid.
 vec3 full_drag(const FluidTouch& touch, vec3 place, vec3 velocity, double immersed,
                std::uint32_t model_age = 0);
 

@@ -36,7 +36,7 @@ Response by_series(double x, double q) {
     Response r{.t = 1, .s = 1, .s1 = 0.5, .s2 = 1.0 / 6};
     double before = 0, term = 1, factor = 0;
     for (std::size_t n = 1; n <= max_terms; ++n) {
-        factor += 2 * x;  // now 2 x n
+        factor += 2 * x;  // equals 2 x n now
         const double next = -(factor * term + q * before) * reciprocals.term[n];
         before = term;
         term = next;
@@ -86,7 +86,7 @@ struct Twofold {
 };
 
 Twofold halves(double a) {
-    const double scaled = 134217729 * a;  // 2^27 + 1
+    const double scaled = 134217729 * a;  // 2^27 + 1, which splits the digits of `a` into two halves
     const double high = scaled - (scaled - a);
     return {high, a - high};
 }

@@ -152,7 +152,8 @@ void advance_with_friction(const SimulatedDevice& d, Axis& a) {
         const double held = holding_time(d, a, left);
         hold(a, held);
         left -= held;
-        // Load and friction cancel at the release. Their rounding error must not start the body backwards.
+        // Load and friction cancel at the release. Their rounding error must not start the body backwards, so
+        // the acceleration is set to 0.
         if (left > 0) left = slide_on(d, a, a.target_velocity > 0 ? 1 : -1, 0, left);
     }
     if (left > 0) hold(a, left);

@@ -8,10 +8,10 @@
 namespace thaum::haptics {
 namespace {
 
-/// Stores a position and returns the velocity over the window, or the filled part of it (m/s). A velocity
-/// over one tick would have noise of centimetres per second by the encoder's quantum. A position that is not
-/// finite makes the velocity NaN when it arrives and when it is the oldest; the safety stage cuts the force
-/// on both.
+/// Stores a position and returns the mean velocity over the stored ones, which span at most `velocity_window`
+/// ticks (m/s). A velocity over one tick would have noise of centimetres per second by the encoder's quantum.
+/// A position that is not finite makes the velocity NaN when it arrives and when it is the oldest; the safety
+/// stage cuts the force on both.
 vec3 store_position(ServoState& state, vec3 position) {
     auto& ring = state.positions;
     const bool full = state.samples == velocity_window;

@@ -13,7 +13,7 @@ inline constexpr std::size_t velocity_window = 8;  ///< ticks over which the tip
 /// What the servo knows of the tip in one tick (device frame).
 struct Tip {
     vec3 position{};      ///< measured position (m)
-    vec3 velocity{};      ///< velocity over the window (m/s)
+    vec3 velocity{};      ///< velocity over the last `velocity_window` ticks (m/s)
     double path_speed{};  ///< speed along the path, see `path_speed` (m/s)
     bool switched{};      ///< a source of force appeared, ended or jumped
     bool stops{};         ///< the haptic model is stale, or the player wants no forces
@@ -22,8 +22,7 @@ struct Tip {
 /// Stores the position that a device with this quantum (m) has measured. Returns it with its motion.
 Tip move_tip(ServoState& state, vec3 position, double quantum);
 
-/// Velocity of the tip over the stored positions, or those that are filled (m/s); zero before the second
-/// sample.
+/// Mean velocity of the tip over the stored positions (m/s); zero before the second one.
 vec3 tip_velocity(const ServoState& state);
 
 /// Smallest deviation from a line that counts as motion, not noise (m).

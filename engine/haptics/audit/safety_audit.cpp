@@ -229,7 +229,8 @@ void SafetyAudit::begin_fade(const SafetyLimits& limits, const SafetyInput& inpu
     const double moved =
         may_shrink ? distance_from_line(output, last_output_) : length_of_vector(output - last_output_);
     const double step = limits.slew * tick_seconds;
-    // If an earlier offset was still fading, its work on the hand shortens it, too. `fade_on` checks that.
+    // The jump is not checked if an earlier offset was still fading, because its work on the hand shortens
+    // it, too. `fade_on` checks that case.
     if (!may_be_fading_)
         count(SafetyRule::slew, moved > fading_step(limits, input) * (1 + 1e-8) + rounding(last_output_));
 
@@ -249,7 +250,8 @@ void SafetyAudit::begin_fade(const SafetyLimits& limits, const SafetyInput& inpu
 
 /// Share of the offset, 0 to 1, that still serves to hide the switch: the largest with
 /// |share * offset - remnant| <= |goal|. The remnant is the output before the switch, shortened by time. The
-/// goal is the output without the offset. If no share fulfils this, the one with the smallest left side.
+/// goal is the output without the offset. If no share fulfils this, it is the one with the smallest left
+/// side.
 double SafetyAudit::share_that_hides(vec3 goal) const {
     const double square = glm::dot(offset_, offset_);
     if (!(square > 0)) return 1;
@@ -258,8 +260,8 @@ double SafetyAudit::share_that_hides(vec3 goal) const {
 }
 
 /// Smallest share of the offset, 0 to 1, with which the output jumps no farther than a falling cap and a
-/// spring of the device's stiffness explain, found by bisection. If every share jumps farther, the share with
-/// the smallest jump.
+/// spring of the device's stiffness explain, found by bisection. If every share jumps farther, it is the
+/// share with the smallest jump.
 double SafetyAudit::steady_share(vec3 goal, const SafetyInput& input) const {
     const double square = glm::dot(offset_, offset_);
     if (!(input.stiffness > 0 && square > 0)) return 0;

@@ -21,7 +21,7 @@ bool contains(const SurfacePatch& patch, std::uint32_t key) {
                        [key](const SurfaceBody& body) { return body.key == key; });
 }
 
-/// Returns true if a touched body is no longer in the patch.
+/// Returns true if a touched body is no longer in the patch (the surfaces near the tip).
 bool has_lost_body(const SurfacePatch& patch, const SurfaceState& surface) {
     if (patch.count == 0) return surface.contacts != 0;
     for (std::uint32_t i = 0; i < surface.contacts; ++i)
@@ -81,11 +81,11 @@ bool has_active_texture(const SurfacePatch& patch) {
                        [](const SurfaceBody& b) { return b.material.texture.kind == TextureKind::impact; });
 }
 
-/// Computes the contact of the patch with the tip moved by the contact offset. The motion of the player's
-/// frame and the decay of the offset bring the world closer. Neither may press the tip in, so the offset
-/// grows by the depth that they cause. The force therefore grows only by the motion of the hand and of
-/// bodies. A player who stands with the wand at a wall feels the same force after turning. After a jump of
-/// the patch, the offset takes the whole depth and the force starts at zero.
+/// Computes the contact of the patch with the tip, moved by the contact offset. This offset takes up the
+/// depth by which the motion of the player's frame, or its own decay, would press the tip in. The force
+/// therefore grows only by the motion of the hand and of bodies: a player who stands with the wand at a wall
+/// feels the same force after turning. After a jump of the patch, the offset takes the whole depth and the
+/// force starts at zero.
 ContactResult touch_with_offset(ServoState& state, const SurfacePatch& patch, const FrameMotion& drifting,
                                 const TouchingTip& probe, double dt) {
     const vec3 fading = state.contact_offset * (tick_seconds / contact_offset_decay);

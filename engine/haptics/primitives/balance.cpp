@@ -85,7 +85,7 @@ double length_of(Problem& problem) {
                     4 * rounding_of(problem.centre));
 }
 
-/// Rate at which the smoothing shrinks with the gap of next_smoothing().
+/// How fast the smoothing shrinks, by the gap that next_smoothing() measures.
 struct Pace {
     double good;   ///< factor of the gap after a step as exact as on a quadratic problem
     double poor;   ///< factor of the gap after any other step
@@ -126,8 +126,8 @@ void follow_path(Problem problem, vec3 x, const Pace& pace, double accepted, Sol
             keep_if_better(best, problem, x, bound);
         }
         if (round >= 3) {
-            const bool small = round >= hard_rounds && round % 2 == 1;  // a smaller guess, for kinks that
-                                                                        // nearly meet
+            // Guesses fewer active kinks, for kinks that nearly meet.
+            const bool small = round >= hard_rounds && round % 2 == 1;
             const double square = smoothing * std::max(small ? 0 : length, 9 * smoothing);
             Problem guess = problem;
             const double spread = try_active_sets(guess, x, square, accepted, best, steps);
@@ -143,7 +143,8 @@ void follow_path(Problem problem, vec3 x, const Pace& pace, double accepted, Sol
     }
 }
 
-/// Resets the problem at x, the place of the proxy without the terms.
+/// Sets the problem back to its start: no term is active or exerts a force, and distances are those at x, the
+/// place of the proxy without the terms.
 void reset(Problem& problem, vec3 x) {
     set_origin(problem, problem.centre);
     for (Term& term : terms_of(problem)) term.dual = {}, term.active = false;

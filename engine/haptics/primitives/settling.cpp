@@ -47,7 +47,8 @@ void adapt_pace(Settling& state, const ProxyWay& way, double moved) {
     state.pace = std::clamp(state.pace, min_pace, state.bound);
 }
 
-/// Lets the bound of the pace fall by the factor of a tick, and rise with the motion of tip and fields.
+/// Lets the bound of the pace (largest change of the force in a tick) fall by its factor, and rise with the
+/// motion of tip and fields.
 void adapt_bound(Settling& state, const ProxyWay& way, double field_motion) {
     const double away = glm::distance(way.tip, state.rest);
     const double motion = std::max(0.0, away - still_range) + field_motion;
@@ -72,7 +73,7 @@ vec3 pull_of_hand(const ProxyWay& way) {
 
 /// Largest share of a way, 0 to 1, that changes the force by at most `most` (N). `start` is the change of the
 /// force if the proxy stays, and `along` the change that the whole way adds (N). If every share changes it by
-/// more, the share with the least change.
+/// more, it is the share with the least change.
 double share_within(vec3 start, vec3 along, double most) {
     const double square = glm::dot(along, along);
     if (!(square > 0)) return 0;

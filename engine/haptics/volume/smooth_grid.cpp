@@ -127,7 +127,8 @@ field::Scalar SmoothGrid::operator()(vec3 place) const {
         return x.adjacent ? adjacent_samples(row + x.offset[0]) : samples_of(row, x);
     };
     const field::Scalar result = scalar_of(sums_of(grid.first, middle, y, z, as_stored), middle, x);
-    // A sample that is not finite makes the result so. Only then are samples read as a picture shows them.
+    // A sample that is not finite makes the result not finite. Only then are samples read as a picture shows
+    // them.
     if (std::isfinite(result.value)) return result;
     const auto as_shown = [&](const float* row) { return samples_of(row, x, shown); };
     const double base = shown(middle);

@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t primitives_of_guide = 2;
 constexpr std::size_t primitives_of_wall = 2;
-constexpr std::size_t primitives_of_feel = 2;  // gravity, and the force S
+// Number of primitives besides guides and walls: gravity, and the force S along the gradient.
+constexpr std::size_t primitives_of_feel = 2;
 
 double finite_or_zero(double x) { return std::isfinite(x) ? x : 0; }
 

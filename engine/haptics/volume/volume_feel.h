@@ -55,8 +55,8 @@ MaterialField material_field_of(const Source& source) {
 
 /// Feel of the voxels with one material index, as factors of what their densities give.
 struct MaterialFeel {
-    double stiffness{1};  ///< factor of S and of the strength of walls, >= 0
-    double viscosity{1};  ///< factor of R, >= 0
+    double stiffness{1};  ///< factor of the force S along the gradient and of the strength of walls, >= 0
+    double viscosity{1};  ///< factor of the drag R, >= 0
 };
 /// Feel of each material, by its index.
 using MaterialTable = std::array<MaterialFeel, 256>;
@@ -120,9 +120,9 @@ struct VolumeFeel {
 
 /// What the hand feels of a volume besides the primitives.
 struct VolumeFelt {
-    double viscosity{};        ///< C of R(v), for HapticModel::viscosity (N s/m)
-    double opacity{};          ///< opacity at the tip, 0 to 1
-    double stiff{};            ///< S at the tip, negative towards larger densities (N)
+    double viscosity{};  ///< coefficient C of the drag R = C v, for HapticModel::viscosity (N s/m)
+    double opacity{};    ///< opacity at the tip, 0 to 1
+    double stiff{};      ///< force S along the gradient at the tip, negative towards larger densities (N)
     std::uint32_t touched{};   ///< bit i: wall i has planes near the proxy
     std::uint32_t material{};  ///< material index at the tip
 };

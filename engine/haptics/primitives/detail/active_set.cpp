@@ -42,7 +42,7 @@ void fix(Flat& flat, vec3& x, vec3 q, double height) {
     flat.normals[flat.count++] = normal;
 }
 
-/// Unit vector normal to a kink along which x is most free to move within the flat.
+/// Of the unit vectors normal to a kink, the one along which x is most free to move within the flat.
 vec3 freest_normal(const Flat& flat, const Term& term) {
     if (term.identity == 0) return term.q;
     if (flat.count == 0) return normals_to(term.q)[0];
@@ -52,7 +52,7 @@ vec3 freest_normal(const Flat& flat, const Term& term) {
     return length > 1e-9 ? free / length : normals_to(term.q)[0];
 }
 
-/// Moves x onto the line or plane of a term.
+/// Moves x onto the line or plane of a term, and returns that line or plane.
 Flat flat_of(const Term& term, vec3& x) {
     x -= project(term, x) - term.offset;
     if (term.identity == 0) return {{term.q}, 1};

@@ -6,9 +6,10 @@
 
 namespace thaum::haptics::balancing {
 
-/// Intersection of the active kinks: all x whose components along the normals are fixed.
+/// Intersection of the active kinks (points, lines and planes): all x whose components along the normals are
+/// fixed.
 struct Flat {
-    std::array<vec3, 3> normals{};  ///< orthonormal
+    std::array<vec3, 3> normals{};  ///< unit vectors, each normal to the others, along which x is fixed
     std::size_t count{};            ///< number of fixed directions, 0 to 3
 
     /// Component of v within the flat.
@@ -20,9 +21,9 @@ struct Flat {
 
 /// Two unit vectors normal to q and to each other.
 std::array<vec3, 2> normals_to(vec3 q);
-/// The active term if there is exactly one, else null.
+/// The active term (whose kink is assumed to hold x) if there is exactly one, else null.
 Term* only_active(Problem& problem);
-/// Makes active exactly the terms whose squared distance is below `square` (m^2).
+/// Makes active exactly the terms from whose kinks x has a squared distance below `square` (m^2).
 void guess_active_set(Problem& problem, double square);
 /// Moves x onto all active kinks. In each round it takes the kink whose normal the flat so far leaves most
 /// free, because a nearly fixed direction is badly known. A kink whose directions are all fixed already is

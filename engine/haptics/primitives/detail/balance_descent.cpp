@@ -92,7 +92,7 @@ void go_down(Problem& problem, vec3& x, vec3 step) {
     x += t * step;
 }
 
-/// Adds the kinks that x touches to the active set.
+/// Adds the kinks that x touches to the active set (those assumed to hold x).
 void activate_touched(Problem& problem, vec3 x) {
     measure_distances(problem, x);
     const double rounding = rounding_of(world_of(problem, x));

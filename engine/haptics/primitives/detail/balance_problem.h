@@ -34,8 +34,8 @@ struct Term {
     bool active;         ///< x is assumed to lie on its kink
 };
 
-/// Terms of a problem. They take 3 KB and are copied at each guess, so only those in use are copied or
-/// cleared.
+/// The terms of a problem, one for each kink. They take 3 KB and are copied at each guess, so only those in
+/// use are copied or cleared.
 struct Terms {
     std::array<Term, primitive_capacity> items;
     std::size_t count = 0;
@@ -105,7 +105,7 @@ void set_origin(Problem& problem, vec3 origin);
 /// Moves the origin to the point nearest to x on the nearest kink, so that small distances have full
 /// precision. Does nothing if the present origin is nearer to x.
 void move_origin(Problem& problem, vec3& x);
-/// Measures the distances of all terms from x.
+/// Measures the distance of x from the kink of each term.
 void measure_distances(Problem& problem, vec3 x);
 /// The start with the least energy: `free`, where the spring and the constant forces alone would put x, or
 /// the place nearest to it on one of the kinks.

@@ -5,7 +5,7 @@
 namespace thaum::haptics::balancing {
 namespace {
 
-/// Residual up to which a set counts as solved (N).
+/// Residual (bound of the force's error) up to which a set of primitives counts as solved (N).
 constexpr double solved = 1e-9;
 
 /// Computes the distances of all terms (balance_problem.h) at x, and limits their forces to their strengths.

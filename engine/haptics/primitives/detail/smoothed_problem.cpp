@@ -29,7 +29,7 @@ double next_try(const Problem& problem, vec3 step, double low, double high) {
 struct Part {
     double taken = 1;       ///< the fraction, 0 to 1
     bool good = false;      ///< the whole step was taken and the slope at its end is small
-    bool falls_on = false;  ///< the whole step was taken and the problem still falls at its end
+    bool falls_on = false;  ///< the whole step was taken and the energy still falls at its end
 };
 
 /// Chooses the fraction of the step: the whole step, unless the energy at its end rises more steeply than a

@@ -38,7 +38,7 @@ bool moved_over(const Scene& scene, const SurfaceState& state, const Facet& flat
            over_triangle(scene.surface(flat.surface), flat.normal, x, place_tolerance);
 }
 
-/// Whether a solid moved over the proxy. The proxy must not stay inside.
+/// Whether a solid moved over the proxy, so that the proxy must leave it.
 bool moved_over(const Scene& scene, std::uint32_t i, vec3 from, vec3 x, Wall& wall) {
     if (from != x) {
         Hit hit;

@@ -16,14 +16,14 @@ struct Piece {
     enum class Kind : std::uint8_t { plane, about_point, about_line } kind{};
     /// Part of the solid: -1, 0 and 1 are the lower end, the side and the upper end of a capsule.
     int zone{};
-    vec3 centre{};    ///< a point of the core (m)
+    vec3 centre{};    ///< a point of the core, which is the centre or the axis of a round piece (m)
     vec3 axis{};      ///< direction of the line, or normal of the plane (unit)
     double radius{};  ///< distance of the proxy from the core, gap included; for a plane its offset (m)
 };
 
 constexpr int not_round = 2;  // zone of the flat parts and edges of a solid
 
-/// Part of a solid nearest to x, which lies outside.
+/// Zone (see Piece) of the part of a solid that is nearest to x, which lies outside.
 int zone_of(const Surface& s, quat orientation, vec3 x) {
     if (s.kind == SurfaceKind::sphere) return 0;
     if (s.kind != SurfaceKind::capsule && s.kind != SurfaceKind::cylinder) return not_round;
@@ -68,7 +68,7 @@ Distance distance_to(const Piece& piece, vec3 y) {
     return {length - piece.radius, length > 0 ? out / length : vec3(0, 1, 0)};
 }
 
-/// Second derivative of the distance along a tangent (1/m).
+/// Second derivative of the distance from a piece, along a tangent of the piece (1/m).
 double bend_along(const Piece& piece, vec3 y, vec3 tangent) {
     if (piece.kind == Piece::Kind::plane) return 0;
     const double along = piece.kind == Piece::Kind::about_line ? glm::dot(piece.axis, tangent) : 0;
@@ -86,7 +86,8 @@ struct Path {
     vec3 from{}, way{};
     bool has_end{};  ///< for two pieces: true if `end` is known
     vec3 end{};      ///< for two pieces: last place (m)
-    /// Point of the core nearest to the tip (m). This field and those below are for one piece.
+    /// Point of the core (centre or axis of the piece) nearest to the tip (m). This field and those below are
+    /// for one piece.
     vec3 core{};
     vec3 out{};         ///< direction from `core` to the tip (unit)
     vec3 side{};        ///< direction at right angles to `out`, on the proxy's side (unit)
@@ -157,7 +158,8 @@ Path path_on_one(const Piece& piece, vec3 x, vec3 tip) {
 /// Newton's step along the curve in which two pieces meet, towards the place where the pull has no component
 /// along the curve.
 Path path_on_two(const Piece& a, const Piece& b, vec3 x, vec3 tip, vec3 direction) {
-    // Smallest trusted second derivative, relative to that of a straight curve.
+    // Smallest second derivative with which the step is computed, relative to that of a straight curve. A
+    // smaller one would make the step too long.
     constexpr double flattest = 1e-3;
     Path path{.pieces = {a, b}, .count = 2, .from = x};
     const vec3 na = distance_to(a, x).normal, nb = distance_to(b, x).normal;
@@ -180,8 +182,8 @@ Path path_on_two(const Piece& a, const Piece& b, vec3 x, vec3 tip, vec3 directio
 
 // ---- where a path ends ------------------------------------------------------------------------------------
 
-/// Loads of the walls that hold the proxy on a path, as lengths: with one stiffness, forces are in
-/// proportion.
+/// Loads of the walls that hold the proxy on a path, given as lengths: with one stiffness, forces are in
+/// proportion to them.
 struct Loads {
     double least{};   ///< smallest depth of a wall; at zero the wall releases the proxy (m)
     double pull{};    ///< pull along the walls (m)
@@ -384,7 +386,8 @@ bool within_reach(const Track& track, double s) {
 
 // ---- the sweep --------------------------------------------------------------------------------------------
 
-/// Vector out of the surface. A step along it rises by its own length above each piece.
+/// Vector out of the surface at y, whose component along the normal of each piece is 1; less in a very sharp
+/// crease.
 vec3 outward(const Path& path, vec3 y) {
     constexpr double steepest = 0.1;
     const vec3 a = distance_to(path.pieces[0], y).normal;
@@ -409,7 +412,7 @@ Obstacle obstacle_on(const Scene& scene, const Sweep& way, SurfaceSet passed_ove
 /// first place over an apex to its last, and stay outside the surfaces on which the path lies.
 struct Tangents {
     vec3 from{}, apex{}, to{};
-    double reach{};  ///< largest distance of their places from `from` (m)
+    double reach{};  ///< largest distance of a place of these lines from `from` (m)
 };
 
 /// Tangents between the places of a path at the parameters `from` and `to`. `a` is the place at `from`.
@@ -421,7 +424,7 @@ Tangents tangents_between(const Track& track, double from, vec3 a, double to) {
     return {a, apex, b, std::max(glm::length(apex - a), glm::length(b - a))};
 }
 
-/// First obstacle on two tangents.
+/// First obstacle on the two tangents that stand for a part of a path.
 Obstacle obstacle_on(const Scene& scene, const Tangents& tangents, SurfaceSet passed_over) {
     const vec3 apex = tangents.apex;
     const Obstacle first = obstacle_on(scene, Sweep(tangents.from, apex - tangents.from), passed_over);

@@ -50,7 +50,8 @@ Relief relief_at(const Texture& t, const BumpMap& bumps, vec3 place) noexcept {
     const double u = glm::dot(arm, t.axes[0]), v = glm::dot(arm, t.axes[1]);
     constexpr double max_turns = 1e9;
     const double least = t.wavelength * max_turns;
-    // Farther than `least` from the origin, rounding leaves the place within a wavelength unknown.
+    // Farther than `least` from the origin, rounding leaves the place within a wavelength unknown, so there
+    // is no texture.
     if (!(std::abs(u) < least && std::abs(v) < least)) return {};
     if (t.kind == TextureKind::bumps) return bumps_at(t, bumps, u, v);
     const double turns = u / t.wavelength;

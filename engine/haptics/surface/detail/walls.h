@@ -7,7 +7,8 @@ namespace thaum::haptics {
 
 inline constexpr std::size_t max_walls = 4;
 
-/// Plane through the place where the proxy touches a surface. x is in front of it if normal.x >= offset.
+/// Plane through the place where the proxy touches a surface. A point x is in front of it if the dot product
+/// of normal and x is >= offset.
 struct Wall {
     vec3 normal{};
     double offset{};  ///< distance of the plane from the origin along the normal (m)

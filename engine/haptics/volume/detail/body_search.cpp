@@ -14,15 +14,15 @@ namespace {
 constexpr std::array<double, 2> first_looks{0.1, 0.5};
 constexpr double look_samples = 0.5;
 constexpr int max_looks = 16;
-/// Largest distance of the found surface from the start of a search at which the direction read at the start
-/// is used for the surface too (samples). At larger distances, the tangent would put the plane of a thin
-/// sheet at changing places. `same_slope_apart` applies where the drawn surface (of the samples in the
-/// picture) and the smooth surface (of the smoothed field) lie apart.
+/// Largest distance between the start of a search and the surface that it finds at which the direction read
+/// at the start serves for that surface, too (samples). At larger distances, the tangent would put the plane
+/// of a thin sheet at changing places. `same_slope_apart` applies where the drawn surface (of the samples in
+/// the picture) and the smooth surface (of the smoothed field) lie apart.
 constexpr double same_slope = 0.5, same_slope_apart = 0.02;
 /// Distance between drawn and smooth surface at which they count as apart (samples).
 constexpr double apart = 0.25;
-/// Largest distance between the drawn and the smooth surface that the steps which samples make in a surface
-/// can cause (samples; body_search.h). A larger distance means a thin sheet or a cut face.
+/// Largest distance between the drawn and the smooth surface that comes from the small steps which samples
+/// make in a surface (samples; body_search.h). A larger distance means a thin sheet or a cut face.
 constexpr double max_search_step = 0.5;
 /// Largest distance between the drawn surface and the plane that stands for it: as a share of the tip's
 /// depth, and in samples. Both limits apply.
@@ -31,11 +31,12 @@ constexpr double depth_share = 0.3, max_eased = 0.5;
 /// as shares of the tip's depth, for a plane that rises and for one that sinks, and in samples along the
 /// normal.
 constexpr double rising_share = 0.88, sinking_share = 8, max_late = 1;
-/// Smallest share of the slew by which a plane may always move. The tip's motion against the plane, which
-/// changes the force too, takes the rest of the slew.
+/// Smallest share of the slew (largest motion of a plane in a tick) by which a plane may always move. The
+/// tip's motion against the plane, which changes the force too, takes the rest of the slew.
 constexpr double min_slew = 0.25;
-/// Depth of the tip behind the smooth surface (samples along the normal). At less depth, a step in the drawn
-/// surface on the tip's way may put the tip outside of the body, so that the plane lets it go.
+/// Depth of the tip behind the surface of the smoothed field (samples along the normal). At less depth, a
+/// step in the drawn surface on the tip's way may put the tip outside of the body, so that the plane lets it
+/// go.
 constexpr double let_go = 0.75;
 /// Depth in the body that the tip must keep on its way ahead, as a share of the height of its plane above it.
 /// It is more than the sinking plane needs, since the reads ahead may miss the top of a step.
@@ -184,8 +185,9 @@ std::optional<BodySearch::Slope> BodySearch::slope_of(const field::Scalar& here)
 /// Gradient of the field at a place. If the averages of blocks of samples give nearly the same direction and
 /// have their surface near the place, their direction is used. For a thin sheet they may do neither.
 std::optional<BodySearch::Slope> BodySearch::slope_at(vec3 place) {
-    constexpr double differs = 0.1, agrees = 0.4;  // cosines up to which the averages do not count, and from
-                                                   // which on they count fully
+    // Cosines of the angle between both gradients up to which the averages do not count, and from which on
+    // they count fully.
+    constexpr double differs = 0.1, agrees = 0.4;
     ++contact_.reads;
     field::Scalar here = surface_.field(to_reader(place));
     here.gradient = here.gradient * box_.placement.turn;
@@ -305,7 +307,7 @@ bool BodySearch::stays_in(vec3 target, vec3 out, double depth, double height) {
 
 /// Distance from a place on the drawn surface to its plane, along the direction out of the body (m), for a
 /// tip at `target`. The plane lies towards the smooth surface. From the plane of the last tick, on which the
-/// proxy lies, it moves by at most the slew.
+/// proxy lies, it moves by at most the slew (LevelSurface::slew).
 double BodySearch::eased(const Found& found, vec3 proxy, vec3 target) {
     const auto& [place, way] = found;
     const double depth = std::max(0.0, glm::dot(place - target, way.out)), sample = sample_along(way.out);
