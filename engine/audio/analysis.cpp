@@ -139,7 +139,7 @@ std::span<const float> audible_part(std::span<const float> samples) {
 
 Signature signature_of(std::span<const float> samples) {
     const auto audible = audible_part(samples);
-    constexpr std::size_t moments = 4;  // columns of the spectrogram in each quarter
+    constexpr std::size_t moments = 4;  // columns of the spectrogram in each quarter of the sound
     const auto spectrogram = spectrogram_of(audible, signature_quarters * moments, signature_bands);
     Signature signature{};
     double loudest = -200;

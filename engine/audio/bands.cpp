@@ -9,11 +9,11 @@
 namespace thaum::audio {
 namespace {
 
-/// Samples per sample that is filtered. The bands end at 1.2 kHz, so every eighth sample is enough.
+/// Only one of so many samples is filtered. The bands end at 1.2 kHz, so every eighth sample is enough.
 constexpr std::size_t thinning = 8;
 constexpr double thin_rate = static_cast<double>(sample_rate) / thinning;
 constexpr std::size_t thin_per_block = frame_samples / thinning;
-/// Blocks after the end of a sound in which its filters ring.
+/// Number of blocks after the end of a sound in which the filters of the bands still ring.
 constexpr std::size_t tail_blocks = 12;
 
 /// A second-order filter: a state variable filter by the trapezoidal rule, which stays exact at low
@@ -83,7 +83,8 @@ std::vector<double> thinned(const Sound& sound) {
 void follow_band(const std::vector<double>& samples, const Band& band, std::size_t number, BandCourse& out) {
     BandPower power(band);
     // A loop sounds as if it had always been playing, so its filters begin in the state that they have at its
-    // end. For this at least 2 s are filtered beforehand, longer than any filter rings.
+    // end. For this at least 2 s (12,000 thinned samples) are filtered beforehand, longer than any filter
+    // rings.
     constexpr std::size_t min_before = 12'000;
     for (std::size_t i = 0, before = samples.size(); out.loops && i < std::max(before, min_before); ++i)
         power.take(samples[i % before]);

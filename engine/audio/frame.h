@@ -34,8 +34,7 @@ struct Voice {
     /// Identifies a lasting voice from frame to frame; unused for voices that play once.
     std::uint32_t key{};
     std::uint32_t heard_by{3};  ///< bit i: listener i hears the voice
-    bool at_ear{};              ///< true: the voice has no place, and is equally loud wherever the listener
-                                ///< is
+    bool at_ear{};              ///< true: the voice has no place, and is equally loud everywhere
     /// True: played at the ear, but the caption names the side on which `position` lies.
     bool sided{};
     vec3 position{};  ///< position of the sound (m, world)

@@ -71,7 +71,7 @@ struct Mixer::State {
     MixReport report;
     bool hrtf_fails = false;
 
-    // Contents of the newest frame, with invalid values replaced.
+    // Listeners and voices of the newest frame, with invalid values replaced.
     std::uint32_t listener_count = 1;
     std::array<Listener, max_listeners> listeners{};
     std::array<Voice, 32> lasts{};

@@ -60,7 +60,8 @@ double Playback::step(double now_s) {
         drop_waiting();
         return silent_rest_s;
     }
-    // If this thread itself was held up, the device is not to blame for all of that time.
+    // If this thread itself was held up, the device is not to blame for all of that time, so only a part
+    // counts.
     waited_s_ += std::clamp(now_s - last_step_s_, 0.0, longest_wait_s);
     const auto blocks = allowed(device_->wanted(), now_s);
     feed(blocks);
@@ -89,7 +90,7 @@ void Playback::try_open(double now_s) {
     last_step_s_ = now_s;
     waited_s_ = 0;
     credit_ = max_at_once;
-    // Nobody has heard what was played or queued before this moment.
+    // Nobody has heard what was played or queued before this moment, so it is dropped.
     mixer_.silence();
     drop_waiting();
     say("sound plays");
@@ -100,7 +101,8 @@ void Playback::lose(double now_s, std::string_view why) {
     open_ = plays_ = false;
     if (abandoned_) return;
     ++report_.times_lost;
-    // Another device may already be available, such as the speakers after headphones were pulled out.
+    // Another device may already be available, such as the speakers after headphones were pulled out, so the
+    // next try comes at once.
     next_try_s_ = now_s;
     say(text("no sound: ", why, "; trying to open it again"));
 }

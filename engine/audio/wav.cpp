@@ -11,7 +11,7 @@
 namespace thaum::audio {
 namespace {
 
-/// Sizes in a WAV file are 32-bit numbers.
+/// Most bytes of samples in a WAV file: its sizes are 32-bit numbers, and 100 bytes are left for the header.
 constexpr std::uint64_t max_wav_bytes = std::numeric_limits<std::uint32_t>::max() - 100;
 
 std::uint16_t bytes_of(WavFormat format) { return format == WavFormat::whole_16 ? 2 : 4; }

@@ -33,8 +33,8 @@ struct Config::State {
     /// Marks all keys within a value as asked for, so that a table in the place of a number is reported once,
     /// not key by key.
     void mark_asked(const toml::node& value);
-    /// Keeps a fault. `misleads`: true if the fault keeps the reader from knowing which keys belong to this
-    /// table.
+    /// Adds a fault to those of the file. `misleads`: true if the fault keeps the reader from knowing which
+    /// keys belong to this table.
     void report(const toml::node* where, FaultKind kind, std::string_view key, std::string what,
                 bool misleads = false);
 };

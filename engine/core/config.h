@@ -25,7 +25,7 @@ struct Range {
 
 class ConfigTable;
 
-/// One parsed file.
+/// A parsed file, and the faults that its readers have found in it.
 class Config {
 public:
     /// `name` is used in messages. The file must have an integer `version` equal to the given one.

@@ -131,7 +131,7 @@ Reduced reduce(double x) {
     constexpr double to_integer = 0x1.8p52;
     const double k = (x * 0x1.45f306dc9c883p-1 + to_integer) - to_integer;
     const Double2 near = sum_of(x - k * half_pi_high, -(k * half_pi_middle));
-    // The three parts of pi/2 have too few bits so near to a multiple of pi/2.
+    // The angle is so near to a multiple of pi/2 that the three parts of pi/2 have too few bits for it.
     if (std::abs(near.high) < 0x1p-20) return reduce_exactly(x);
     const Double2 sum = sum_of(near.high, near.low - k * half_pi_low);
     return {sum.high, sum.low, static_cast<int>(static_cast<std::int64_t>(k) & 3)};

@@ -37,8 +37,8 @@ std::size_t changes_between(std::string_view a, std::string_view b) {
 
 std::string_view near_name(std::string_view word, std::span<const std::string_view> names) {
     if (word.size() > longest_word || std::ranges::find(names, word) != names.end()) return {};
-    // Allows one edit in a word of 3 to 6 letters and two in a word of 7 to 10. A word of two letters allows
-    // none, because every other such word would be near.
+    // Allows one edit in a word of 3 to 6 letters, two in a word of 7 to 10, and three in a longer one. A
+    // word of two letters allows none, because every other such word would be near.
     std::size_t least = std::min<std::size_t>((word.size() + 1) / 4, 3) + 1;
     std::string_view nearest;
     for (const auto name : names) {

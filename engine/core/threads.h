@@ -12,8 +12,8 @@
 
 namespace thaum {
 
-/// Memory in which a signal handler runs (SA_ONSTACK) after the stack of its thread has
-/// overflowed. Each thread needs its own.
+/// Memory in which a signal handler can run (SA_ONSTACK) after the stack of its thread has overflowed. Each
+/// thread needs its own.
 class FaultStack {
 public:
     /// Makes this the signal stack of the calling thread, unless that thread already has one. The memory must

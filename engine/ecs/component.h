@@ -210,8 +210,8 @@ constexpr bool lists_fields_once() {
     }
 }
 
-/// Number of types that have a type number so far. Once a World has arrays of that size, no type may be
-/// added, and `closed` is set.
+/// Number of types that have a type number so far. The first World makes arrays of that size and sets
+/// `closed`; from then on no type may be added.
 struct TypeNumbers {
     std::uint32_t count = 0;
     std::atomic<bool> closed = false;  // atomic, since Worlds may be created on several threads
@@ -253,11 +253,11 @@ concept Component = !Blob<T> && !ResourceType<T> && std::is_trivially_copyable_v
 }
 &&(Tag<T> || Described<T>);
 
-/// A type that a World can declare.
+/// A type that a World can declare: a component or a blob.
 template <class T>
 concept Declarable = Component<T> || Blob<T>;
 
-/// A type to which systems declare access.
+/// A type to which systems declare access: a component, a blob or a resource.
 template <class T>
 concept Accessible = Declarable<T> || ResourceType<T>;
 

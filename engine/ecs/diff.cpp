@@ -51,7 +51,7 @@ std::optional<std::vector<Described>> get_components(ByteReader& in) {
             }
             c.fields.push_back(std::move(field));
         }
-        if (c.is_blob && c.fields.size() != 1) return {};  // the number of which its elements consist
+        if (c.is_blob && c.fields.size() != 1) return {};  // a blob's elements have one field: a number
     }
     if (!in.ok()) return {};
     return result;
@@ -184,8 +184,8 @@ std::string element_text(const BlobOf& blob, std::size_t i) {
     return value_text(blob.bytes.data() + i * blob.type->size + number.offset, number.scalar);
 }
 
-/// Lists elements of a blob that differ. A blob that one snapshot lacks, or whose size differs, counts as one
-/// difference. If the types of the elements differ, so does each element.
+/// Lists the elements of a blob that differ. A blob that one snapshot lacks, or whose size differs, counts as
+/// one difference. If the types of the elements differ, so does each element.
 void diff_blob(const Parsed& a, const Parsed& b, const std::string& name, std::size_t limit,
                std::vector<Difference>& out) {
     const auto x = blob_of(a, name), y = blob_of(b, name);

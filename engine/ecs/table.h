@@ -91,7 +91,7 @@ struct Column {
 /// Number of 64-bit words that a bit column of `rows` rows needs.
 constexpr std::size_t words_for(std::uint32_t rows) { return (std::size_t{rows} + 63) / 64; }
 
-/// One bit per row. Bits at and beyond `rows` are zero.
+/// A tag of a table: one bit per row, set where the entity has the tag. Bits at and beyond `rows` are zero.
 struct TagColumn {
     std::uint32_t component{};
     std::pmr::vector<std::uint64_t> words;

@@ -147,7 +147,7 @@ public:
     template <Component C>
     void on_add(Hook hook) {
         added_[id<C>()] = hook;
-        forget_packs();  // each pack remembers whether its components have a hook
+        forget_packs();  // the cached data of `create` include whether there is a hook
     }
     /// Sets the hook for components of this type that are about to be removed. A Hook whose `call` is null
     /// removes it.
@@ -294,7 +294,8 @@ private:
     Hole narrow(Entity entity, std::uint32_t component);
     void mark(Entity entity, std::uint32_t tag);
     void unmark(Entity entity, std::uint32_t tag);
-    /// Access by component number and bytes, shared by commands and the typed calls.
+    /// The next functions reach components by their numbers and bytes; commands and the typed calls share
+    /// them.
     void add_bytes(Entity entity, std::uint32_t component, const void* bytes);
     void remove_by_id(Entity entity, std::uint32_t component);
     const void* find_bytes(Entity entity, std::uint32_t component) const;
@@ -322,9 +323,9 @@ private:
     TableMemory memory_{table_memory_bytes};
     std::vector<Pooled<Table>> tables_;  // tables; the first one has no components
     const TableEdge no_edge_{memory_};
-    // The edge that was used last. Entities that are spawned together get the same component one after
-    // another. Their edge is then known before their records are read. Such a change takes 21 ns instead of
-    // 26 (1,000 loose objects of the game get a Body, row add_1 of `thaum bench ecs`).
+    // The table edge (ecs/table.h) that was used last. Entities that are spawned together get the same
+    // component one after another. Their edge is then known before their records are read. Such a change
+    // takes 21 ns instead of 26 (1,000 loose objects of the game get a Body, row add_1 of `thaum bench ecs`).
     const TableEdge* last_edge_ = &no_edge_;
     std::vector<Record, ArrayAllocator<Record>> records_;
     std::uint32_t free_ = none;
@@ -332,7 +333,7 @@ private:
     // Cache of queries, by the type number of the view. Each query keeps its address, since views refer to
     // it.
     mutable std::vector<std::unique_ptr<Query>> queries_;
-    std::vector<Pack> packs_;  // cache of packs, by the type number of the list of components
+    std::vector<Pack> packs_;  // cached data of `create`, by the type number of the list of components
     mutable std::uint32_t locks_ = 0;
     const Access* access_ = nullptr;
 };
@@ -460,7 +461,7 @@ inline void World::unmark(Entity entity, std::uint32_t tag) {
     const auto row = record.row;
     const auto [to_row, last, filler] = edge.from->move(row, entity, edge);
     records_[filler.index].row = row;
-    // Set after the line above, because the entity itself may have been in the last row.
+    // Set after the record of `filler`, which is this same record if the entity was in the last row.
     record.table = edge.to_number;
     record.row = to_row;
     Table::move_cells(edge, row, last, to_row);

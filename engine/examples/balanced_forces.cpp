@@ -1,4 +1,4 @@
-// Four haptic primitives act on a proxy that a spring ties to the probe: one of each kind. Prints where the
+// Four haptic primitives, one of each kind, act on a proxy that a spring ties to the probe. Prints where the
 // proxy comes to rest and with which force each primitive holds it there (device frame).
 #include <array>
 #include <iostream>

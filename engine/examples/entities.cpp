@@ -21,7 +21,7 @@ struct Speed {
 };
 
 struct Resting {
-    static constexpr std::string_view name = "Resting";  ///< no fields: a tag
+    static constexpr std::string_view name = "Resting";  ///< a component without fields is a tag
 };
 
 void fall(ecs::World& world, Tick) {

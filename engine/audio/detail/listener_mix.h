@@ -13,7 +13,7 @@
 
 namespace thaum::audio::detail {
 
-/// Checked voices of one block.
+/// The voices of one block, after their values were checked.
 struct BlockVoices {
     std::span<const Voice> lasts;
     std::span<const Voice> begins;
@@ -21,7 +21,7 @@ struct BlockVoices {
 
 class ListenerMix {
 public:
-    /// `index` is the listener's number, 0 or 1. The facts must outlive this object.
+    /// `index` is the listener's number, 0 or 1. The facts about the sounds must outlive this object.
     ListenerMix(std::unique_ptr<Loopback> device, std::span<const SoundFacts> sounds, std::uint32_t index);
 
     /// Renders one block. `clock` is the number of samples since the mixer was made;
@@ -38,7 +38,7 @@ public:
     void set_hrtf(bool wanted) { device_->set_hrtf(wanted); }
 
 private:
-    /// A voice that has a source.
+    /// A voice that plays, because it has a source of OpenAL.
     struct Playing {
         Voice voice;
         std::uint32_t source{};
@@ -50,7 +50,7 @@ private:
         double muffled{};
         fvec3 place{};
     };
-    /// A voice that wants a source in this block.
+    /// A voice that wants a source of OpenAL in this block, to play or to go on playing.
     struct Candidate {
         const Voice* voice{};
         std::int32_t playing{-1};  ///< index of the voice in the list of playing voices; -1: not in the list

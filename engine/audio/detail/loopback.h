@@ -37,7 +37,7 @@ public:
     // In the functions below, `source` is an index into the pool. Each call must be made while a scope from
     // `enter` exists.
     ContextScope enter() const { return {al_, context_}; }
-    /// Returns a free source that has the buffer of the sound.
+    /// Returns a free source, with the buffer of the sound attached.
     std::uint32_t take(std::uint32_t sound);
     /// Stops a source and frees it.
     void give_back(std::uint32_t source);

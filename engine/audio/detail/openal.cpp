@@ -35,8 +35,8 @@ void choose_short_periods() {
 
 void ignore_alsa_message(const char*, int, const char*, int, const char*, ...) {}
 
-/// ALSA prints several lines for each device that it lacks. OpenAL loads ALSA itself, so ALSA's functions are
-/// looked up in the library that is already loaded.
+/// Turns off the messages of ALSA, which prints several lines for each device that it lacks. OpenAL loads
+/// ALSA itself, so ALSA's functions are looked up in the library that is already loaded.
 void silence_alsa() {
     void* const alsa = ::dlopen("libasound.so.2", RTLD_LAZY | RTLD_NOLOAD);
     if (alsa == nullptr) return;

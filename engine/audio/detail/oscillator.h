@@ -35,7 +35,7 @@ inline double sine_of_cycles(const SineTable& table, double cycles) {
 }
 inline double sine_of_cycles(double cycles) { return sine_of_cycles(sine_table(), cycles); }
 
-/// Gain of an envelope at `time`, without its decay.
+/// Gain of an envelope at `time`, as if it held its level instead of decaying.
 double steady_gain_at(const Envelope& envelope, double time);
 
 /// Factor by which a gain with this decay (s) falls within `time` (s). With a decay of 0 the gain never

@@ -213,7 +213,8 @@ void add_grains(Canvas& canvas, const Grains& grains, Random random) {
     const Envelope envelope = fitted(grains.envelope, canvas, span);
     const double seconds = static_cast<double>(span.count) * sample_s;
     const double widest = det::log(grains.high_hz / grains.low_hz);
-    // The first grain starts when the part becomes audible.
+    // In a part that lasts, the first grain comes at a random time; else it comes as the part becomes
+    // audible.
     double time = span.lasting ? random.uniform() / grains.rate : std::min(envelope.attack, 1 / grains.rate);
     while (time < seconds) {
         const double hz = grains.low_hz * det::exp(widest * random.uniform());

@@ -39,7 +39,8 @@ public:
     }
 
 private:
-    /// Names that readers asked for in the table of this key. The key may be a misspelling of one of them.
+    /// Names of the keys that readers asked for in the table of this unknown key, which may be one of them
+    /// misspelt.
     std::vector<std::string_view> open_names(const UnknownKey& key) const {
         const auto found = asked_.find(key.table);
         if (found == asked_.end()) return {};

@@ -263,7 +263,7 @@ std::string hint_of_key(std::string_view key) {
     return std::ranges::all_of(key, is_plain) ? "" : "a key has only letters a-z, digits, '_' and '-'";
 }
 
-/// Hint for a line that does not depend on the lines before it.
+/// Hint that can be found from one line alone, whatever the lines before it.
 std::string hint_of_line(std::string_view line, std::string_view parsers_words) {
     if (line.find('\r') < line.size() - 1) return "end lines with a line feed";
     if (begins_with_one_of(line, {"<<<<<<<", "=======", ">>>>>>>", "|||||||"}))
