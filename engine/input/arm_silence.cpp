@@ -67,7 +67,7 @@ void hand_on(int signal, void* context) {
     ::sigaddset(&one, signal);
     ::pthread_sigmask(SIG_BLOCK, &one, nullptr);
     ::sigaddset(&static_cast<ucontext_t*>(context)->uc_sigmask,
-                signal);  // becomes the thread's mask when the handler returns
+                signal);  // so that it stays blocked when the handler returns
     ::kill(::getpid(), signal);
 }
 

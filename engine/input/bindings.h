@@ -69,8 +69,7 @@ std::string_view name_of(Action action);
 inline constexpr std::array<Action, 4> toggle_actions{Action::fire, Action::trace, Action::stir,
                                                       Action::clutch};
 
-/// Codes of mouse buttons, gamepad buttons and gamepad axes. The window layer converts its own codes to
-/// these.
+/// Codes of mouse buttons. The window layer converts its own codes to these, to PadButton and to PadAxis.
 enum class MouseButton : std::uint8_t { left, right, middle, fourth, fifth };
 /// Buttons of a game pad, by their names on an Xbox pad.
 enum class PadButton : std::uint8_t {

@@ -28,7 +28,7 @@ std::int64_t whole_steps(double amount, double& rest) {
     return static_cast<std::int64_t>(whole);
 }
 
-/// Returns the part of `total` that was not taken before, as far as a sample can hold it.
+/// Takes the part of `total` that was not taken before, as far as a sample can hold it.
 std::int32_t take_new(const std::atomic<std::int64_t>& total, std::int64_t& taken) {
     constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
     const auto amount = std::clamp(total.load(std::memory_order_relaxed) - taken, -most, most);
@@ -198,7 +198,8 @@ void HandsCollector::publish() {
     const auto pressed = held & ~std::uint64_t{held_before_};
     const auto released = std::uint64_t{held_before_} & ~held;
     held_before_ = static_cast<std::uint32_t>(held);
-    // Held and latched bits change in one step, so that `take` cannot see a press twice with a gap between.
+    // The bits for "held now" and "pressed since" change in one step, so that `take` cannot see a press twice
+    // with a gap between.
     buttons_.fetch_or(pressed | pressed << latch_shift, std::memory_order_relaxed);
     buttons_.fetch_and(~released, std::memory_order_relaxed);
 

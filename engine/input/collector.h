@@ -102,7 +102,7 @@ private:
     // The next members are used by the simulation thread.
     Turn turn_right_, turn_up_;
     std::int64_t right_taken_ = 0, up_taken_ = 0, wheel_taken_ = 0;
-    double wheel_held_ = 0;             ///< part of the next wheel step of a control that is held
+    double wheel_held_ = 0;             ///< share of its next wheel step that a held control has collected
     std::int32_t wheel_way_taken_ = 0;  ///< direction of the wheel at the last `take`
 };
 

@@ -37,8 +37,8 @@ constexpr bool is_valid(const FaderChange& change) {
     return change.fader <= hand_faders && change.percent <= (force ? force_as_rules : 100);
 }
 
-/// Kind of a device, which decides the meaning of `DeviceSample::counts`. `arm` is a stylus with arm::Count.
-/// All others are hands with hand::Count.
+/// Kind of a device, which decides the meaning of `DeviceSample::counts`. `arm` is a stylus, whose counts are
+/// those of arm::Count. All others are hands, whose counts are those of hand::Count.
 enum class DeviceKind : std::uint8_t { keyboard_mouse, keyboard_half, pad, bot, script, arm };
 inline constexpr std::size_t device_kinds = 6;
 

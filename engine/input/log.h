@@ -123,7 +123,8 @@ public:
     /// lock. No allocation while the disk lags less than 4 s behind.
     void append(const InputFrame& frame);
     /// Appends the hashes of state and forces after `tick` ticks. `tick` is a multiple of hash_interval,
-    /// rises, and is not beyond the appended frames. Call it before the next frame is appended.
+    /// larger than at the last call, and not beyond the appended frames. Call it before the next frame is
+    /// appended.
     void append_hash(Tick tick, std::uint64_t state, std::uint64_t force);
     /// Marks the state after `ticks()` ticks. A block of 512 ticks holds at most 64 marks; others are
     /// dropped.

@@ -364,7 +364,7 @@ std::optional<Error> LogWriter::error() const {
 Expected<void> LogWriter::close(std::string_view result, std::optional<HashRecord> last) {
     if (!state_->finished) {
         state_->result = result;
-        // A log that stopped early has no end block.
+        // Hashes for another tick are dropped: a log that stopped early gets no end block to hold them.
         if (last && last->tick == ticks()) state_->last = last;
     }
     state_->finish(AfterBlock::end_block);

@@ -14,7 +14,7 @@
 #include "input/detail/pad_places.h"
 #include "input/pad_mapping.h"
 
-// The reasons for these settings of SDL:
+// How this file sets SDL up, and why:
 //
 // - SDL's own drivers for some pads (HIDAPI) are off, so that every pad is one of Linux's event devices: the
 //   user needs one permission for all, and motors run through that device (input/rumble.h).

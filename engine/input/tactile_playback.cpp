@@ -19,7 +19,8 @@ constexpr double s_per_tick = 1e-3;
 void merge(const tactile::TactileFrame& older, tactile::TactileFrame& newer) {
     for (std::size_t i = 0; i < newer.amplitude.size(); ++i) {
         if (!(older.amplitude[i] > newer.amplitude[i])) continue;
-        // An actuator that has just become silent has no carrier frequency of its own.
+        // An actuator that has just become silent has no carrier frequency of its own, so it takes the older
+        // one.
         if (newer.amplitude[i] == 0) newer.carrier_hz[i] = older.carrier_hz[i];
         newer.amplitude[i] = older.amplitude[i];
     }

@@ -16,7 +16,7 @@ constexpr double caught_speed = 1;
 /// Largest speed away from the ground at which a walking mover is kept on the ground, as over a crest of 50
 /// degrees (m/s).
 constexpr double held_speed = 4;
-constexpr double noticed_force = 50;  // smallest shortfall of the drive that counts as resistance (N)
+constexpr double noticed_force = 50;  // smallest loss of driving force that counts as resistance (N)
 constexpr double still = 1e-6;        // smaller velocity changes are ignored (m/s)
 
 struct Ground {
@@ -60,12 +60,12 @@ vec3 wish_on(const Physics& physics, Key key, const Ground& ground, vec3 wish,
     return limited(carried + wish, most) - carried;
 }
 
-/// Whether something resisted the last drive in this direction.
+/// Whether something kept the mover from the velocity to which it was last driven in this direction.
 bool resisted(const MoverState& state, vec3 now, vec3 direction, double mass, double dt) {
     return state.driven && glm::dot(state.expected - now, direction) * mass > noticed_force * dt;
 }
 
-/// Change of velocity in the plane of the ground in this step.
+/// Change of velocity by which the mover is driven along the ground in this step.
 vec3 drive(const MoverSettings& settings, const MoverState& state, vec3 target, vec3 now, double mass,
            double dt) {
     const vec3 missing = target - now;

@@ -43,7 +43,7 @@ struct MoverSettings {
 
 /// State of a mover between steps; the caller stores it with the body's state.
 struct MoverState {
-    /// Velocity relative to the ground that the last drive gives if nothing resists (m/s).
+    /// Velocity relative to the ground to which the mover was last driven, if nothing resisted (m/s).
     vec3 expected{};
     vec3 ground_normal{0, 1, 0};  ///< normal of the last ground
     double falling{};             ///< downward speed while in the air (m/s)

@@ -182,7 +182,7 @@ void Physics::Impl::before_step(double dt) {
         if (!body.dynamic() || body.was_asleep) continue;
         body.start_velocity = limited(body.state.velocity, settings.max_speed);
         vec3 velocity = body.start_velocity * body.kept_velocity;
-        // Bullet adds gravity * dt to the velocity.
+        // Bullet adds gravity * dt to the velocity, but the exact law gives gravity * drive_s.
         if (settings.exact_flight) velocity += settings.gravity * (body.drive_s - dt);
         body.bt().setLinearVelocity(to_bullet(velocity));
         body.bt().setAngularVelocity(to_bullet(limited(body.state.spin, settings.max_spin) * body.kept_spin));
@@ -194,7 +194,7 @@ void Physics::Impl::correct_flight(Body& body, vec3 from) const {
     const vec3 velocity = body.state.velocity;
     const vec3 free = body.start_velocity * body.kept_velocity + settings.gravity * body.drive_s;
     if (glm::length(velocity - free) > push_tolerance * (1 + glm::length(free))) return;
-    // If the solver removed penetration, it changed the position but not the velocity.
+    // If the solver removed penetration, it changed the position but not the velocity, so both are compared.
     if (glm::length(body.state.position - (from + velocity * damping_dt)) > push_tolerance) return;
     body.state.position = from + body.start_velocity * body.drive_s + settings.gravity * body.fall_s2;
     body.bt().getWorldTransform().setOrigin(to_bullet(body.state.position));

@@ -12,7 +12,7 @@
 namespace thaum::render {
 namespace {
 
-// Niceness with which a thread gets a third of the usual share when both threads want to run.
+// Niceness with which a thread gets a third of the time that a usual thread gets when both want to run.
 constexpr int niceness = 5;
 constexpr std::string_view rasteriser = "llvmpipe";
 

@@ -2,7 +2,7 @@
 //
 //              resolution   point lights      sun's shadow             colours
 //   low        720 lines    4, each vertex    baked into the vertices  fog and tone curve at each vertex
-//   medium     720 lines    8, each vertex    map, one bilinear tap    the same, in the sun and in the shade
+//   medium     720 lines    8, each vertex    map, one bilinear tap    the same, twice: in sun and in shade
 //   high       the window's 8, each pixel     map, nine taps           16-bit floats, tone mapped last, bloom
 //
 // At low, detail finer than two pixels is drawn plainly: joints of far stone, meshes with coarser copies. A

@@ -475,7 +475,8 @@ void Renderer::State::draw_batches(std::size_t first, std::size_t count) {
     statistics.draws += count;
 }
 
-/// Draws the range that `which` selects of each patchwork. The program must be in use.
+/// Draws those patches of each patchwork that `which` selects: in the sun, without sun, or all. The program
+/// must be in use.
 void Renderer::State::draw_patchworks(const MeshProgram& program, const ViewBatches& its,
                                       IndexRange (*which)(const ChosenPatches&)) {
     const auto end = its.first + its.solid;

@@ -184,7 +184,8 @@ TactileMixer::Playing* TactileMixer::free_place(int priority) {
 /// Starts an event now or when the gap of its actuator is over, or merges it with another event.
 void TactileMixer::schedule(Playing& next, Tick now) {
     auto& free_at = free_at_[next.main];
-    // An event that waits begins a gap of its own, so an actuator is taken for at most two gaps.
+    // An event that waits begins a gap of its own, so an actuator is taken for at most two gaps. If it seems
+    // taken for longer, time has jumped back.
     const bool in_gap = free_at > now && free_at - now <= 2 * settings_.gap;
     auto* running = in_gap || count_ == max_playing ? running_at(next.main, now) : nullptr;
     if (in_gap && running != nullptr) {

@@ -103,8 +103,8 @@ public:
     const MixerCounts& counts() const { return counts_; }
 
 private:
-    /// Number of places of a sweep at which the shares of the actuators are solved. Between two of these
-    /// places the shares are interpolated, which moves the centroid along a straight line exactly.
+    /// Number of places of a sweep at which the shares of the actuators in the energy are solved. Between two
+    /// of these places the shares are interpolated, which moves the centroid along a straight line exactly.
     static constexpr std::size_t max_places = 9;
 
     struct Playing {

@@ -98,7 +98,7 @@ void shear_layers(Report& report) {
     const auto finer = flows::finer_double_shear(n);
     if (!finer) return report.faults.push_back(text("fluid: ", finer.error().message));
     auto runs = runs_of(flow, n, report);
-    // The error is measured on faces, where the classic solver has no velocities.
+    // The error is measured on faces, where the classic solver has no velocities, so that one is left out.
     std::erase_if(runs, [](const FluidRun& run) { return run.scheme.solver == Solver::classic; });
     run_by_turns(runs, flow.end);
     for (const FluidRun& run : runs) {

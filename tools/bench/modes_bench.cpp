@@ -123,7 +123,8 @@ Row normal_row(const char* kernel, ScalarField field, bool by_density, int direc
         const vec3 out = even_direction(i, directions);
         Feeler feeler(field, by_density);
         feeler.hand.start((radius + 0.5 * reach) * out);
-        // The density method gives no force deeper than its shell of one sample.
+        // The density method gives no force deeper than its shell of one sample, so its tip stays at the
+        // surface.
         const double rest = by_density ? radius : radius - depth;
         vec3 force(0);
         for (int tick = 0; tick < 60; ++tick)

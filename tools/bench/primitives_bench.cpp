@@ -2,9 +2,10 @@
 // time and remaining sum of forces.
 //
 // "exact" is the shipped method. "iterative" is the usual method, which minimises the length of the sum in
-// eq. 8 numerically: damped steps along the sum, halved if the length does not fall, at most 200.
-// "gauss_seidel" is the method of physics engines: 20 rounds in which each primitive in turn takes the force,
-// within its strength, that puts the proxy on its kink (the point, line or plane where its force jumps).
+// eq. 8 of paper 001 numerically: damped steps along the sum, halved if the length does not fall, at most
+// 200. "gauss_seidel" is the method of physics engines: 20 rounds in which each primitive in turn takes the
+// force, within its strength, that puts the proxy on its kink (the point, line or plane where its force
+// jumps).
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -41,7 +42,7 @@ vec3 within_strength(const Primitive& p, vec3 force) {
     return limited(force, p.strength);
 }
 
-/// Force of a primitive by eqs. 4 to 7; zero on the kink.
+/// Force of a primitive by eqs. 4 to 7 of paper 001; zero on the kink.
 vec3 force_at(const Primitive& p, vec3 x) {
     if (p.kind == PrimitiveKind::directed) return p.strength * p.direction;
     const vec3 m = from_kink(p, x);

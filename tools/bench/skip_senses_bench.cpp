@@ -150,7 +150,8 @@ void skip_senses(const Options& options, Report& report) {
                           SenseCase{"absent", false, *duel->match, run_duel}}) {
         const auto& shown = *c.match.data().presentation;
         const auto effects = game::match_effects(loaded->data->effects, shown);
-        auto mixer = audio::Mixer::create(loaded->data->bank, {.music = 0});  // the music is never silent
+        // The music is off, because it is never silent.
+        auto mixer = audio::Mixer::create(loaded->data->bank, {.music = 0});
         if (!there(mixer, "skip/sound")) return;
         SkippedSound hearing;
         if (c.present) {

@@ -40,7 +40,7 @@ add_library(Thaum::arithmetic ALIAS thaum_arithmetic)
 set(THAUM_ARITHMETIC -ffp-contract=off)
 if(THAUM_PORTABLE)
     # Vectors of eight floats are passed differently with and without AVX. All code that passes them is
-    # compiled here, in one way.
+    # compiled here, in one way, so the warning of it is turned off.
     list(APPEND THAUM_ARITHMETIC -Wno-psabi)
 else()
     # No FMA: GCC 12 joins neighbouring additions and subtractions into vfmaddsub whatever -ffp-contract says,
@@ -55,7 +55,8 @@ set_target_properties(thaum_arithmetic PROPERTIES EXPORT_NAME arithmetic)
 add_library(thaum_flags INTERFACE)
 target_link_libraries(thaum_flags INTERFACE thaum_arithmetic)
 target_compile_options(thaum_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion)
-# Nothing reads errno. Without it a square root is one instruction. No result changes.
+# No code reads errno after a mathematical function. Without it a square root is one instruction. No result
+# changes.
 target_compile_options(thaum_flags INTERFACE -fno-math-errno)
 if(THAUM_WARNINGS_AS_ERRORS)
     target_compile_options(thaum_flags INTERFACE -Werror)
@@ -69,11 +70,12 @@ elseif(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
     if(LLD)
         target_link_options(thaum_flags INTERFACE -fuse-ld=lld)
     endif()
-    # Loops carry a hint for GCC (ivdep) that clang does not know.
+    # Loops carry a hint for GCC (ivdep) that clang does not know and would warn of.
     target_compile_options(thaum_flags INTERFACE -Wno-unknown-pragmas)
 endif()
 # Protections against buffer overruns, because the program reads files from strangers and may use devices.
-# Sanitizers have better checks of their own, and their traces and tools/suite name files by whole paths.
+# Builds with sanitizers do without: sanitizers have better checks of their own, and their traces and
+# tools/suite need whole paths of files, which this shortens.
 if(THAUM_HARDENED AND NOT THAUM_SANITIZE)
     # Code that only computes numbers (HOT) has no checks of stack and copies, which would cost the fluid 4 to
     # 9 %, mostly by _FORTIFY_SOURCE, which changes what is inlined. Debian's GCC may define that already, so

@@ -208,7 +208,7 @@ void end_broken() noexcept {
         if (!is_of_this_thread(slot)) continue;
         ArmTicks& open = *slot.ticks;
         if (!open.ended) open.driver->write_zero();
-        open.ended = true;  // no one must wait for a tick of this thread any more
+        open.ended = true;  // so that no other thread waits for a tick of this one
     }
 }
 

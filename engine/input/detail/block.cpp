@@ -33,7 +33,7 @@ using Column = std::array<std::uint32_t, block_ticks>;
 constexpr std::size_t buttons_column = max_counts, model_age_column = buttons_column + 1,
                       skips_column = model_age_column + 1, wand_column = skips_column + 1,
                       state_column = wand_column + 1;
-// Bits in the column of states.
+// Bits in the column of states: whether the device is away, and which fader has changed to what.
 constexpr std::uint32_t away_bit = 1;
 constexpr unsigned fader_shift = 8, percent_shift = 16;
 

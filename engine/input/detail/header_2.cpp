@@ -56,7 +56,8 @@ void put_settings(Bytes& out, Setting tag, const std::array<T, n>& values) {
     });
 }
 
-/// The defaults of the first two settings may change with the program, so both are always written.
+/// Encodes a device's settings. The defaults of the first two may change with the program, so both are always
+/// written.
 Bytes settings_of(const DeviceSpec& d) {
     Bytes out;
     put_record(out, Setting::look_rad_per_count, needed,

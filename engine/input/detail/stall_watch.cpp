@@ -17,7 +17,7 @@ void watch_for_stalls(ArmTicks& ticks, AtHang at_hang, const std::function<void(
         done = now;
         if (looks < stall_looks || !ticks.pushes) continue;
         if (at_hang == AtHang::write_zero) {
-            ticks.stalled = true;  // set before the zero is sent, so that a late tick begins with the ramp
+            ticks.stalled = true;  // set before the zero is sent, so that the next tick ramps its force up
             ticks.driver->write_zero();
         } else {
             give_up();

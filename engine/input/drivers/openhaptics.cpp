@@ -94,7 +94,8 @@ Expected<void> calibrate(const Api& api, Handle handle) {
 
 constexpr const char* default_arm = "Default Device";
 
-/// Opens the arm with this name. On some systems only one of the names of the default arm works.
+/// Opens the arm with this name. The default arm has several names, of which some systems know only one, so
+/// all are tried.
 Expected<Handle> init_device(const Api& api, const std::string& arm) {
     unsigned int gravest = 0;
     take_error(api);  // an earlier error is not this arm's fault
@@ -126,8 +127,8 @@ struct Session {
     std::mutex mutex{};
     std::vector<OpenHaptics*> arms{};  ///< the open arms
     bool running = false;              ///< true: the library's scheduler runs
-    /// Last time each arm could not be opened while others were open. Trying again stops the others' ticks
-    /// for a moment.
+    /// Last time that an arm could not be opened. Trying again stops the ticks of the open arms for a moment,
+    /// so while there are any it is not done at once.
     struct Refusal {
         std::int64_t at_ns{};
         std::string line{};
@@ -232,7 +233,7 @@ bool OpenHaptics::write_zero() noexcept {
     return left_without_force_;
 }
 
-/// Stops the ticks of all arms; the last force of the other arms is zero.
+/// Stops the ticks of all arms. Before, the arms other than this one get zero as their last force.
 void OpenHaptics::stop_scheduler() const {
     constexpr std::int64_t patience_ns = 200'000'000, look_ns = 200'000;
     auto& s = session();

@@ -17,8 +17,8 @@ struct Box {
     vec3 low{}, high{};  ///< lowest and highest corner of the box (m)
 };
 
-/// Capacity of a search. With more bodies near a place, the tree is no faster than a search of all
-/// bodies.
+/// Room for the bodies that a search finds. With more bodies near a place, the tree is no faster than a
+/// search of all bodies.
 using NearKeys = std::array<Key, 128>;
 
 /// Search tree of bounding boxes.

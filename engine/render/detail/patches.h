@@ -9,7 +9,7 @@
 
 namespace thaum::render::detail {
 
-/// The eye and projection of a view, in the frame of the objects it sees.
+/// The eye and projection of a view, in the frame in which the objects that it sees are given.
 struct Sight {
     fmat4 to_clip{1};
     fvec3 eye{0};
@@ -54,8 +54,8 @@ struct JoinedPatches {
 };
 JoinedPatches joined(const Patchwork& patchwork);
 
-/// Distances between which fine lines fade to the colour Vertex::far_away (m): where the fading starts and
-/// where it is complete.
+/// Distances between which the colour of fine lines fades to its product with Vertex::far_away (m): where the
+/// fading starts and where it is complete.
 struct Fading {
     float from{}, gone{};
 };
