@@ -26,7 +26,7 @@ struct Spectrogram {
     double at(std::size_t column, std::size_t row) const { return power[column * rows + row]; }
 };
 
-/// Ends of the rows of a spectrogram (Hz).
+/// Lowest and highest frequency of a spectrogram (Hz): the outer ends of its rows.
 inline constexpr double lowest_row_hz = 40, highest_row_hz = 16'000;
 
 /// Power of a sound at `columns` times and `rows` frequencies, from lowest_row_hz to

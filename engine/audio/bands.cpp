@@ -71,7 +71,7 @@ std::vector<double> thinned(const Sound& sound) {
     };
     std::vector<double> out((size + thinning - 1) / thinning);
     for (std::size_t i = 0; i < out.size(); ++i) {
-        double sum = 0;  // the filter: weights that rise and fall again like a triangle
+        double sum = 0;  // sum of samples by the weights of the filter, which rise and fall like a triangle
         for (std::size_t k = 0; k < 2 * thinning - 1; ++k)
             sum += static_cast<double>(std::min(k + 1, 2 * thinning - 1 - k)) * sample_at(i * thinning + k);
         out[i] = sum / (thinning * thinning);

@@ -94,7 +94,7 @@ private:
     Mixer mixer_;
     std::unique_ptr<SoundDevice> device_;
     PlaybackReport report_;
-    AudioFrame quiet_;  ///< the newest frame's listeners, without voices
+    AudioFrame quiet_;  ///< a frame without voices; its listeners are those of the newest frame
     bool open_{};
     double next_try_s_{};
     double last_step_s_{};

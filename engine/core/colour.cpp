@@ -7,8 +7,8 @@ namespace thaum {
 double linear_from_srgb(double s) { return s <= 0.04045 ? s / 12.92 : det::pow((s + 0.055) / 1.055, 2.4); }
 
 vec3 linear_colour(std::uint32_t hex) {
-    // Light of each of the 256 values, computed once, because pictures ask for hundreds of colours in each
-    // frame.
+    // Linear light of each of the 256 values of a channel, computed once, because pictures ask for hundreds
+    // of colours in each frame.
     static const auto of_byte = [] {
         std::array<double, 256> light{};
         for (std::size_t i = 0; i < light.size(); ++i)

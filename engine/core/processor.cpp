@@ -28,7 +28,7 @@ bool has(const Feature& feature) {
 
 /// Returns true if the operating system saves the AVX registers when it switches threads.
 bool system_keeps_wide_registers() {
-    if (!has({"", 1, false, 27})) return false;  // OSXSAVE: the XGETBV instruction is available
+    if (!has({"", 1, false, 27})) return false;  // bit OSXSAVE: without it, XGETBV cannot be used
     unsigned low = 0, high = 0;
     __asm__("xgetbv" : "=a"(low), "=d"(high) : "c"(0));
     return (low & 6U) == 6U;

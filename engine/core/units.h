@@ -10,9 +10,9 @@ using Tick = std::uint64_t;
 
 inline constexpr double tick_seconds = 0.001;
 inline constexpr Tick ticks_per_second = 1000;
-inline constexpr Tick hash_interval = 128;       ///< interval between state hashes in the log (ticks)
-inline constexpr Tick keyframe_interval = 2048;  ///< interval between rebuilds of physics from the state
-                                                 ///< (ticks)
+inline constexpr Tick hash_interval = 128;  ///< interval between state hashes in the log (ticks)
+/// Interval between rebuilds of physics from the state (ticks).
+inline constexpr Tick keyframe_interval = 2048;
 
 /// Converts ticks to seconds.
 constexpr double seconds(Tick ticks) { return static_cast<double>(ticks) * tick_seconds; }

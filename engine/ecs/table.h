@@ -186,7 +186,7 @@ struct Table {
     /// Moves the last row into the place of `row`. Returns the entity that moved, or the removed entity if
     /// `row` was the last.
     Entity remove(std::uint32_t row);
-    /// Result of `move`.
+    /// What `move` has changed: rows and the entity that fills the gap.
     struct Moved {
         /// `to_row`: new row in the other table. `last`: row of this table that no longer exists.
         std::uint32_t to_row{}, last{};

@@ -110,7 +110,7 @@ public:
     C& get(Entity entity);
     template <Component C>
     const C& get(Entity entity) const;
-    /// Returns null if the entity lacks the component or no longer exists.
+    /// The component of an entity; null if the entity lacks it or no longer exists.
     template <Component C>
     C* find(Entity entity);
     template <Component C>
@@ -232,7 +232,7 @@ private:
             fail_locked(component);
         }
     }
-    // `number` is the number of a component or of a resource.
+    // The next three assert that the running system may use the component or resource with this number.
     void check_read(std::uint32_t number) const { check_access(number, false); }
     void check_write(std::uint32_t number) const { check_access(number, true); }
     void check_access(std::uint32_t number, bool write) const {
@@ -251,7 +251,7 @@ private:
     [[noreturn, gnu::cold]] void fail(const char* what, std::uint32_t component, Entity entity) const;
     std::string component_message(std::string_view what, std::uint32_t component, Entity entity) const;
 
-    /// Same as id(), for components that are known to be declared.
+    /// Number of a component, like id(), but without a test whether the component was declared.
     template <Component C>
     std::uint32_t known_id() const {
         return id_of_type_[detail::type_number<C>];

@@ -41,8 +41,7 @@ struct ArmOrder {
 /// Data from the arm's thread to the simulation, in each tick.
 struct ArmSample {
     ArmReading reading{};             ///< reading of the arm; the last valid one if `pose_age` is not 0
-    std::uint32_t epoch{}, sample{};  ///< number of the epoch, and number of the sample in the epoch; both
-                                      ///< count from 1
+    std::uint32_t epoch{}, sample{};  ///< number of the epoch, and of the sample in it; both from 1
     std::uint32_t model{};            ///< number of the model that the arm's thread used
     std::uint32_t pose_age{};         ///< ticks since the pose was measured
     vec3 force{};                     ///< force that the arm got for this sample (N)
@@ -97,7 +96,7 @@ private:
     // The next members are used by the simulation thread.
     bool taken_now_ = false;  ///< true: a sample was taken since the last order
     std::uint32_t epochs_before_ = 0;
-    std::uint32_t epoch_ = 0, number_ = 0, taken_ = 0;  ///< values of the last order
+    std::uint32_t epoch_ = 0, number_ = 0, taken_ = 0;  ///< as in the last order: epoch, model, samples taken
     std::uint32_t without_ = 0;                         ///< ticks since the last sample
     std::uint32_t buttons_ = 0;
     vec3 told_{};  ///< force that the arm got with the last sample (N)

@@ -95,7 +95,7 @@ private:
     /// A turn of the view about one axis by keys or a stick.
     struct Turn {
         std::uint32_t ticks = 0;  ///< age of the turn (ticks), up to the length of its slow start
-        bool positive = false;    ///< true: the turn goes to the right, or for the other axis upwards
+        bool positive = false;    ///< true: the turn goes to the right or upwards
     };
     std::int32_t ramped(std::int32_t level, Turn& turn) const;
 

@@ -135,7 +135,7 @@ struct LogReader::State {
     // Positions of some blocks, for `seek`; not of all, because damaged logs may have many small blocks.
     std::vector<BlockPlace> kept;
 
-    // Position of the reader.
+    // What is read next: the block at `at` (bytes), or frame `at_frame` of the block decoded last.
     std::size_t at;
     std::size_t at_frame = 0;
     detail::Block block;

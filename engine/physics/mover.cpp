@@ -17,7 +17,7 @@ constexpr double caught_speed = 1;
 /// degrees (m/s).
 constexpr double held_speed = 4;
 constexpr double noticed_force = 50;  // smallest loss of driving force that counts as resistance (N)
-constexpr double still = 1e-6;        // smaller velocity changes are ignored (m/s)
+constexpr double still = 1e-6;        // changes of velocity below this are ignored (m/s)
 
 struct Ground {
     Key key;

@@ -45,10 +45,10 @@ struct MoverSettings {
 struct MoverState {
     /// Velocity relative to the ground to which the mover was last driven, if nothing resisted (m/s).
     vec3 expected{};
-    vec3 ground_normal{0, 1, 0};  ///< normal of the last ground
+    vec3 ground_normal{0, 1, 0};  ///< normal of the ground on which the mover stood last
     double falling{};             ///< downward speed while in the air (m/s)
     std::uint32_t grounded{};     ///< 1: the mover stood on the ground in the last step
-    std::uint32_t driven{};       ///< 1: `expected` is valid
+    std::uint32_t driven{};       ///< 1: `expected` is valid, because the last step drove the mover
 };
 static_assert(std::is_trivially_copyable_v<MoverState>);
 static_assert(sizeof(MoverState) == 7 * sizeof(double) + 2 * sizeof(std::uint32_t));

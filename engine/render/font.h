@@ -61,7 +61,7 @@ public:
 private:
     struct State;
     struct Extent {
-        int above{}, below{};  // distance from the base line (px)
+        int above{}, below{};  // distances from the base line to the top and to the bottom of a line (px)
     };
     Extent extent_of(int size);
     explicit Font(std::unique_ptr<State> state);

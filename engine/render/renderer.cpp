@@ -342,7 +342,7 @@ std::vector<ViewBatches> Renderer::State::collect_views(const Frame& frame, floa
     return out;
 }
 
-/// Collects the volume of a view that is in a target `height` px high.
+/// Collects what is needed to draw the volume of a view, whose target is `height` px high.
 void Renderer::State::collect_volume(const ViewScene& view, int height, Quality quality, ViewBatches& its) {
     const auto& at = its.at;
     if (view.volume == nullptr || at.width <= 0 || at.height <= 0 || !drawable(*view.volume)) return;

@@ -45,7 +45,7 @@ using ScanSamples =
 /// Entry of a transfer function.
 struct ScanEntry {
     fvec3 colour{1};  ///< colour in linear light
-    float opacity{};  ///< share of the light behind it that a layer of thickness Scan::unit hides, 0 to 1
+    float opacity{};  ///< share of the light that a layer of thickness Scan::unit hides, 0 to 1
 };
 
 /// Look of the voxels with one material index.

@@ -118,7 +118,7 @@ struct ViewScene {
     /// drawn. The first 64 also hide the sky.
     std::span<const Block> blocks{};
     const Volume* volume{};         ///< volume to draw after all solid objects; null: none
-    std::span<const Scan> scans{};  ///< drawn after `volume`
+    std::span<const Scan> scans{};  ///< scans, drawn after `volume`
     ScanDetail scan_detail = ScanDetail::automatic;
 };
 

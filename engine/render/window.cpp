@@ -42,7 +42,7 @@ namespace {
 
 bool alive = false;  // true: a Window exists; used by the main thread only
 
-// GLFW reports errors only through a callback, on the calling thread.
+// GLFW reports errors only through a callback, on the calling thread. The callback keeps them here.
 thread_local std::string last_glfw_error;
 void keep_glfw_error(int, const char* what) { last_glfw_error = what; }
 

@@ -23,7 +23,7 @@ namespace thaum::tactile {
 enum class Part : std::uint8_t { front, back, shoulder_left, shoulder_right, arm_left, arm_right, whole };
 inline constexpr std::size_t part_count = 7;
 
-/// Names as in data files, in the order of Part.
+/// Names of the parts of the body as in data files, in the order of Part.
 const std::vector<std::string_view>& part_names();
 
 /// Regions of the body. Each has one chart for all of its parts: the torso has the front and the back.

@@ -14,8 +14,8 @@
 namespace thaum::tactile {
 
 inline constexpr std::size_t clip_side = 20;  ///< number of cells of the front, and of the back
-inline constexpr std::size_t clip_cells =
-    40;  ///< front cells, then back cells; rows from the top, each from the wearer's left
+/// Number of all cells: front cells, then back cells; rows from the top, each from the wearer's left.
+inline constexpr std::size_t clip_cells = 40;
 inline constexpr Tick clip_frame_ticks = 20;
 inline constexpr std::size_t max_clip_frames = 3000;  ///< largest number of frames: one minute
 
@@ -29,7 +29,7 @@ struct ClipFrame {
 /// A recording of strengths over time on a grid of places.
 struct Clip {
     std::string name;
-    std::vector<ClipFrame> frames;  ///< strengths; at most max_clip_frames
+    std::vector<ClipFrame> frames;  ///< frames with their strengths; at most max_clip_frames
 
     bool operator==(const Clip&) const = default;
 };

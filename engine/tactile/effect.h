@@ -21,7 +21,7 @@
 
 namespace thaum::tactile {
 
-/// Force that counts as full strength (N): the paper's motors.
+/// Force that counts as full strength (N): that of the motors in paper 004.
 inline constexpr double full_force = 5;
 /// Speed of the skin over the grating (m/s).
 inline constexpr double skin_speed = 1;
@@ -48,7 +48,7 @@ enum class Purpose : std::uint8_t {
     music
 };
 inline constexpr std::size_t purpose_count = 10;
-/// Names as in data files, in the order of Purpose.
+/// Names of the purposes as in data files, in the order of Purpose.
 const std::vector<std::string_view>& purpose_names();
 
 /// Strength over time: the strength rises, is held, and falls (ms).
@@ -89,12 +89,12 @@ struct Effect {
     double damping{};     ///< damping B (N s/m)
     Envelope envelope{};
     Pattern pattern{};
-    double speed{};                   ///< speed of a spread over the skin (m/s)
-    double reach{};                   ///< distance at which a spread has faded away (m)
-    double slowest_hz{};              ///< heartbeats a second at strength 0 (Hz)
-    double fastest_hz{};              ///< heartbeats a second at strength 1 (Hz)
-    double length_ms{};               ///< length of a sweep, or of heartbeats begun by `start` of the mixer
-                                      ///< (ms)
+    double speed{};       ///< speed of a spread over the skin (m/s)
+    double reach{};       ///< distance at which a spread has faded away (m)
+    double slowest_hz{};  ///< heartbeats a second at strength 0 (Hz)
+    double fastest_hz{};  ///< heartbeats a second at strength 1 (Hz)
+    /// Length of a sweep, or of heartbeats that TactileMixer::start has begun (ms).
+    double length_ms{};
     std::vector<BodyPoint> places{};  ///< one or two places; empty: at the place that the caller gives
     std::optional<BodyPoint> to{};    ///< end of a sweep
     vec2 sigma_cells{0.7};            ///< width along the chart's two directions (cells of the layout)

@@ -19,7 +19,7 @@
 
 namespace thaum::tactile {
 
-/// A sinusoidal grating (see above).
+/// A sinusoidal grating over which the skin moves (see the top of this file).
 struct Grating {
     double amplitude{};   ///< amplitude A, >= 0 (m)
     double wavelength{};  ///< wavelength L, > 0 (m)

@@ -47,12 +47,12 @@ struct Where {
 /// Settings of a TactileMixer.
 struct MixerSettings {
     double sum_limit{1.5};  ///< largest sum of amplitudes squared; one actuator at full strength has 1
-    Tick gap{40};           ///< least time between two beginnings at one actuator (ticks)
+    Tick gap{40};           ///< least time between the beginnings of two effects at one actuator (ticks)
     Tick time_to_live{48};  ///< time to live of a frame (ticks)
     Tick driven_for{24};    ///< time for which `drive` holds an effect (ticks)
 };
 
-/// Volume settings, 0 to 1. Walking is off until the player turns it up.
+/// Volume settings of the purposes of effects, 0 to 1. Walking is off until the player turns it up.
 struct Faders {
     std::array<double, purpose_count> values{1, 1, 1, 0, 1, 1, 1, 1, 1, 1};
 
@@ -65,9 +65,9 @@ struct Faders {
 /// Counts since the beginning. offered = started + merged, so no event is lost.
 struct MixerCounts {
     std::uint64_t offered{};     ///< calls of `start`
-    std::uint64_t started{};     ///< events that got a place of their own
+    std::uint64_t started{};     ///< events that got one of the places for effects
     std::uint64_t merged{};      ///< events merged with another one; the stronger one is felt
-    std::uint64_t delayed{};     ///< started events that wait until the gap is over
+    std::uint64_t delayed{};     ///< started events that had to wait until the gap of their actuator was over
     std::uint64_t replaced{};    ///< effects cut short by one of higher or equal priority
     std::uint64_t clipped{};     ///< values that were not finite or outside of their range
     std::uint64_t held{};        ///< number of times that an actuator had to wait for its gap to end
@@ -117,7 +117,7 @@ private:
         double beat_ms{};     ///< time since the last heartbeat (ms)
         double held_ms{};     ///< time on the envelope at which the decay began (ms); below 0: still held
         Tick released{};      ///< tick at which the hold ended
-        std::uint8_t main{};  ///< actuator at which the beginning is strongest
+        std::uint8_t main{};  ///< actuator at which the beginning of the effect is strongest
         bool felt{};          ///< true: the effect has been in a frame
         /// Shares of the energy for each actuator (tactile/phantom.h), for each place; for a spread, the
         /// first element holds distances instead (m).
@@ -172,7 +172,7 @@ private:
     std::array<bool, max_actuators> on_{};
     std::array<Tick, max_actuators> may_begin_{};
     std::array<double, max_actuators> waiting_{};  ///< amplitude that waits until the gap is over
-    bool ringing_{};                               ///< true: some actuator is on or waits
+    bool ringing_{};  ///< true: some actuator is on, or waits until its gap is over
     Tick mixed_at_{};
     bool mixed_{};
     TactileFrame frame_{};

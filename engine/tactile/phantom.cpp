@@ -11,9 +11,9 @@ constexpr double min_share = 1e-4;   // smallest share that is kept if the place
 // Largest error of the felt place that is accepted when actuators are left out (cells).
 constexpr double tolerated = 0.01;
 constexpr double solved = 1e-4;  // error at which the search stops (cells); far below what skin resolves
-constexpr double longest_step =
-    4;  // largest change of l (tactile/phantom.h) in one step, for each cell; keeps Newton's method from
-        // overshooting
+// Largest change of l (tactile/phantom.h) in one step, for each cell; keeps Newton's method from
+// overshooting.
+constexpr double longest_step = 4;
 // Added to the curvature to keep l finite if the place is on the edge; costs an error of about 0.001 cells.
 constexpr double stiffening = 1e-4;
 

@@ -173,7 +173,8 @@ struct Carver {
 };
 
 struct EditSizes {
-    double voxels{}, bricks{}, removed{}, added{};  ///< means over the edits
+    /// Means over the edits: changed voxels and bricks, density removed and added (density m^3).
+    double voxels{}, bricks{}, removed{}, added{};
     std::uint64_t hash{};
 };
 

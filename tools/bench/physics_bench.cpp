@@ -317,7 +317,7 @@ double worst_rebound(Shape shape) {
             world.step(1e-3);
             rebound = world.velocity(2).y;
         }
-        for (int i = 0; i < 3; ++i) {  // because another point of the rim may touch later
+        for (int i = 0; i < 3; ++i) {  // three more steps, because another point of the rim may touch later
             world.step(1e-3);
             rebound = std::max(rebound, world.velocity(2).y);
         }

@@ -18,7 +18,7 @@ BlockStream::BlockStream(std::size_t queued, std::size_t channels)
     : queued_(queued), format_(channels == 2 ? AL_FORMAT_STEREO_FLOAT32 : AL_FORMAT_71CHN32) {
     alGenSources(1, &source_);
     alGenBuffers(static_cast<ALsizei>(free_.size()), free_.data());
-    // The block is mixed already: each channel goes to its speaker.
+    // The block is mixed already, so each channel is played at its own speaker as it is.
     alSourcei(source_, AL_DIRECT_CHANNELS_SOFT, AL_TRUE);
 }
 

@@ -226,7 +226,7 @@ void Loopback::set_muffled(std::uint32_t source, double muffled) const {
     }
     set_filter_(filter_, AL_LOWPASS_GAIN, static_cast<float>(std::lerp(1, muffled_gain, muffled)));
     set_filter_(filter_, AL_LOWPASS_GAINHF, static_cast<float>(std::lerp(1, muffled_high_gain, muffled)));
-    // The source keeps a copy of the filter's values.
+    // The source keeps a copy of the filter's values, so one filter serves all sources.
     alSourcei(pool_[source].name, AL_DIRECT_FILTER, static_cast<ALint>(filter_));
 }
 

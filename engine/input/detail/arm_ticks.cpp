@@ -123,7 +123,7 @@ bool do_tick(ArmTicks& ticks) {
 bool prefer_this_thread(int priority) {
     int policy = 0;
     sched_param now{};
-    // The vendor's library may already have raised the priority of its own thread.
+    // The vendor's library may already have raised the priority of its own thread, which then stays as it is.
     if (::pthread_getschedparam(::pthread_self(), &policy, &now) == 0 && policy != SCHED_OTHER) return true;
     const sched_param wanted{.sched_priority = priority};
     return ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wanted) == 0;
@@ -166,7 +166,7 @@ bool close_ticks(ArmTicks& ticks) {
         if (gate.compare_exchange_strong(idle, 0)) return true;
         const bool tired = monotonic_ns() > until;
         if (tired && gate.compare_exchange_strong(waits, word(ticks.number, left_behind))) return false;
-        // Our step is short, so this thread waits until it has ended.
+        // The user's step is short, so this thread waits until it has ended.
         sleep_until_ns(monotonic_ns() + look_ns);
     }
 }

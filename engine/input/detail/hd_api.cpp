@@ -102,7 +102,7 @@ struct Loaded {
     Api api{};
 };
 
-/// All loaded libraries. Never destroyed.
+/// All loaded libraries. Never destroyed, because they may still call or be called late.
 struct LoadedLibraries {
     std::mutex mutex;
     std::list<Loaded> all;

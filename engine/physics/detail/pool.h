@@ -1,4 +1,4 @@
-// physics/detail/pool.h: the pool behind physics/detail/memory.h.
+// physics/detail/pool.h: the pool from which Bullet gets its memory; its statistics are in memory.h.
 #pragma once
 
 namespace thaum::physics::detail {

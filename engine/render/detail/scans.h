@@ -107,8 +107,8 @@ private:
     std::vector<GpuScan> all_;
     GLint max_samples_{};  // largest number of samples along an axis that the driver allows
     MarchProgram surface_;
-    std::array<std::array<MarchProgram, 2>, 2> light_;  // programs of translucent scans: [glowing,
-                                                        // lit][plain, painted]
+    // Programs of translucent scans: [glowing, lit][plain, painted].
+    std::array<std::array<MarchProgram, 2>, 2> light_;
     ShowProgram show_solid_, show_light_;
     std::vector<ViewTargets> targets_;
     std::vector<std::uint8_t> scratch_;

@@ -180,7 +180,7 @@ void use_mesh_program(const MeshProgram& p, const ViewScene& view, const Sight& 
     set(p.ambient_above, e.ambient.above);
     set(p.ambient_below, e.ambient.below);
     set(p.fog_colour, e.fog.colour);
-    // exp2(-rate d^2) equals exp(-(density d)^2).
+    // With this rate, density^2 / ln 2, exp2(-rate d^2) in the shader equals exp(-(density d)^2).
     glUniform1f(p.fog_rate, e.fog.density * e.fog.density * 1.442695F);
     const auto fading = fading_of(sight.pixel_angle);
     glUniform2f(p.detail_range, fading.from, 1 / (fading.gone - fading.from));

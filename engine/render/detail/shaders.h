@@ -50,8 +50,9 @@ struct Programs {
     SkyProgram sky, sky_of_light;
     /// Programs for mists: tone mapped, and in linear light for the last pass.
     MistProgram mist, mist_of_light;
-    SmallProgram shadow, shade;  ///< `shadow` draws the depth of casters, `shade` shades on the ground
-                                 ///< (parameter: view_projection)
+    /// `shadow` draws the depth of what casts shadows, `shade` flat shades on the ground (parameter:
+    /// view_projection).
+    SmallProgram shadow, shade;
     /// Bloom: `bright` extracts bright light (parameter: texel), `blur` blurs along one axis (parameter:
     /// way).
     SmallProgram bright, blur;

@@ -52,7 +52,7 @@ private:
     std::vector<Print> prints_;     // rectangle in the map of each of `moving_`
 
     // Scratch memory for the current picture.
-    std::vector<Print> left_;        // rectangles to copy back
+    std::vector<Print> left_;        // rectangles that casters have left, to be copied back
     std::vector<Instance> drawn_;    // casters to draw
     std::vector<Print> new_prints_;  // rectangles of all moving casters
 };

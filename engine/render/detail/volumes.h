@@ -80,9 +80,9 @@ private:
     void draw(const SeenVolume& its, const VertexArray& no_attributes) const;
 
     std::vector<Gpu> all_;
-    std::array<std::array<MarchProgram, 2>, 2> march_;  // by the eye's place and by the output: [outside,
-                                                        // inside][pixels, linear light]
-    std::array<SkinProgram, 2> skin_;                   // by the eye's place: [outside, inside]
+    // Programs by the eye's place and by what they write: [outside, inside][pixels, linear light].
+    std::array<std::array<MarchProgram, 2>, 2> march_;
+    std::array<SkinProgram, 2> skin_;  // programs by the eye's place: [outside, inside]
     Framebuffer depth_target_;
     Texture depth_;
     Target marched_;
