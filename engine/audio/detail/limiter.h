@@ -30,8 +30,8 @@ private:
     std::array<float, 2 * window> delayed_{};
     /// Largest gain that keeps each delayed sample within -1 to 1.
     std::array<double, window> needed_ = filled();
-    std::array<double, window> held_ =
-        filled();  ///< gain before averaging: the least of `needed_`, slow to rise
+    /// Gain before averaging: the least of `needed_`, slow to rise.
+    std::array<double, window> held_ = filled();
     double held_sum_{window};
     double lowest_{1};
     std::size_t calm_{window};  ///< number of samples since needed_ or held_ was last below 1

@@ -122,9 +122,8 @@ public:
         a1_ = 1 / (1 + g * (g + damping_));
         a2_ = g * a1_;
         a3_ = g * a2_;
-        scale_ =
-            // Noise evenly spread from -1 to 1 has a mean square of 1/3.
-            noise_rms * std::sqrt(3 * sample_rate / 2.0 / bandwidth());
+        // Noise evenly spread from -1 to 1 has a mean square of 1/3.
+        scale_ = noise_rms * std::sqrt(3 * sample_rate / 2.0 / bandwidth());
     }
 
     double operator()(double in) { return scale_ * second_.step(*this, first_.step(*this, in)); }
