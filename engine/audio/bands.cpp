@@ -55,7 +55,7 @@ public:
     double power() const { return power_; }
 
 private:
-    // Quality factors of the two halves of a Butterworth filter of the fourth order.
+    // Quality factors of the two second-order filters that make a Butterworth filter of the fourth order.
     static constexpr double q_1 = 0.541196100146197, q_2 = 1.306562964876377;
     std::array<Section, 4> sections_;
     double share_;

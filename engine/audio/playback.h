@@ -54,8 +54,8 @@ public:
 
     /// Whether a device plays; if not, frames need not be made. Any thread may ask.
     bool plays() const { return plays_; }
-    /// One line: what plays, or why nothing does; empty until the first try to open a device. A report that
-    /// is read after the status is at least as recent as the status.
+    /// One line: that sound plays, or why none does; empty until the first try to open a device. A report
+    /// that is read after the status is at least as recent as the status.
     std::string status() const;
     /// Counts since the start. Any thread may ask.
     PlaybackReport report() const;

@@ -70,7 +70,7 @@ constexpr Default pad_defaults[] = {
     {Action::turn_down, "pad right_y -"},
     {Action::fire, "pad right_trigger +"},
     // Drawing is on a bumper, because the right thumb moves the stick meanwhile. The bumper is on the side of
-    // the stir trigger, because the ladle draws as well.
+    // the stir trigger, so that one hand can hold both: gestures are drawn with the ladle, too.
     {Action::trace, "pad left_bumper"},
     {Action::next_wand, "pad right_bumper"},
     {Action::previous_wand, "pad left"},

@@ -41,8 +41,8 @@ struct MeshData {
 /// at all.
 struct Patch {
     MeshData full;
-    /// The same piece with fewer triangles. It is drawn if the missing detail is smaller than a pixel and has
-    /// faded (Vertex::far_away). Empty if there is no plain form.
+    /// The same piece with fewer triangles. It is drawn if the missing detail is smaller than finest_px
+    /// (render/quality.h) and has faded (Vertex::far_away). Empty if there is no plain form.
     MeshData plain{};
     float detail{};  ///< size of the detail that `plain` lacks (m)
     // If `full` is empty, `plain` is behind other patches that have such detail. It is visible only if one of

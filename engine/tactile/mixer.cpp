@@ -11,7 +11,7 @@ namespace {
 
 /// Smaller amplitudes are 0 for a motor with 256 steps.
 constexpr double min_amplitude = 1.0 / 256;
-/// Longest time between two frames that the next frame still covers (ms).
+/// Longest time since the last frame that a frame still covers with its effects (ms).
 constexpr double longest_frame = 1000;
 
 /// True for a jacket whose actuators are the cells of a clip, in their order.

@@ -58,7 +58,8 @@ Contest remove_1(std::uint32_t n);
 /// hash depends on it.
 Contest tag_churn(std::uint32_t n);
 Contest snapshot(std::uint32_t n);
-/// The raw arrays are only copied by memcpy and have no hash, so the two results differ here.
+/// Hashes a whole World. The raw arrays are only copied by memcpy and not hashed, so the results of the two
+/// differ.
 Contest state_hash(std::uint32_t n);
 
 }  // namespace thaum::bench::things

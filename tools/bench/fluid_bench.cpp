@@ -1,5 +1,5 @@
-// Benchmark of the fluid: run time against error of both solvers in flows with known solutions
-// (fluid_flows.h), and stability under hostile input.
+// Benchmark of the fluid: run time against error of the solvers `thaum` and `classic` in flows with known
+// solutions (fluid_flows.h), and stability under hostile input.
 //
 // Times are for one step of 16 ms with all its sub-steps, on one thread. Compared solvers are run
 // alternately, step by step, so that other load on the machine affects all of them.

@@ -9,7 +9,7 @@ set(THAUM_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/Thaum)
 # own.
 set(libraries core ecs field physics fluid haptics tactile gesture input)
 list(TRANSFORM libraries PREPEND thaum_ OUTPUT_VARIABLE targets)
-# Baselines and audits, libraries of their own in the same folders.
+# Baselines and audits are libraries of their own, whose sources are in the same folders.
 list(APPEND targets thaum_fluid_classic thaum_haptics_audit thaum_gesture_trials)
 install(TARGETS thaum_arithmetic ${targets} EXPORT ThaumTargets COMPONENT engine)
 install(TARGETS thaum_render thaum_render_audit EXPORT ThaumRenderTargets COMPONENT engine)

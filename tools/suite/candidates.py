@@ -51,7 +51,8 @@ def compiler_arguments(command, source):
             next(words)
         elif word != "-c" and word != source and not word.startswith(("-W", "--param")):
             arguments.append(word)
-    # An array whose size is no constant any more is an error here: the compiler would take it as an extension.
+    # A mutated array size that is no constant any more is an error; by itself the compiler takes it as an
+    # extension.
     return arguments + ["-include", str(SWITCH_HEADER), "-Wno-everything", "-Werror=vla", "-Werror=vla-extension"]
 
 

@@ -233,7 +233,7 @@ bool OpenHaptics::write_zero() noexcept {
     return left_without_force_;
 }
 
-/// Stops the ticks of all arms. Before, the arms other than this one get zero as their last force.
+/// Stops the ticks of all arms. Before it does so, the arms other than this one get zero as their last force.
 void OpenHaptics::stop_scheduler() const {
     constexpr std::int64_t patience_ns = 200'000'000, look_ns = 200'000;
     auto& s = session();

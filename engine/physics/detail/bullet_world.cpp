@@ -140,8 +140,8 @@ std::optional<CastHit> Mesh::cast(const Path& path) const {
         }
     } nearest;
     nearest.path = path;
-    // Bullet's tree only selects triangles here. A box slightly larger than the sphere covers the
-    // tree's own rounding.
+    // Bullet's tree only selects the triangles, which `cast` then tests exactly. A box slightly larger than
+    // the sphere covers the tree's own rounding.
     const double reach = path.radius + 1e-3;
     const btVector3 from = to_bullet(path.from);
     const btVector3 to = to_bullet(path.from + path.length * path.direction);

@@ -12,7 +12,7 @@
 namespace thaum::render::detail {
 namespace {
 
-// Texture units of scans. They follow those of detail/shaders.h.
+// Texture units of scans. Their numbers follow those of the units in detail/shaders.h.
 constexpr GLint density_unit = 3, bricks_unit = 4, scene_depth_unit = 5, table_unit = 6, paint_unit = 7,
                 materials_unit = 8, drawn_depth_unit = 9;
 

@@ -10,7 +10,7 @@
 namespace thaum::render::detail {
 namespace {
 
-// Texture units of volumes. They follow those of detail/shaders.h.
+// Texture units of volumes. Their numbers follow those of the units in detail/shaders.h.
 constexpr GLint texels_unit = 3, opaque_unit = 4;
 constexpr GLuint skin_position = 0, skin_normal = 1, skin_foam = 2;
 
