@@ -28,7 +28,8 @@ class ConfigTable;
 /// A parsed file, and the faults that its readers have found in it.
 class Config {
 public:
-    /// `name` is used in messages. The file must have an integer `version` equal to the given one.
+    /// Parses a file, which messages call `name`. The file must have an integer `version` equal to the given
+    /// one.
     static Expected<Config> parse(std::string_view toml, std::string name, std::int64_t version);
 
     /// The table that holds all others.

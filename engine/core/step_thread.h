@@ -17,9 +17,9 @@
 
 namespace thaum {
 
-/// `Work` has three functions: `double step(double now_s)` does what is due and returns the time until the
-/// next step (s); `void close()` is the last call if the thread ends in time; `void abandon()` is called by
-/// the owner if it does not.
+/// A thread that runs a Work. `Work` has three functions: `double step(double now_s)` does what is due and
+/// returns the time until the next step (s); `void close()` is the last call if the thread ends in time;
+/// `void abandon()` is called by the owner if it does not.
 template <class Work>
 class StepThread {
 public:

@@ -129,7 +129,7 @@ struct SnapshotAccess {
         return in.ok() && std::memcmp(theirs.data(), head.data() + (head.size() - rest), rest) == 0;
     }
 
-    /// Returns false if the bytes are cut off or contradict each other.
+    /// Reads the saved state into the World. Returns false if the bytes are cut off or contradict each other.
     static bool get_state(ByteReader& in, World& world) {
         const auto records = in.get<std::uint32_t>();
         const auto bytes = in.get_bytes(std::size_t{records} * sizeof(World::Record));

@@ -32,8 +32,9 @@ class View;
 template <ResourceType R>
 class Resource;
 
-/// Called with the component's bytes right after it was added, or right before it is removed (or its entity
-/// destroyed). A hook may read the World and change components, but must not add, remove, create or destroy.
+/// A function that is called with a component's bytes right after it was added, or right before it is removed
+/// (or its entity destroyed). A hook may read the World and change components, but must not add, remove,
+/// create or destroy.
 struct Hook {
     void (*call)(void* context, Entity entity, const void* component) = nullptr;
     void* context = nullptr;

@@ -25,8 +25,8 @@ inline constexpr std::uint8_t force_as_rules = 101;
 
 /// A change of a fader by a player during the match.
 struct FaderChange {
-    std::uint8_t
-        fader{};  ///< HandFader, or for sources of a fluid a number from HandFader::fluid on; 0: no change
+    /// Number of the fader: a HandFader, or from HandFader::fluid on a source of a fluid; 0: no change.
+    std::uint8_t fader{};
     std::uint8_t percent{};  ///< new value, 0 to 100, or force_as_rules
     bool operator==(const FaderChange&) const = default;
 };

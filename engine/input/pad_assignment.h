@@ -18,7 +18,7 @@ namespace thaum::input {
 /// Asks for each control of an unknown joystick in turn.
 class PadAssignment {
 public:
-    /// `stick` must be at rest: no part of it is pressed or moved.
+    /// Begins with the first control. `stick` must be at rest: no part of it is pressed or moved.
     explicit PadAssignment(const Stick& stick);
 
     /// Instruction for the user, to be shown on the screen: "press A, the lowest of the four buttons". Empty:

@@ -39,8 +39,8 @@ struct WindowSpec {
 
 /// Callbacks of Window::poll, on the main thread. An empty function ignores its event.
 struct WindowEvents {
-    /// `key` is a code as for key_name, or -1 if the key has none. `scancode` is the platform's number of the
-    /// physical key. Repeats are not reported.
+    /// A key went down or up. `key` is a code as for key_name, or -1 if the key has none. `scancode` is the
+    /// platform's number of the physical key. Repeats are not reported.
     std::function<void(int key, int scancode, bool pressed)> key;
     std::function<void(char32_t character)> character;           ///< one character of typed text
     std::function<void(int button, bool pressed)> mouse_button;  ///< button 0 left, 1 right, 2 middle, ...
@@ -73,7 +73,7 @@ public:
     /// Changes the title of the window.
     void set_title(const std::string& title);
 
-    // Called on any thread.
+    // The next functions may be called on any thread.
     Size size() const;
     bool minimised() const;  ///< the window is minimised, so drawing may be skipped
     /// Whether the window gets the keyboard's events.

@@ -30,7 +30,7 @@ float internal_scale_of(Quality quality, int height);
 /// Detail smaller than this may be drawn plainly: Patch::plain, coarser copies (px).
 float finest_px(Quality quality);
 
-/// Returns true if the processor draws. `renderer` is OpenGL's GL_RENDERER.
+/// Returns true if the processor draws, instead of a graphics card. `renderer` is OpenGL's GL_RENDERER.
 bool is_software(std::string_view renderer);
 
 /// First preset of `auto`. `renderer` is OpenGL's GL_RENDERER. A software rasteriser starts at medium.

@@ -23,7 +23,7 @@ struct Window::State {
     std::atomic<Size> size{Size{}};
     std::atomic<bool> minimised = false, focused = false, closing = false;
 
-    // Used by the main thread only.
+    // The next members are used by the main thread only.
     const WindowEvents* events = nullptr;  // callbacks of the current poll; null otherwise
     bool captured = false;
     /// true: the next change of the cursor's position in this poll is a jump, not a motion of the mouse

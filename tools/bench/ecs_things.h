@@ -26,7 +26,7 @@ struct Triple {
     THAUM_FIELDS(Triple, x, y, z);
 };
 
-/// Same layout as game::Motion.
+/// Stands for game::Motion, whose layout it has.
 struct Motion {
     Triple position{};
     std::array<double, 4> orientation{1, 0, 0, 0};
@@ -39,14 +39,14 @@ struct Motion {
 };
 static_assert(sizeof(Motion) == sizeof(game::Motion));
 
-/// Same layout as game::Look.
+/// Stands for game::Look, whose layout it has.
 struct Look {
     std::uint32_t surface{};
     THAUM_COMPONENT(Look, surface);
 };
 static_assert(sizeof(Look) == sizeof(game::Look));
 
-/// Same layout as game::Prop.
+/// Stands for game::Prop, whose layout it has.
 struct Prop {
     std::uint64_t moved_at{};
     std::uint32_t moved_by{};
@@ -55,7 +55,7 @@ struct Prop {
 };
 static_assert(sizeof(Prop) == sizeof(game::Prop));
 
-/// Same layout as game::Body.
+/// Stands for game::Body, whose layout it has.
 struct Body {
     std::array<std::uint32_t, 2> shape{};
     Triple size{0.5, 0.5, 0.5};
@@ -67,7 +67,7 @@ struct Body {
 };
 static_assert(sizeof(Body) == sizeof(game::Body));
 
-/// Same layout as game::Dead, a component that no entity has in most ticks.
+/// Stands for game::Dead, whose layout it has: a component that no entity has in most ticks.
 struct Dead {
     std::uint64_t returns_at{};
     THAUM_COMPONENT(Dead, returns_at);

@@ -6,8 +6,8 @@
 
 namespace thaum::plot {
 
-/// Both ends are numbers of the series 1, 2, 5, 10, ... Values <= 0 have no place on a logarithmic axis; they
-/// are drawn in a margin before the low end.
+/// A logarithmic axis. Both ends are numbers of the series 1, 2, 5, 10, ... Values <= 0 have no place on a
+/// logarithmic axis; they are drawn in a margin before the low end.
 struct LogAxis {
     double low{}, high{};        ///< decimal logarithms of the ends, low < high
     double low_px{}, high_px{};  ///< pixels of the ends; low_px may be the larger

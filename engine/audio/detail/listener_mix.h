@@ -21,7 +21,8 @@ struct BlockVoices {
 
 class ListenerMix {
 public:
-    /// `index` is the listener's number, 0 or 1. The facts about the sounds must outlive this object.
+    /// Makes the mix of the listener with the number `index`, 0 or 1. The facts about the sounds must outlive
+    /// this object.
     ListenerMix(std::unique_ptr<Loopback> device, std::span<const SoundFacts> sounds, std::uint32_t index);
 
     /// Renders one block. `clock` is the number of samples since the mixer was made;

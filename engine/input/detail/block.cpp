@@ -85,7 +85,8 @@ void split_off_wand(DeviceSample& s) {
     s.buttons &= ~wand_bits;
 }
 
-// Arithmetic is modulo 2^32, so that every difference of two values has a zigzag form of 32 bits.
+// Zigzag form of a difference: small ones of either sign become small unsigned numbers. Arithmetic is modulo
+// 2^32, so that every difference of two values has a form of 32 bits.
 std::uint32_t zigzag(std::uint32_t v) { return (v << 1U) ^ (0U - (v >> 31U)); }
 std::uint32_t unzigzag(std::uint32_t z) { return (z >> 1U) ^ (0U - (z & 1U)); }
 

@@ -35,8 +35,8 @@ Expected<Preamble> decode_preamble(std::span<const std::byte> bytes);
 /// Decodes the header. `file` starts with the preamble and holds the whole body.
 Expected<LogHeader> decode_header(std::span<const std::byte> file, const Preamble& preamble);
 
-// Only encode_header and decode_header call these functions. decode_body does not check values; the checksum
-// of the body has been checked already.
+// Bodies of headers, by format. Only encode_header and decode_header call these functions. decode_body does
+// not check values; the checksum of the body has been checked already.
 Bytes encode_body(const LogHeader& header);
 Expected<LogHeader> decode_body_1(std::span<const std::byte> body);
 Expected<LogHeader> decode_body_2(std::span<const std::byte> body);
