@@ -44,10 +44,10 @@ struct BandCourse {
     bool has_ended(double sample) const;
 };
 
-/// Courses of all sounds of a bank; the index is the number of the sound.
+/// Levels over time of all sounds of a bank; the index is the number of the sound.
 std::vector<BandCourse> band_courses(const SoundBank& bank, std::span<const Band> bands);
 
-/// The course of one sound; `bands` has at most max_bands entries.
+/// Levels over time of one sound; `bands` has at most max_bands entries.
 BandCourse band_course(const Sound& sound, std::span<const Band> bands);
 
 }  // namespace thaum::audio

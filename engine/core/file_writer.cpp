@@ -133,7 +133,7 @@ Expected<void> FileWriter::finish() {
     if (fd_ < 0) return {};
     flush();
     if (fault_ != 0) return give_up("write", fault_);
-    // Some disks report only at this point that they are full.
+    // Some disks report only at this point that they are full, so the file may still fail here.
     if (!flush_to_disk(fd_)) return give_up("write", errno);
     if (::close(std::exchange(fd_, -1)) != 0) return give_up("write", errno);
     return {};
@@ -141,7 +141,7 @@ Expected<void> FileWriter::finish() {
 
 Expected<void> FileWriter::close() {
     if (auto finished = finish(); !finished) return finished;
-    // The target may have become an input or a recording since the file was started.
+    // The target may have become an input or a recording since the file was started, so it is checked again.
     const auto still = writable_target(target_);
     if (!still) {
         ::unlink(std::exchange(part_, {}).c_str());

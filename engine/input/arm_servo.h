@@ -32,8 +32,8 @@ struct ArmOrder {
     haptics::HapticModel model{.on = false};
     vec3 offset{};                ///< displacement from the arm's tip to the hand that feels the model (m)
     haptics::ServoState start{};  ///< servo state at the start of the epoch
-    std::uint32_t epoch{};        ///< number of the epoch; 0: before the first one
-    std::uint32_t number{};       ///< number of the model, from 1 in each epoch
+    std::uint32_t epoch{};   ///< number of the epoch, a run of samples without a gap; 0: before the first one
+    std::uint32_t number{};  ///< number of the model, from 1 in each epoch
     /// Number of samples in the epoch that the simulation had taken when it made the model.
     std::uint32_t samples{};
 };
@@ -47,7 +47,7 @@ struct ArmSample {
     vec3 force{};                     ///< force that the arm got for this sample (N)
 };
 
-/// Counts of faults since the start.
+/// Counts of faults in the exchange with an arm's thread, since the start.
 struct ArmFaults {
     PoseFaults poses{};
     std::uint64_t lost{};  ///< samples lost because the queue was full

@@ -86,7 +86,7 @@ struct HashRecord {
     bool operator==(const HashRecord&) const = default;
 };
 
-/// Reason for a mark: a user asked for it, or the program made a keyframe.
+/// Reason for a mark: a user asked for it, or the program made a keyframe (rebuilt physics from the state).
 enum class MarkKind : std::uint8_t { user, keyframe };
 
 /// A tick that was marked in order to find it again.

@@ -85,7 +85,7 @@ void read_pad(SDL_GameController* from, PadState& to) {
         if (SDL_GameControllerGetButton(from, buttons.at(i)) != 0) to.buttons |= 1U << i;
     for (std::size_t i = 0; i < axes.size(); ++i)
         to.axes.at(i) = share_of(SDL_GameControllerGetAxis(from, axes.at(i)));
-    // SDL's sticks are positive downwards.
+    // SDL's sticks are positive downwards, those of a PadState upwards.
     to.axes.at(static_cast<std::size_t>(PadAxis::left_y)) *= -1;
     to.axes.at(static_cast<std::size_t>(PadAxis::right_y)) *= -1;
 }

@@ -28,7 +28,7 @@ private:
     std::atomic<std::int64_t> worst_ns_{0};
 };
 
-/// Timing statistics (us).
+/// Statistics of the times of a device's ticks (us).
 struct TickReport {
     std::uint64_t ticks{};
     std::uint64_t missed{};  ///< number of periods that passed without a tick

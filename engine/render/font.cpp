@@ -57,8 +57,8 @@ std::vector<std::uint8_t> copied(const FT_Bitmap& bitmap) {
 
 Glyph rendered(FT_Face face, char32_t character) {
     Glyph out;
-    // The automatic hinter aligns stems to the pixel grid in both directions; the font's own hints do so only
-    // vertically.
+    // The automatic hinter is used, because it aligns stems to the pixel grid in both directions; the font's
+    // own hints do so only vertically.
     if (FT_Load_Char(face, character, FT_LOAD_RENDER | FT_LOAD_FORCE_AUTOHINT) != 0) return out;
     const auto& slot = *face->glyph;
     out.advance = pixels(slot.advance.x);

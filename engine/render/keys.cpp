@@ -97,7 +97,7 @@ std::string label_of(std::string_view character) {
     if (code_points.size() != 1) return {};
     const char32_t c = code_points[0];
     if (c <= U' ' || c == U'\u00A0') return {};
-    // Players recognise punctuation of ASCII more easily by its name, such as "Comma".
+    // Punctuation of ASCII gets a name, such as "Comma", which players recognise more easily.
     const auto* const sign = std::ranges::find(signs, c, &Sign::character);
     if (sign != std::end(signs)) return std::string(sign->name);
     return encode_utf8(upper_case(c));

@@ -41,7 +41,8 @@ EGLDisplay surfaceless_display() {
         !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
         return EGL_NO_DISPLAY;
     }
-    // The core name eglGetPlatformDisplay aborts in epoxy before a display is initialised.
+    // The function of the extension is called, because the one of the core, eglGetPlatformDisplay, aborts in
+    // epoxy before a display is initialised.
     return eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
 }
 

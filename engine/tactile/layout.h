@@ -24,7 +24,7 @@ struct Actuator {
     double limit{1};      ///< largest amplitude sent, 0 to 1
 };
 
-/// A place on the chart of a region that has actuators.
+/// A place on the chart (the flattened skin) of a region that has actuators.
 struct ChartPlace {
     Region region{};
     vec2 at{};  ///< position on the chart (m)

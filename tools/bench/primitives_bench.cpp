@@ -27,7 +27,7 @@ using haptics::PrimitiveKind;
 using haptics::PrimitiveSet;
 using haptics::Spring;
 
-/// Displacement from the kink to x (m).
+/// Displacement to x from the kink, the place where the force of the primitive jumps (m).
 vec3 from_kink(const Primitive& p, vec3 x) {
     const vec3 m = x - p.position;
     const vec3 along = glm::dot(m, p.direction) * p.direction;

@@ -160,7 +160,7 @@ void Loopback::warm_up() {
     if (buffers_.empty()) return;
     std::array<float, 2 * frame_samples> unheard{};
     // OpenAL Soft starts with memory for 256 voices. It doubles this memory before a start of sources that
-    // could use it up.
+    // could use it up, so that start is made now.
     const auto playing = std::span(pool_).first(max_at_once);
     for (int round = 0; round < 3; ++round) {
         begin_changes();

@@ -23,7 +23,7 @@ ff_effect rumble_effect(const tactile::TactileFrame& frame, std::int16_t id) {
     ff_effect effect{};
     effect.type = FF_RUMBLE;
     effect.id = id;
-    // A length of 0 would mean that the effect never ends.
+    // A length of 0 would mean that the effect never ends, so it is at least 1 ms.
     effect.replay.length =
         static_cast<std::uint16_t>(std::clamp<Tick>(frame.time_to_live, 1, longest_rumble_ms));
     effect.u.rumble.strong_magnitude = magnitude(frame, 0);

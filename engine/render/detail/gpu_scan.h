@@ -14,7 +14,7 @@ struct GpuScan {
     std::size_t bytes{};   ///< bytes for each density texel
     bool filled = false;   ///< true: the textures hold samples
     bool painted = false;  ///< true: there are colours or materials
-    bool shows = false;    ///< true: at least one brick has a visible density
+    bool shows = false;    ///< true: at least one brick (of 8^3 samples) has a visible density
     std::uint64_t version{};
     std::uint64_t look{};     ///< hash of everything that decides which bricks have a visible density
     std::uint64_t colours{};  ///< hash of the table's and the materials' contents

@@ -43,7 +43,7 @@ Image read_back(int picture_width, int picture_height) {
     // pixel took four times as long.
     std::vector<std::uint32_t> band(width * rows_at_once);
     std::vector<std::uint8_t> packed(row);
-    // OpenGL counts rows from the bottom.
+    // OpenGL counts rows from the bottom, an Image from the top.
     for (int above = image.height; above > 0; above -= rows_at_once) {
         const int rows = std::min(rows_at_once, above);
         glReadPixels(0, above - rows, image.width, rows, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, band.data());
