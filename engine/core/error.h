@@ -26,7 +26,7 @@ class Expected;
 struct CodeLine {
     const char* file;
     int line;
-    /// Used as a default argument, it gives the line of code that calls the function.
+    /// As the default argument of a function, this gives the line of code that calls that function.
     static constexpr CodeLine here(const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
         return {file, line};
     }

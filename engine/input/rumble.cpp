@@ -83,7 +83,7 @@ private:
     const std::string path_, name_;
     DeviceFile file_{};
     bool failed_ = false;                 ///< true: a call has failed since the device was opened
-    std::array<ff_effect, 2> effects_{};  ///< an id below 0 means that the effect is not uploaded
+    std::array<ff_effect, 2> effects_{};  ///< the two effects; one whose id is below 0 is not uploaded
     std::size_t current_ = 0;             ///< index of the effect that runs, or ran last
     /// true: the effect was started and not stopped, but it may have ended by itself.
     bool running_ = false;

@@ -14,7 +14,7 @@
 
 namespace thaum::physics {
 
-/// A person of 1.8 m and 75 kg.
+/// The body of a mover: a person of 1.8 m and 75 kg.
 inline constexpr BodyDesc mover_body{
     .shape = Shape::capsule, .size = {0.35, 0.55, 0}, .mass = 75, .friction = 0, .upright = 1};
 

@@ -560,7 +560,7 @@ void Renderer::State::send_atlas() {
     }
 }
 
-/// Draws the items in order, alternating between text and other shapes.
+/// Draws the overlay's items in their order: a run of text, a run of other shapes, and so on.
 void Renderer::State::draw_overlay_runs() {
     const auto is_text = [&](const OverlayVertex& v) { return v.texel != atlas.solid(); };
     const auto& all = overlay.built;

@@ -29,11 +29,11 @@ enum Name : unsigned int {
     input_dof = 0x2553,
     output_dof = 0x2554,
     update_rate = 0x2600,
-    nominal_max_stiffness = 0x2602,  // stiffness (N/mm)
-    nominal_max_force = 0x2603,      // force (N)
+    nominal_max_stiffness = 0x2602,  // largest stiffness (N/mm)
+    nominal_max_force = 0x2603,      // largest force, for a short time (N)
     nominal_max_continuous_force = 0x2604,
-    nominal_max_damping = 0x2609,  // damping (N/(mm/s))
-    current_force = 0x2700,        // force (N)
+    nominal_max_damping = 0x2609,  // largest damping (N/(mm/s))
+    current_force = 0x2700,        // force that the arm exerts from now on (N)
     force_output = 0x4000,
     max_force_clamping = 0x4001,
     force_ramping = 0x4002,
