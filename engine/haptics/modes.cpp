@@ -4,28 +4,6 @@
 #include <cmath>
 
 namespace thaum::haptics {
-namespace {
-
-std::vector<Mode>& registered() {
-    static std::vector<Mode> all;  // made at the first use, because registrations run in any order
-    return all;
-}
-
-}  // namespace
-
-ModeRegistration::ModeRegistration(const Mode& mode) {
-    auto& all = registered();
-    // The linker chooses the order of registrations, so the list is sorted to be independent of it.
-    all.insert(std::ranges::find_if(all, [&](const Mode& m) { return mode.name < m.name; }), mode);
-}
-
-std::span<const Mode> modes() { return registered(); }
-
-const Mode* find_mode(std::string_view name) {
-    const auto all = modes();
-    const auto found = std::ranges::find(all, name, &Mode::name);
-    return found == all.end() ? nullptr : &*found;
-}
 
 std::vector<const Mode*> modes_for(FieldKind kind) {
     std::vector<const Mode*> result;

@@ -28,6 +28,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/registry.h"
 #include "field/filters.h"
 #include "field/transfer.h"
 #include "haptics/primitives/primitives.h"
@@ -94,15 +95,13 @@ struct Mode {
 };
 
 /// Registers a mode when the program starts.
-struct ModeRegistration {
-    explicit ModeRegistration(const Mode& mode);
-};
+using ModeRegistration = Registration<Mode>;
 
 /// All modes, sorted by name.
-std::span<const Mode> modes();
+inline std::span<const Mode> modes() { return registry_of<Mode>().all(); }
 
 /// Mode of this name; null if there is none.
-const Mode* find_mode(std::string_view name);
+inline const Mode* find_mode(std::string_view name) { return registry_of<Mode>().find(name); }
 
 /// Modes that read fields of this kind, sorted by name.
 std::vector<const Mode*> modes_for(FieldKind kind);

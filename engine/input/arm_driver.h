@@ -27,6 +27,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/registry.h"
 #include "input/arm.h"
 
 namespace thaum::input {
@@ -104,11 +105,9 @@ struct ArmDriverKind {
 };
 
 /// Registers a driver when the program starts.
-struct ArmDriverRegistration {
-    explicit ArmDriverRegistration(const ArmDriverKind& kind);
-};
+using ArmDriverRegistration = Registration<ArmDriverKind>;
 
 /// All drivers, sorted by name.
-const std::vector<ArmDriverKind>& arm_drivers();
+inline const std::vector<ArmDriverKind>& arm_drivers() { return registry_of<ArmDriverKind>().all(); }
 
 }  // namespace thaum::input

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/registry.h"
 #include "game/command_line/exit_code.h"
 
 namespace thaum::game::inline command_line {
@@ -19,12 +20,10 @@ struct Command {
 };
 
 /// Registers a command when the program starts.
-struct CommandRegistration {
-    explicit CommandRegistration(const Command& command);
-};
+using CommandRegistration = Registration<Command>;
 
 /// All commands of this program, sorted by name.
-const std::vector<Command>& commands();
+inline const std::vector<Command>& commands() { return registry_of<Command>().all(); }
 
 /// Whether the words contain --help or -h.
 bool asks_for_help(const std::vector<std::string>& words);

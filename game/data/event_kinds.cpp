@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/assert.h"
+#include "core/registry.h"
 #include "core/text.h"
 #include "game/data/wand.h"
 
@@ -137,21 +138,16 @@ void number_by_name(EventKinds& all, std::vector<FreeKind> kinds) {
     }
 }
 
-std::vector<EventKindInfo>& registered_kinds() {
-    static std::vector<EventKindInfo> kinds;  // made at the first use, because registrations run in any order
-    return kinds;
-}
-
 EventKinds kinds_of_this_program() {
     std::vector<HitKind> hits;
     for (const auto& wand : wand_kinds()) hits.insert(hits.end(), wand.hits.begin(), wand.hits.end());
-    return number_event_kinds(hits, registered_kinds());
+    return number_event_kinds(hits, registry_of<EventKindInfo>().all());
 }
 
 }  // namespace
 
 EventRegistration::EventRegistration(const EventKindInfo& info) : name_(info.name) {
-    registered_kinds().push_back(info);
+    registry_of<EventKindInfo>().add(info);
 }
 
 EventKind EventRegistration::kind() const { return event_kind(name_).value(); }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/config.h"
+#include "core/registry.h"
 #include "ecs/schedule.h"
 
 namespace thaum::game::inline context {
@@ -63,12 +64,12 @@ struct PotionEffectKind {
 };
 
 /// Registers a kind of effect when the program starts.
-struct PotionEffectRegistration {
-    explicit PotionEffectRegistration(const PotionEffectKind& kind);
-};
+using PotionEffectRegistration = Registration<PotionEffectKind>;
 
-/// All kinds of potion effect, sorted by name.
-const std::vector<PotionEffectKind>& potion_effect_kinds();
+/// All kinds of effect, sorted by name.
+inline const std::vector<PotionEffectKind>& potion_effect_kinds() {
+    return registry_of<PotionEffectKind>().all();
+}
 
 /// The effects that a potion has, in the order of their names. `wizard`: the table `wizard` of the potion's
 /// data file.

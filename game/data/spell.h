@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "core/config.h"
+#include "core/registry.h"
 #include "ecs/schedule.h"
 #include "game/components/wizard.h"
 #include "game/data/registration.h"
@@ -98,12 +99,10 @@ struct SpellKind {
 };
 
 /// Registers a kind of spell when the program starts.
-struct SpellRegistration {
-    explicit SpellRegistration(const SpellKind& kind);
-};
+using SpellRegistration = Registration<SpellKind>;
 
-/// All kinds of spell, sorted by name. A spell's number is its index in this list.
-const std::vector<SpellKind>& spell_kinds();
+/// All kinds, sorted by name. A spell's number is its index in this list.
+inline const std::vector<SpellKind>& spell_kinds() { return registry_of<SpellKind>().all(); }
 
 /// Name of a spell by its number; empty for a number without a spell.
 std::string_view name_of_spell(std::uint32_t number);

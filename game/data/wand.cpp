@@ -3,24 +3,6 @@
 #include <algorithm>
 
 namespace thaum::game::inline data {
-namespace {
-
-std::vector<WandKind>& kinds() {
-    static std::vector<WandKind> all;
-    return all;
-}
-
-}  // namespace
-
-WandRegistration::WandRegistration(const WandKind& kind) {
-    auto& all = kinds();
-    // The linker chooses the order of registrations, so the list is sorted to be independent of it.
-    const auto after =
-        std::find_if(all.begin(), all.end(), [&](const auto& k) { return kind.name < k.name; });
-    all.insert(after, kind);
-}
-
-const std::vector<WandKind>& wand_kinds() { return kinds(); }
 
 LoadedWand read_wand(const WandKind& kind, const Config& file) {
     const auto root = file.root();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/config.h"
+#include "core/registry.h"
 #include "ecs/schedule.h"
 #include "game/components/wizard.h"
 #include "game/data/event_kinds.h"
@@ -163,12 +164,10 @@ struct WandKind {
 };
 
 /// Registers a kind of wand when the program starts.
-struct WandRegistration {
-    explicit WandRegistration(const WandKind& kind);
-};
+using WandRegistration = Registration<WandKind>;
 
-/// All kinds of wand, sorted by name.
-const std::vector<WandKind>& wand_kinds();
+/// All kinds, sorted by name.
+inline const std::vector<WandKind>& wand_kinds() { return registry_of<WandKind>().all(); }
 
 /// A kind of wand with the numbers from its data file.
 struct LoadedWand {

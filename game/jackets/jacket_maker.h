@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/registry.h"
 #include "input/tactile_output.h"
 
 namespace thaum::game::inline jackets {
@@ -65,11 +66,9 @@ struct JacketMaker {
 };
 
 /// Registers a maker when the program starts.
-struct JacketRegistration {
-    explicit JacketRegistration(const JacketMaker& maker);
-};
+using JacketRegistration = Registration<JacketMaker>;
 
 /// All makers, in the order of lists.
-const std::vector<JacketMaker>& jacket_makers();
+inline const std::vector<JacketMaker>& jacket_makers() { return registry_of<JacketMaker>().all(); }
 
 }  // namespace thaum::game::inline jackets

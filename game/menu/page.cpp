@@ -7,26 +7,10 @@
 #include "game/hud/layout.h"
 
 namespace thaum::game::inline menu {
-namespace {
-
-std::vector<Page>& pages() {
-    static std::vector<Page> all;
-    return all;
-}
-
-}  // namespace
-
-PageRegistration::PageRegistration(const Page& page) {
-    auto& all = pages();
-    // The linker chooses the order of registrations, so the list is sorted to be independent of it.
-    all.insert(std::ranges::upper_bound(all, page.name, {}, &Page::name), page);
-}
-
-const std::vector<Page>& all_pages() { return pages(); }
 
 const Page& page_of(std::string_view name) {
-    const auto page = std::ranges::find(pages(), name, &Page::name);
-    THAUM_ASSERT(page != pages().end(), "a page is opened that was not registered");
+    const auto* page = registry_of<Page>().find(name);
+    THAUM_ASSERT(page != nullptr, "a page is opened that was not registered");
     return *page;
 }
 

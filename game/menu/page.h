@@ -4,6 +4,7 @@
 // Rows are made anew for every event and picture. A row has pointers to the functions that act for it, so
 // that the menu needs no list of all kinds of rows.
 #pragma once
+#include "core/registry.h"
 #include "game/menu/menu.h"
 
 namespace thaum::game::inline menu {
@@ -59,12 +60,8 @@ struct Page {
 };
 
 /// Registers a page when the program starts. The linker must keep the object file: link to thaum_menu_pages.
-struct PageRegistration {
-    explicit PageRegistration(const Page& page);
-};
+using PageRegistration = Registration<Page>;
 
-/// All pages, sorted by name.
-const std::vector<Page>& all_pages();
 /// The page of a name, which must be registered.
 const Page& page_of(std::string_view name);
 inline const Page& shown_page(const MenuState& state) { return page_of(state.pages.back().page); }
