@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/casting/casting.h"
 #include "game/stations/cauldron/potions.h"
 
 namespace thaum::game::inline bots {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "game/bots/aim.h"
-#include "game/casting/casting.h"
+#include "game/components/casting.h"
 
 namespace thaum::game::inline bots {
 namespace {

@@ -223,12 +223,6 @@ CastingAccess access_of_casting(const MatchContext& context) {
     return access;
 }
 
-const LoadedSpell* spell_of(const MatchData& data, std::string_view gesture) {
-    const auto found = std::find_if(data.spells.begin(), data.spells.end(),
-                                    [&](const LoadedSpell& s) { return s.stats.gesture == gesture; });
-    return found == data.spells.end() ? nullptr : &*found;
-}
-
 void begin_stroke(MatchContext& context, ecs::Entity wizard) {
     auto& world = context.world;
     if (!context.data.gestures || std::as_const(world).has<DrawnStroke>(wizard)) return;

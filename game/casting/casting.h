@@ -18,9 +18,6 @@ namespace thaum::game::inline casting {
 /// Reads HandState, writes DrawnStroke.
 void begin_stroke(MatchContext& context, ecs::Entity wizard);
 
-/// The spell that a gesture casts; null if the gesture casts none.
-const LoadedSpell* spell_of(const MatchData& data, std::string_view gesture);
-
 /// The wizard who casts, and the time (ticks of play).
 struct Caster {
     ecs::Entity wizard;

@@ -38,4 +38,9 @@ CastingRules read_casting_rules(const Config& file) {
     return rules;
 }
 
+std::string_view force_word(const CastingRules& rules, double force) {
+    if (force < rules.gentle_below) return "gentle";
+    return force < rules.harsh_from ? "normal" : "harsh";
+}
+
 }  // namespace thaum::game::inline data

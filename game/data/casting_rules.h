@@ -1,5 +1,7 @@
 // game/data/casting_rules.h: rules for strokes and for the focus that spells cost (assets/casting.toml).
 #pragma once
+#include <string_view>
+
 #include "core/config.h"
 #include "core/units.h"
 
@@ -47,5 +49,8 @@ struct CastingRules {
 };
 
 CastingRules read_casting_rules(const Config& file);
+
+/// Word for the force of a stroke: "gentle", "normal" or "harsh".
+std::string_view force_word(const CastingRules& rules, double force);
 
 }  // namespace thaum::game::inline data

@@ -551,6 +551,12 @@ MatchReading read_match_data(const std::filesystem::path& assets, const DataChoi
     return reading;
 }
 
+const LoadedSpell* spell_of(const MatchData& data, std::string_view gesture) {
+    const auto found = std::ranges::find_if(
+        data.spells, [&](const LoadedSpell& spell) { return spell.stats.gesture == gesture; });
+    return found == data.spells.end() ? nullptr : &*found;
+}
+
 Expected<MatchData> load_match_data(const std::filesystem::path& assets, const DataChoice& choice) {
     auto reading = read_match_data(assets, choice);
     if (reading.error) return std::move(*reading.error);

@@ -61,6 +61,9 @@ struct MatchData {
     std::vector<input::DataFile> files;
 };
 
+/// The spell that a gesture casts; null if the gesture casts none.
+const LoadedSpell* spell_of(const MatchData& data, std::string_view gesture);
+
 /// Name of a data file in messages, with the name of its folder: "assets/wands/bolt.toml".
 std::string shown_path(const std::filesystem::path& assets, std::string_view name);
 

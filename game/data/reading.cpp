@@ -183,4 +183,9 @@ Reading read_drawn(const GestureSet& gestures, const DrawnStroke& trace, Reading
     return reading;
 }
 
+int whole_percent(double probability) {
+    const auto whole = static_cast<int>(std::lround(100 * probability));
+    return probability < 1 && whole == 100 ? 99 : whole;
+}
+
 }  // namespace thaum::game::inline data

@@ -61,4 +61,8 @@ gesture::Recognition recognise_drawn(const gesture::Recogniser& recogniser, gest
 /// gesture.
 Reading read_drawn(const GestureSet& gestures, const DrawnStroke& trace, ReadingSpace& space);
 
+/// A probability as a whole percentage, as captions and the gesture wall show it. Only a certain reading
+/// gives 100.
+int whole_percent(double probability);
+
 }  // namespace thaum::game::inline data

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "core/text.h"
+#include "game/data/casting_rules.h"
 #include "game/data/teams.h"
 #include "game/hud/likely_spell.h"
 #include "game/hud/overlay.h"
-#include "game/hud/stroke_words.h"
 #include "game/hud/wand_icon.h"
 #include "game/picture/stroke_pieces.h"
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/text.h"
-#include "game/data/event_words.h"
 #include "game/data/reading.h"
 #include "game/data/spell.h"
 
@@ -97,16 +96,6 @@ std::string words_of_near_miss(const CastingPicture& casting) {
 }
 
 }  // namespace
-
-int whole_percent(double probability) {
-    const auto whole = static_cast<int>(std::lround(100 * probability));
-    return probability < 1 && whole == 100 ? 99 : whole;
-}
-
-std::string_view force_word(const CastingRules& rules, double force) {
-    if (force < rules.gentle_below) return "gentle";
-    return force < rules.harsh_from ? "normal" : "harsh";
-}
 
 StrokeCaption stroke_caption(const CastingPicture& casting, const Presentation& shown,
                              const ControlNames& controls) {

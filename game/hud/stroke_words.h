@@ -12,13 +12,6 @@
 
 namespace thaum::game::inline hud {
 
-/// Word for the force of a stroke: "gentle", "normal" or "harsh".
-std::string_view force_word(const CastingRules& rules, double force);
-
-/// A probability as a whole percentage, as captions and the gesture wall show it. Only a probability of 1
-/// gives 100.
-int whole_percent(double probability);
-
 struct StrokeCaption {
     std::string words;  ///< text of the caption; empty: no stroke was read just now
     bool failed{};      ///< true: the stroke did not have the result that the player wanted

@@ -2,7 +2,6 @@
 
 #include "core/table.h"
 #include "core/text.h"
-#include "game/casting/casting.h"
 #include "game/components/hand_state.h"
 #include "game/components/power_up.h"
 #include "game/context/arms.h"

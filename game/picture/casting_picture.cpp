@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/text.h"
-#include "game/casting/casting.h"
+#include "game/components/casting.h"
 #include "game/components/orb.h"
 #include "game/components/station.h"
 #include "game/data/presentation.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "game/casting/casting.h"
 #include "game/components/casting.h"
 #include "game/components/orb.h"
 #include "game/components/station.h"

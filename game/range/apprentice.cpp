@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/bots/aim.h"
 #include "game/components/cauldron.h"
+#include "game/context/aim.h"
 #include "game/data/wand_slots.h"
 
 namespace thaum::game::inline range {

@@ -3,11 +3,9 @@
 #include <algorithm>
 
 #include "core/text.h"
-#include "game/casting/casting.h"
 #include "game/components/casting.h"
 #include "game/context/match_context.h"
 #include "game/data/reading.h"
-#include "game/hud/stroke_words.h"
 #include "game/range/apprentice.h"
 #include "gesture/comparison.h"
 

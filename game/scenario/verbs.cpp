@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/casting/casting.h"
 #include "game/components/casting.h"
 #include "game/components/cauldron.h"
 #include "game/components/free_hand.h"

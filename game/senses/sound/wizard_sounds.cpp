@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "game/components/crystal.h"
-#include "game/context/aim.h"
 #include "game/data/wand_slots.h"
 #include "game/senses/sound/scene_parts.h"
 
