@@ -67,10 +67,11 @@ Bytes WavWriter::header() const {
 void WavWriter::write(std::span<const float> samples) {
     const auto write_as = [&](auto convert) {
         std::array<decltype(convert(0.0F)), 1024> piece;
-        for (auto rest = samples; !rest.empty(); rest = rest.subspan(std::min(rest.size(), piece.size()))) {
-            const auto count = std::min(rest.size(), piece.size());
-            std::transform(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(count), piece.begin(),
-                           convert);
+        for (auto remaining = samples; !remaining.empty();
+             remaining = remaining.subspan(std::min(remaining.size(), piece.size()))) {
+            const auto count = std::min(remaining.size(), piece.size());
+            std::transform(remaining.begin(), remaining.begin() + static_cast<std::ptrdiff_t>(count),
+                           piece.begin(), convert);
             file_.write(std::as_bytes(std::span(piece).first(count)));
         }
     };

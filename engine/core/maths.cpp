@@ -23,32 +23,32 @@ constexpr double half_pi_high = 0x1.921fb544p+0;
 constexpr double half_pi_middle = 0x1.0b4611a6p-34;
 constexpr double half_pi_low = 0x1.3198a2e037073p-69;
 
-/// Computes sin(x + rest) for |x| <= pi/4, where `rest` is a correction smaller than an ulp of x.
-double sin_near_zero(double x, double rest) {
-    if (std::abs(x) < 0x1p-27) return rest == 0 ? x : x + rest;  // x + 0 would lose the sign of -0
+/// Computes sin(x + remainder) for |x| <= pi/4, where `remainder` is a correction smaller than an ulp of x.
+double sin_near_zero(double x, double remainder) {
+    if (std::abs(x) < 0x1p-27) return remainder == 0 ? x : x + remainder;  // x + 0 would lose the sign of -0
     const double q = x * x;
     const double q2 = q * q;
     const double low = (-1.0 / 6 + q / 120) + q2 * (-1.0 / 5040 + q / 362880);
     const double high = (-1.0 / 39916800 + q * (1.0 / 6227020800)) +
                         q2 * (-1.0 / 1307674368000 + q * (1.0 / 355687428096000));
-    return x + (x * q * (low + q2 * q2 * high) + rest * (1 - q / 2));
+    return x + (x * q * (low + q2 * q2 * high) + remainder * (1 - q / 2));
 }
 
-double cos_near_zero(double x, double rest) {
+double cos_near_zero(double x, double remainder) {
     const double q = x * x;
     const double q2 = q * q;
     const double low = (1.0 / 24 - q * (1.0 / 720)) + q2 * (1.0 / 40320 - q * (1.0 / 3628800));
     const double high = (1.0 / 479001600 - q * (1.0 / 87178291200)) + q2 * (1.0 / 20922789888000);
     const double half = q / 2;
     const double top = 1 - half;
-    return top + (((1 - top) - half) + (q2 * (low + q2 * q2 * high) - x * rest));
+    return top + (((1 - top) - half) + (q2 * (low + q2 * q2 * high) - x * remainder));
 }
 
 /// An angle from which a whole number of quarter turns was subtracted.
 struct Reduced {
-    double x;      ///< remaining angle in [-pi/4, pi/4], up to rounding of the last place (rad)
-    double rest;   ///< rounding error of x; the angle is x + rest (rad)
-    int quadrant;  ///< number of quarter turns modulo 4
+    double x;          ///< remaining angle in [-pi/4, pi/4], up to rounding of the last place (rad)
+    double remainder;  ///< rounding error of x; the angle is x + remainder (rad)
+    int quadrant;      ///< number of quarter turns modulo 4
 };
 
 /// Bits of 2/pi after the binary point.
@@ -117,10 +117,10 @@ Reduced reduce_exactly(double x) {
     const double high = std::ldexp(static_cast<double>(turns[2] >> 11U), weight - 53);
     const auto next = (turns[2] & 0x7ffU) << 42U | turns[1] >> 22U;
     const double low = std::ldexp(static_cast<double>(next), weight - 106);
-    auto [angle, rest] = product_of(high, 0x1.921fb54442d18p+0);
-    rest += high * 0x1.1a62633145c07p-54 + low * 0x1.921fb54442d18p+0;
-    if (beyond != std::signbit(x)) angle = -angle, rest = -rest;
-    const Double2 sum = sum_of(angle, rest);
+    auto [angle, remainder] = product_of(high, 0x1.921fb54442d18p+0);
+    remainder += high * 0x1.1a62633145c07p-54 + low * 0x1.921fb54442d18p+0;
+    if (beyond != std::signbit(x)) angle = -angle, remainder = -remainder;
+    const Double2 sum = sum_of(angle, remainder);
     return {sum.high, sum.low, (std::signbit(x) ? -quadrant : quadrant) & 3};
 }
 
@@ -138,12 +138,14 @@ Reduced reduce(double x) {
 }
 
 double sin_of(const Reduced& r) {
-    const double value = (r.quadrant & 1) != 0 ? cos_near_zero(r.x, r.rest) : sin_near_zero(r.x, r.rest);
+    const double value =
+        (r.quadrant & 1) != 0 ? cos_near_zero(r.x, r.remainder) : sin_near_zero(r.x, r.remainder);
     return (r.quadrant & 2) != 0 ? -value : value;
 }
 
 double cos_of(const Reduced& r) {
-    const double value = (r.quadrant & 1) != 0 ? sin_near_zero(r.x, r.rest) : cos_near_zero(r.x, r.rest);
+    const double value =
+        (r.quadrant & 1) != 0 ? sin_near_zero(r.x, r.remainder) : cos_near_zero(r.x, r.remainder);
     return r.quadrant == 1 || r.quadrant == 2 ? -value : value;
 }
 

@@ -16,19 +16,19 @@ char plain(char c) { return c == '-' ? '_' : lower_case(c); }
 
 /// Least number of edits that turn one word into the other (optimal string alignment).
 std::size_t changes_between(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), now(b.size() + 1);
+    std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
     for (std::size_t i = 1; i <= a.size(); ++i) {
-        now[0] = i;
+        row[0] = i;
         for (std::size_t j = 1; j <= b.size(); ++j) {
             const bool same = plain(a[i - 1]) == plain(b[j - 1]);
-            now[j] = std::min({last[j] + 1, now[j - 1] + 1, last[j - 1] + (same ? 0 : 1)});
+            row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (same ? 0 : 1)});
             const bool swapped =
                 i > 1 && j > 1 && plain(a[i - 1]) == plain(b[j - 2]) && plain(a[i - 2]) == plain(b[j - 1]);
-            if (swapped) now[j] = std::min(now[j], before[j - 2] + 1);
+            if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
         }
         std::swap(before, last);
-        std::swap(last, now);
+        std::swap(last, row);
     }
     return last[b.size()];
 }

@@ -75,9 +75,9 @@ void StepThread<Work>::State::run() {
     while (!stop) {
         lock.unlock();
         const std::chrono::duration<double> now = Clock::now() - start;
-        const std::chrono::duration<double> rest(work.step(now.count()));
+        const std::chrono::duration<double> wait(work.step(now.count()));
         lock.lock();
-        changed.wait_for(lock, rest, [this] { return stop; });
+        changed.wait_for(lock, wait, [this] { return stop; });
     }
     if (left_behind) return;
     lock.unlock();

@@ -60,26 +60,26 @@ bool has_comma(std::string_view word) { return word.find(',') != std::string_vie
 }  // namespace
 
 TableReader::TableReader(std::string_view csv, std::string_view name, std::string_view usual_titles)
-    : rest_(csv), name_(printable(name, 200)) {
+    : remaining_(csv), name_(printable(name, 200)) {
     if (const auto other = no_table(csv); !other.empty()) {
         report(text("this is ", other, "; save the table as CSV in UTF-8"));
         return;
     }
-    rest_ = without_byte_order_mark(rest_);
-    if (rest_.find('\n') == std::string_view::npos) line_end_ = '\r';
+    remaining_ = without_byte_order_mark(remaining_);
+    if (remaining_.find('\n') == std::string_view::npos) line_end_ = '\r';
     read_titles(usual_titles);
 }
 
 void TableReader::read_titles(std::string_view usual_titles) {
-    auto first = without_end(rest_.substr(0, end_of_line()));
+    auto first = without_end(remaining_.substr(0, end_of_line()));
     const bool named = first.size() == separator_line.size() + 1 && first.starts_with(separator_line);
     separator_ = named ? first.back() : separator_of(first, usual_titles);
     if (named) {
-        rest_.remove_prefix(std::min(end_of_line() + 1, rest_.size()));
+        remaining_.remove_prefix(std::min(end_of_line() + 1, remaining_.size()));
         ++lines_read_;
     }
     do read_cells();
-    while (good() && !has_content() && !rest_.empty());
+    while (good() && !has_content() && !remaining_.empty());
     if (!good()) return;
     first_row_pending_ = !usual_titles.empty() && number_in(cells_.front()).has_value();
     if (first_row_pending_) {
@@ -108,7 +108,7 @@ bool TableReader::next() {
     if (!good()) return false;
     if (!std::exchange(first_row_pending_, false)) {
         do {
-            if (rest_.empty()) return false;
+            if (remaining_.empty()) return false;
             read_cells();
         } while (good() && !has_content());
     }
@@ -167,17 +167,19 @@ bool TableReader::has_content() const {
     return std::ranges::any_of(cells_, [](std::string_view cell) { return !cell.empty(); });
 }
 
-std::size_t TableReader::end_of_line() const { return std::min(rest_.find(line_end_), rest_.size()); }
+std::size_t TableReader::end_of_line() const {
+    return std::min(remaining_.find(line_end_), remaining_.size());
+}
 
 bool TableReader::take(char c) {
-    if (!rest_.starts_with(c)) return false;
-    rest_.remove_prefix(1);
+    if (!remaining_.starts_with(c)) return false;
+    remaining_.remove_prefix(1);
     return true;
 }
 
 void TableReader::skip_blanks() {
     const auto is_blank = [&](char c) { return c == ' ' || (c == '\t' && separator_ != '\t'); };
-    while (!rest_.empty() && is_blank(rest_.front())) rest_.remove_prefix(1);
+    while (!remaining_.empty() && is_blank(remaining_.front())) remaining_.remove_prefix(1);
 }
 
 /// Reads the cells of the next row, which spans several lines if a quoted cell contains line breaks.
@@ -192,14 +194,14 @@ void TableReader::read_cells() {
     } while (good() && take(separator_));
     bool ended = take('\r');
     if (line_end_ == '\n') ended = take('\n');
-    if (!ended && !rest_.empty()) report("text behind a closing quote");
+    if (!ended && !remaining_.empty()) report("text behind a closing quote");
 }
 
 std::string_view TableReader::read_plain() {
     std::size_t end = 0;
-    while (end < rest_.size() && rest_[end] != separator_ && rest_[end] != line_end_) ++end;
-    const auto cell = without_end(rest_.substr(0, end));
-    rest_.remove_prefix(end);
+    while (end < remaining_.size() && remaining_[end] != separator_ && remaining_[end] != line_end_) ++end;
+    const auto cell = without_end(remaining_.substr(0, end));
+    remaining_.remove_prefix(end);
     return cell;
 }
 
@@ -207,14 +209,14 @@ std::string_view TableReader::read_plain() {
 std::string_view TableReader::read_quoted() {
     std::string* unquoted = nullptr;
     for (;;) {
-        const auto end = rest_.find('"');
+        const auto end = remaining_.find('"');
         if (end == std::string_view::npos) {
             report("a quote is opened and not closed");
             return {};
         }
-        const auto part = rest_.substr(0, end);
+        const auto part = remaining_.substr(0, end);
         lines_read_ += static_cast<std::size_t>(std::ranges::count(part, line_end_));
-        rest_.remove_prefix(end + 1);
+        remaining_.remove_prefix(end + 1);
         const bool goes_on = take('"');
         if (goes_on && unquoted == nullptr) unquoted = &unquoted_.emplace_back();
         if (unquoted != nullptr) append_text(*unquoted, part);

@@ -60,7 +60,7 @@ private:
     bool has_content() const;
     std::optional<double> number_in(std::string_view word) const;
 
-    std::string_view rest_;
+    std::string_view remaining_;
     std::string name_;
     std::size_t line_ = 1;        ///< line in which the current row begins, from 1
     std::size_t lines_read_ = 0;  ///< number of lines read so far, including the current row

@@ -52,8 +52,8 @@ std::string hex(unsigned long long value) {
 }
 
 std::string clock_text(unsigned long long seconds) {
-    const auto rest = seconds % 60;
-    return text(seconds / 60, rest < 10 ? ":0" : ":", rest);
+    const auto remaining = seconds % 60;
+    return text(seconds / 60, remaining < 10 ? ":0" : ":", remaining);
 }
 
 namespace {

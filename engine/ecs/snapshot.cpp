@@ -124,9 +124,9 @@ struct SnapshotAccess {
         Bytes head;
         ByteWriter writer(head);
         put_components(writer, world);
-        const std::size_t rest = head.size() - snapshot_magic.size() - 4;
-        const auto theirs = in.get_bytes(rest);
-        return in.ok() && std::memcmp(theirs.data(), head.data() + (head.size() - rest), rest) == 0;
+        const std::size_t remaining = head.size() - snapshot_magic.size() - 4;
+        const auto theirs = in.get_bytes(remaining);
+        return in.ok() && std::memcmp(theirs.data(), head.data() + (head.size() - remaining), remaining) == 0;
     }
 
     /// Reads the saved state into the World. Returns false if the bytes are cut off or contradict each other.

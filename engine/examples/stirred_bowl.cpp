@@ -50,7 +50,7 @@ int main(int count, char** arguments) {
         fluid::push(*fluid, {.place = centre + 0.08 * outward, .radius = 0.04, .impulse = 6e-6 * along});
         fastest = fluid::advance(*fluid, 1.0 / 60).speed;
     }
-    const auto bytes = nrrd(*fluid, fluid->now.substances[0]);
+    const auto bytes = nrrd(*fluid, fluid->state.substances[0]);
     if (const auto written = write_file(arguments[1], bytes); !written) {
         std::cerr << written.error().message << '\n';
         return 1;

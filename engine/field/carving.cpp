@@ -77,12 +77,12 @@ VoxelBox box_around(const Casts& casts) {
     return box;
 }
 
-/// Density of a voxel after an operation. For a constant, `weight` is the weight of the tool at the voxel;
-/// for a filter it is the fraction by which the density moves towards its target.
-float next_density(const VoxelView& body, const Cast& cast, float now, double weight) {
+/// Density of a voxel after an operation. `weight` is that of a constant; for a filter it is the fraction by
+/// which the density moves towards its target.
+float next_density(const VoxelView& body, const Cast& cast, float current, double weight) {
     const double range = static_cast<double>(body.full) - static_cast<double>(body.empty);
     const double empty = static_cast<double>(body.empty), target = empty + cast.operation->density * range;
-    const double d = std::isfinite(now) ? static_cast<double>(now) : empty;
+    const double d = std::isfinite(current) ? static_cast<double>(current) : empty;
     if (cast.operation->method == Method::filter) {
         const double next = d + weight * (target - d);
         return static_cast<float>(std::abs(next - target) <= close_enough * range ? target : next);
@@ -101,15 +101,15 @@ std::uint8_t mixed(std::uint8_t from, std::uint8_t to, double share, double dice
     return static_cast<std::uint8_t>(std::clamp(exact + dice, 0.0, 255.0));
 }
 
-Rgb8 next_colour(const Cast& cast, std::size_t voxel, Rgb8 now, double weight) {
+Rgb8 next_colour(const Cast& cast, std::size_t voxel, Rgb8 current, double weight) {
     const Rgb8 to = cast.operation->colour;
-    if (cast.operation->method == Method::constant) return weight >= half_covered ? to : now;
+    if (cast.operation->method == Method::constant) return weight >= half_covered ? to : current;
     const std::uint64_t dice = hash_combine(cast.seed, voxel);
     const auto part = [&](unsigned shift) {
         return static_cast<double>((dice >> shift) & 0xffffU) * 0x1.0p-16;
     };
-    return {mixed(now.r, to.r, weight, part(0)), mixed(now.g, to.g, weight, part(16)),
-            mixed(now.b, to.b, weight, part(32))};
+    return {mixed(current.r, to.r, weight, part(0)), mixed(current.g, to.g, weight, part(16)),
+            mixed(current.b, to.b, weight, part(32))};
 }
 
 /// Returns true if one of the six neighbours lies on the other side of the surface.

@@ -41,19 +41,20 @@ BrickCopy& new_copy(CarvingHistory& history) {
 
 void store(BrickCopy& copy, const VoxelView& body, std::size_t brick) {
     copy.brick = static_cast<std::uint32_t>(brick);
-    for_each_run(copy, body, [](auto* kept, const auto* now, std::size_t n) { std::copy_n(now, n, kept); });
+    for_each_run(copy, body,
+                 [](auto* kept, const auto* current, std::size_t n) { std::copy_n(current, n, kept); });
 }
 
 void exchange(BrickCopy& copy, const VoxelView& body) {
     for_each_run(copy, body,
-                 [](auto* kept, auto* now, std::size_t n) { std::swap_ranges(kept, kept + n, now); });
+                 [](auto* kept, auto* current, std::size_t n) { std::swap_ranges(kept, kept + n, current); });
 }
 
 /// Compares bits, so that a NaN density equals itself.
 bool is_unchanged(const BrickCopy& copy, const VoxelView& body) {
     bool same = true;
-    for_each_run(copy, body, [&](const auto* kept, const auto* now, std::size_t n) {
-        same = same && std::memcmp(kept, now, n * sizeof *kept) == 0;
+    for_each_run(copy, body, [&](const auto* kept, const auto* current, std::size_t n) {
+        same = same && std::memcmp(kept, current, n * sizeof *kept) == 0;
     });
     return same;
 }

@@ -22,10 +22,10 @@ Properties read_properties(const ConfigTable& table) {
     Properties found;
     const std::array<bool*, 3> flags{&found.density, &found.colour, &found.material};
     const std::string words = table.string("properties");
-    std::string_view rest = words;
-    while (!rest.empty()) {
-        const std::string_view word = rest.substr(0, rest.find(' '));
-        rest.remove_prefix(std::min(word.size() + 1, rest.size()));
+    std::string_view remaining = words;
+    while (!remaining.empty()) {
+        const std::string_view word = remaining.substr(0, remaining.find(' '));
+        remaining.remove_prefix(std::min(word.size() + 1, remaining.size()));
         if (word.empty()) continue;
         const auto name = std::ranges::find(property_names, word);
         if (name == property_names.end()) {

@@ -46,9 +46,9 @@ std::optional<Arrangement> along_space(const std::array<vec3, 3>& direction) {
         const vec3 d = direction[axis], size = glm::abs(d);
         const int main = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
         const auto to = static_cast<std::size_t>(main);
-        vec3 rest = d;
-        rest[main] = 0;
-        if (used[to] || glm::length(rest) > is_turned * size[main]) return {};
+        vec3 off_axis = d;
+        off_axis[main] = 0;
+        if (used[to] || glm::length(off_axis) > is_turned * size[main]) return {};
         used[to] = true;
         a.from[to] = axis;
         a.is_reversed[to] = d[main] < 0;
@@ -200,9 +200,9 @@ struct WrittenSpace {
 };
 
 bool still_lies_there(const FileAxes& axes, const Volume& volume) {
-    const Placement &was = axes.placement, &now = volume.placement;
-    return axes.spacing == volume.spacing && was.origin == now.origin && was.turn == now.turn &&
-           was.scale == now.scale;
+    const Placement &was = axes.placement, &current = volume.placement;
+    return axes.spacing == volume.spacing && was.origin == current.origin && was.turn == current.turn &&
+           was.scale == current.scale;
 }
 
 WrittenSpace space_of(const Volume& volume) {

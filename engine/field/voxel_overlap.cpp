@@ -22,12 +22,12 @@ void recount(VoxelOverlap& overlap, const VoxelView& body, const VoxelBox& chang
     for_each_row(body, changed, [&](std::size_t first, std::size_t) {
         for (std::size_t i = first; i < first + width; ++i) {
             const unsigned was = overlap.inside[i], wanted = was & 2U;
-            const unsigned now = wanted | (body.density[i] >= overlap.threshold ? 1U : 0U);
-            overlap.both += now == 3 ? 1 : 0;
+            const unsigned current = wanted | (body.density[i] >= overlap.threshold ? 1U : 0U);
+            overlap.both += current == 3 ? 1 : 0;
             overlap.both -= was == 3 ? 1 : 0;
-            overlap.either += now != 0 ? 1 : 0;
+            overlap.either += current != 0 ? 1 : 0;
             overlap.either -= was != 0 ? 1 : 0;
-            overlap.inside[i] = static_cast<std::uint8_t>(now);
+            overlap.inside[i] = static_cast<std::uint8_t>(current);
         }
     });
 }

@@ -103,8 +103,8 @@ Expected<void> restore(const VoxelView& body, ByteReader& saved) {
     ++bricks.newest;
     for_each_brick(bricks, {{}, bricks.count}, [&](std::array<int, 3> brick, std::size_t number) {
         const VoxelBox box = brick_box(body.count, brick);
-        const BrickVoxels now = read_brick(body, box), then = unpack(saved, now.count);
-        if (!saved.ok() || std::ranges::equal(now.used(), then.used())) return;
+        const BrickVoxels current = read_brick(body, box), then = unpack(saved, current.count);
+        if (!saved.ok() || std::ranges::equal(current.used(), then.used())) return;
         write_brick(body, box, then);
         bricks.version[number] = bricks.newest;
     });

@@ -155,17 +155,17 @@ Expected<Fluid> make_fluid(const Settings& settings) {
     if (const auto sound = check(settings); !sound) return sound.error();
     Fluid fluid{.settings = settings,
                 .lattice = make_lattice(settings.cells, settings.h, settings.edges),
-                .now = {},
+                .state = {},
                 .work = std::unique_ptr<Workspace, DeleteWorkspace>(new Workspace)};
-    fluid.now.velocity.fill(make_samples(fluid.lattice));
-    fluid.now.push.fill(make_samples(fluid.lattice));
-    fluid.now.pressure = make_samples(fluid.lattice);
-    fluid.now.projected = make_samples(fluid.lattice);
-    fluid.now.substances.assign(settings.substances.size(), make_samples(fluid.lattice));
-    fluid.now.asleep = settings.lid == 0;
+    fluid.state.velocity.fill(make_samples(fluid.lattice));
+    fluid.state.push.fill(make_samples(fluid.lattice));
+    fluid.state.pressure = make_samples(fluid.lattice);
+    fluid.state.projected = make_samples(fluid.lattice);
+    fluid.state.substances.assign(settings.substances.size(), make_samples(fluid.lattice));
+    fluid.state.asleep = settings.lid == 0;
     if (settings.solver == Solver::thaum) {
         fluid.work->staggered = std::make_unique<StaggeredSolver>(settings, fluid.lattice);
-        fluid.work->staggered->fill(settings, fluid.now.velocity);
+        fluid.work->staggered->fill(settings, fluid.state.velocity);
     } else {
         fluid.work->apart = make_classic();
     }
@@ -183,41 +183,41 @@ bool push(Fluid& fluid, const Push& push) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double change = push.impulse[static_cast<int>(axis)] / volume;
         if (change == 0) continue;
-        taken |= distribute(fluid, push.place, radius, change, fluid.place(axis), fluid.now.push[axis],
+        taken |= distribute(fluid, push.place, radius, change, fluid.place(axis), fluid.state.push[axis],
                             [&](vec3 cell, std::size_t at) { return is_free(fluid, axis, cell, at); });
     }
     if (!taken) return false;
-    fluid.now.pushed = true;
-    fluid.now.asleep = false;
+    fluid.state.pushed = true;
+    fluid.state.asleep = false;
     return true;
 }
 
 bool pour(Fluid& fluid, std::size_t substance, vec3 place, double radius, double amount) {
-    if (substance >= fluid.now.substances.size() || !is_finite(place) || !(radius >= 0) ||
+    if (substance >= fluid.state.substances.size() || !is_finite(place) || !(radius >= 0) ||
         !std::isfinite(radius))
         return false;
     const double volume = volume_of_cell(fluid.lattice);
     if (!(amount > 0) || !(amount <= max_density * volume)) return false;
     const double total = amount / volume;
     const bool poured = distribute(fluid, place, std::max(radius, 1.5 * fluid.lattice.h), total, vec3(0.5),
-                                   fluid.now.substances[substance],
+                                   fluid.state.substances[substance],
                                    [&](vec3, std::size_t at) { return holds_fluid(fluid, at); });
     if (!poured) return false;
-    fill_ghosts(fluid.lattice, all_even, fluid.now.substances[substance]);
-    fluid.now.asleep = false;
+    fill_ghosts(fluid.lattice, all_even, fluid.state.substances[substance]);
+    fluid.state.asleep = false;
     return true;
 }
 
 StepReport advance(Fluid& fluid, double dt) {
-    if (fluid.now.asleep || !(dt > 0)) return {};
+    if (fluid.state.asleep || !(dt > 0)) return {};
     dt = std::min(dt, 1.0);
-    if (fluid.work->staggered) return fluid.work->staggered->step(fluid.settings, fluid.now, dt);
+    if (fluid.work->staggered) return fluid.work->staggered->step(fluid.settings, fluid.state, dt);
     return fluid.work->apart->step(fluid, dt);
 }
 
 void carry_substances(Fluid& fluid, double dt) {
     if (fluid.work->staggered)
-        fluid.work->staggered->carry_substances(fluid.settings, fluid.now, dt);
+        fluid.work->staggered->carry_substances(fluid.settings, fluid.state, dt);
     else
         fluid.work->apart->carry_substances(fluid, dt);
 }
@@ -227,9 +227,9 @@ vec3 velocity_at(const Fluid& fluid, vec3 place) {
     const vec3 inside = fluid.lattice.h * into_box(fluid.lattice, place / fluid.lattice.h);
     vec3 result;
     for (std::size_t axis = 0; axis < 3; ++axis)
-        result[static_cast<int>(axis)] =
-            grid_of(fluid.lattice, fluid.now.velocity[axis], fluid.place(axis), field::Kernel::linear)(inside)
-                .value;
+        result[static_cast<int>(axis)] = grid_of(fluid.lattice, fluid.state.velocity[axis], fluid.place(axis),
+                                                 field::Kernel::linear)(inside)
+                                             .value;
     return result;
 }
 
@@ -238,12 +238,12 @@ void set_velocity(Fluid& fluid, const std::function<vec3(vec3)>& velocity) {
         each_cell(fluid.lattice, [&](int i, int j, int k, std::size_t at) {
             const vec3 cell(i, j, k);
             const vec3 value = velocity(fluid.lattice.h * (cell + fluid.place(axis)));
-            fluid.now.velocity[axis][at] = static_cast<float>(value[static_cast<int>(axis)]);
+            fluid.state.velocity[axis][at] = static_cast<float>(value[static_cast<int>(axis)]);
         });
     const Solids* solids = fluid.work->staggered ? fluid.work->staggered->solids() : nullptr;
     for (std::size_t axis = 0; axis < 3 && solids != nullptr; ++axis)
         for (const CutFace& face : solids->cut_faces(axis))
-            fluid.now.velocity[axis][face.at] =
+            fluid.state.velocity[axis][face.at] =
                 static_cast<float>(velocity(face.middle)[static_cast<int>(axis)]);
     refresh_after_edit(fluid);
 }
@@ -252,7 +252,7 @@ void set_substance(Fluid& fluid, std::size_t substance, const std::function<doub
     each_cell(fluid.lattice, [&](int i, int j, int k, std::size_t at) {
         const vec3 cell(i, j, k);
         const double value = density(fluid.lattice.h * (cell + 0.5));
-        fluid.now.substances[substance][at] =
+        fluid.state.substances[substance][at] =
             static_cast<float>(holds_fluid(fluid, at) ? std::max(value, 0.0) : 0.0);
     });
     refresh_after_edit(fluid);
@@ -260,35 +260,35 @@ void set_substance(Fluid& fluid, std::size_t substance, const std::function<doub
 
 void refresh_after_edit(Fluid& fluid) {
     if (fluid.work->staggered)
-        fluid.work->staggered->fill(fluid.settings, fluid.now.velocity);
+        fluid.work->staggered->fill(fluid.settings, fluid.state.velocity);
     else
         fluid.work->apart->fill(fluid);
-    fill_ghosts(fluid.lattice, all_even, fluid.now.pressure);
-    fill_ghosts(fluid.lattice, all_even, fluid.now.projected);
-    for (Samples& substance : fluid.now.substances) fill_ghosts(fluid.lattice, all_even, substance);
-    fluid.now.asleep = false;
+    fill_ghosts(fluid.lattice, all_even, fluid.state.pressure);
+    fill_ghosts(fluid.lattice, all_even, fluid.state.projected);
+    for (Samples& substance : fluid.state.substances) fill_ghosts(fluid.lattice, all_even, substance);
+    fluid.state.asleep = false;
 }
 
 vec3 momentum(const Fluid& fluid) {
     vec3 result;
     for (std::size_t axis = 0; axis < 3; ++axis)
         result[static_cast<int>(axis)] =
-            volume_of_cell(fluid.lattice) * total(fluid.lattice, fluid.now.velocity[axis]);
+            volume_of_cell(fluid.lattice) * total(fluid.lattice, fluid.state.velocity[axis]);
     return result;
 }
 
 double energy(const Fluid& fluid) {
     const auto* shares = fluid.work->staggered ? fluid.work->staggered->energy_shares() : nullptr;
     return volume_of_cell(fluid.lattice) *
-           velocity_norms(whole_rows(fluid.lattice), fluid.now.velocity, shares).half_square;
+           velocity_norms(whole_rows(fluid.lattice), fluid.state.velocity, shares).half_square;
 }
 
 double amount(const Fluid& fluid, std::size_t substance) {
-    return volume_of_cell(fluid.lattice) * total(fluid.lattice, fluid.now.substances[substance]);
+    return volume_of_cell(fluid.lattice) * total(fluid.lattice, fluid.state.substances[substance]);
 }
 
 double mixing(const Fluid& fluid, std::size_t substance) {
-    const Samples& density = fluid.now.substances[substance];
+    const Samples& density = fluid.state.substances[substance];
     double count = 0, sum = 0, square = 0;
     const auto each_wet = [&](auto&& visit) {
         each_cell(fluid.lattice, [&](int, int, int, std::size_t at) {

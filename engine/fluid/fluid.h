@@ -88,11 +88,11 @@ struct DeleteWorkspace {
 };
 
 /// A fluid: settings, grid, state, and memory for computing steps. It moves, but cannot be copied: a copy
-/// would share the workspace. To repeat a step, keep a copy of `now` and assign it back.
+/// would share the workspace. To repeat a step, keep a copy of `state` and assign it back.
 struct Fluid {
     Settings settings;
     Lattice lattice;
-    State now;
+    State state;
     std::unique_ptr<Workspace, DeleteWorkspace> work;
 
     /// Position of the sample of velocity component `axis` in cell (0, 0, 0) (cells).

@@ -32,11 +32,11 @@ void scale(Samples& samples, double factor) {
 
 void take_substance(Fluid& to, const Fluid& from, std::size_t s, int per_edge) {
     const double wanted = amount(from, s);
-    const auto grid = cell_grid(from.lattice, from.now.substances[s], field::Kernel::linear);
+    const auto grid = cell_grid(from.lattice, from.state.substances[s], field::Kernel::linear);
     set_substance(to, s, [&](vec3 place) { return mean_round(grid, place, to.lattice.h, per_edge); });
     if (wanted > 0 && !(amount(to, s) > 0)) set_substance(to, s, [](vec3) { return 1.0; });
     const double got = amount(to, s);
-    if (got > 0) scale(to.now.substances[s], wanted / got);
+    if (got > 0) scale(to.state.substances[s], wanted / got);
 }
 
 }  // namespace
@@ -45,9 +45,9 @@ void resample_into(Fluid& to, const Fluid& from) {
     const int per_edge = std::max(1, static_cast<int>(std::ceil(to.lattice.h / from.lattice.h - 1e-9)));
     for (std::size_t axis = 0; axis < 3; ++axis)
         sample_into(to.lattice, to.place(axis),
-                    grid_of(from.lattice, from.now.velocity[axis], from.place(axis)), per_edge,
-                    to.now.velocity[axis]);
-    for (std::size_t s = 0; s < std::min(to.now.substances.size(), from.now.substances.size()); ++s)
+                    grid_of(from.lattice, from.state.velocity[axis], from.place(axis)), per_edge,
+                    to.state.velocity[axis]);
+    for (std::size_t s = 0; s < std::min(to.state.substances.size(), from.state.substances.size()); ++s)
         take_substance(to, from, s, per_edge);
     refresh_after_edit(to);
 }

@@ -44,13 +44,15 @@ void each_surface_setting(S& s, F&& f) {
 
 /// Calls `f` with each array of samples in a state, and with its name.
 template <class S, class F>
-void each_samples(S& now, F&& f) {
+void each_samples(S& state, F&& f) {
     constexpr std::array along{"x", "y", "z"};
-    for (std::size_t axis = 0; axis < 3; ++axis) f(now.velocity[axis], text("velocity along ", along[axis]));
-    for (std::size_t axis = 0; axis < 3; ++axis) f(now.push[axis], text("push along ", along[axis]));
-    f(now.pressure, std::string("pressure"));
-    f(now.projected, std::string("last projection"));
-    for (std::size_t i = 0; i < now.substances.size(); ++i) f(now.substances[i], text("substance ", i + 1));
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        f(state.velocity[axis], text("velocity along ", along[axis]));
+    for (std::size_t axis = 0; axis < 3; ++axis) f(state.push[axis], text("push along ", along[axis]));
+    f(state.pressure, std::string("pressure"));
+    f(state.projected, std::string("last projection"));
+    for (std::size_t i = 0; i < state.substances.size(); ++i)
+        f(state.substances[i], text("substance ", i + 1));
 }
 
 /// Calls `f` with the index of the first node of each row.
@@ -71,10 +73,10 @@ void put_fluid(const Fluid& fluid, ByteWriter& out) {
     out.put(static_cast<std::uint32_t>(fluid.settings.substances.size()));
     for (const Substance& s : fluid.settings.substances)
         each_number(s, [&](double value) { out.put(value); });
-    out.put(fluid.now.pushed);
-    out.put(fluid.now.asleep);
+    out.put(fluid.state.pushed);
+    out.put(fluid.state.asleep);
     const auto wide = static_cast<std::size_t>(fluid.lattice.cells[0]);
-    each_samples(fluid.now, [&](const Samples& samples, const std::string&) {
+    each_samples(fluid.state, [&](const Samples& samples, const std::string&) {
         each_row(fluid.lattice, [&](std::ptrdiff_t at) {
             out.put_bytes(row_bytes(&samples[static_cast<std::size_t>(at)], wide));
         });
@@ -187,7 +189,7 @@ Expected<Fluid> get_fluid(ByteReader& in, const NamedShape& shape, const SolidFa
     if (!fluid) return wrong(fluid.error().message);
     const auto pushed = in.get<bool>(), asleep = in.get<bool>();
     std::string fault;
-    each_samples(fluid->now, [&](Samples& samples, const std::string& name) {
+    each_samples(fluid->state, [&](Samples& samples, const std::string& name) {
         const auto wide = static_cast<std::size_t>(fluid->lattice.cells[0]) * sizeof(float);
         each_row(fluid->lattice, [&](std::ptrdiff_t at) {
             const auto row = in.get_bytes(wide);
@@ -199,8 +201,8 @@ Expected<Fluid> get_fluid(ByteReader& in, const NamedShape& shape, const SolidFa
     if (!in.ok()) return ends_within("the samples");
     if (!fault.empty()) return wrong(fault);
     refresh_after_edit(*fluid);
-    fluid->now.pushed = pushed;
-    fluid->now.asleep = asleep && !pushed;
+    fluid->state.pushed = pushed;
+    fluid->state.asleep = asleep && !pushed;
     return fluid;
 }
 

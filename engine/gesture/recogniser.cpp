@@ -137,16 +137,16 @@ Recogniser::Survivor Recogniser::turned_score(const Shape& shape, const Template
     for (std::size_t s = 0; s < shifts; ++s) {
         const auto product =
             turned_product(shape.values.data(), &values_[t.values + s * t.channels], t.channels);
-        Survivor now{.shift = static_cast<std::uint32_t>(s)};
+        Survivor survivor{.shift = static_cast<std::uint32_t>(s)};
         const float length = std::sqrt(product.cosine * product.cosine + product.sine * product.sine);
-        now.cosine = length > 0 ? product.cosine / length : 1;
-        now.sine = length > 0 ? product.sine / length : 0;
-        if (now.cosine < t.cosine) {
-            now.cosine = t.cosine;
-            now.sine = now.sine < 0 ? -t.sine : t.sine;
+        survivor.cosine = length > 0 ? product.cosine / length : 1;
+        survivor.sine = length > 0 ? product.sine / length : 0;
+        if (survivor.cosine < t.cosine) {
+            survivor.cosine = t.cosine;
+            survivor.sine = survivor.sine < 0 ? -t.sine : t.sine;
         }
-        now.score = product.fixed + product.cosine * now.cosine + product.sine * now.sine;
-        if (now.score > best.score) best = now;
+        survivor.score = product.fixed + product.cosine * survivor.cosine + product.sine * survivor.sine;
+        if (survivor.score > best.score) best = survivor;
     }
     return best;
 }

@@ -84,11 +84,11 @@ bool all_finite_numbers(Points stroke) {
         bad2 |= bad_at(i + 2 * width) | bad_at(i + 3 * width);
     }
     for (; i + width <= bytes; i += width) bad |= bad_at(i);
-    bool rest = true;
+    bool others = true;
     for (; i < bytes; i += sizeof(double))
-        rest = rest && (load<std::uint64_t>(from + i) & exponent) != exponent;
+        others = others && (load<std::uint64_t>(from + i) & exponent) != exponent;
     bad |= bad2;
-    return rest && (bad[0] | bad[1] | bad[2] | bad[3]) == 0;
+    return others && (bad[0] | bad[1] | bad[2] | bad[3]) == 0;
 }
 
 /// Time and place of a point relative to those of another.

@@ -53,19 +53,19 @@ void add(FluidForces& feel, vec3 passive, double stored) {
 
 // ---- the ladle's own mass ---------------------------------------------------------------------------------
 
-bool has_mass(const FluidTouch& touch) {
-    const auto& [mass, stiffness, damping] = touch.ladle;
-    return touch.modes.inertia > 0 && mass > 0 && stiffness > 0 && damping >= 0;
+bool has_mass(const FluidTouch& fluid) {
+    const auto& [mass, stiffness, damping] = fluid.ladle;
+    return fluid.modes.inertia > 0 && mass > 0 && stiffness > 0 && damping >= 0;
 }
 
-/// Moves the ladle's own mass over the coming tick. The tip to which it is tied is taken to keep its
-/// velocity, so that the force of the mass is not a tick late.
-void feel_mass(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip, DampingBudget& damping,
+/// Moves the ladle's mass on over the coming tick, tied to a tip that moves on at its velocity. So the force
+/// of the mass is not a tick late.
+void feel_mass(const FluidTouch& fluid, FluidTouchState& state, const FluidTip& tip, DampingBudget& damping,
                FluidForces& feel) {
-    if (!has_mass(touch)) return;
-    const double scale = touch.modes.inertia * hand_scale(touch.frame).stiffness;
-    const double mass = scale * touch.ladle.mass, stiffness = scale * touch.ladle.stiffness;
-    const double taken = damping.take(scale * touch.ladle.damping, damping.left / 2);
+    if (!has_mass(fluid)) return;
+    const double scale = fluid.modes.inertia * hand_scale(fluid.frame).stiffness;
+    const double mass = scale * fluid.ladle.mass, stiffness = scale * fluid.ladle.stiffness;
+    const double taken = damping.take(scale * fluid.ladle.damping, damping.left / 2);
     const bool follows = state.begun != 0 && glm::length(state.mass_position - tip.position) <= longest_step;
     if (!follows || !is_finite(state.mass_velocity)) {
         state.mass_position = tip.position;
@@ -109,26 +109,26 @@ double height_now(const BrewSurface& surface, std::uint32_t age) {
 }
 
 /// Immersed share of the ladle, 0 to 1.
-double immersed_part(const FluidTouch& touch, double depth) {
-    if (touch.surface.present == 0) return 1;
-    if (touch.surface.inside == 0) return 0;
-    return touch.drag.height > 0 ? std::clamp(depth / touch.drag.height, 0.0, 1.0) : 1;
+double immersed_part(const FluidTouch& fluid, double depth) {
+    if (fluid.surface.present == 0) return 1;
+    if (fluid.surface.inside == 0) return 0;
+    return fluid.drag.height > 0 ? std::clamp(depth / fluid.drag.height, 0.0, 1.0) : 1;
 }
 
-void feel_surface(const FluidTouch& touch, FluidTouchState& state, double height, double place_height,
+void feel_surface(const FluidTouch& fluid, FluidTouchState& state, double height, double place_height,
                   FluidForces& feel) {
-    const double step = (height - state.surface_height) / touch.frame.metres_per_metre;
+    const double step = (height - state.surface_height) / fluid.frame.metres_per_metre;
     if (state.begun != 0 && std::abs(step) <= longest_step) feel.supplied += state.surface_force * step;
     state.surface_height = height;
     state.surface_force = 0;
-    state.inside = touch.surface.inside;
-    if (touch.surface.present == 0 || !(touch.modes.surface > 0)) return;
-    const SurfacePull pull = pull_of(touch.surface, height - place_height);
-    const double force = touch.modes.surface * touch.frame.newtons_per_newton * pull.force;
+    state.inside = fluid.surface.inside;
+    if (fluid.surface.present == 0 || !(fluid.modes.surface > 0)) return;
+    const SurfacePull pull = pull_of(fluid.surface, height - place_height);
+    const double force = fluid.modes.surface * fluid.frame.newtons_per_newton * pull.force;
     if (!std::isfinite(force)) return;
     state.surface_force = force;
-    const vec3 up = glm::transpose(touch.frame.turn) * vec3(0, 1, 0);
-    add(feel, force * up, touch.modes.surface * hand_scale(touch.frame).energy * pull.stored);
+    const vec3 up = glm::transpose(fluid.frame.turn) * vec3(0, 1, 0);
+    add(feel, force * up, fluid.modes.surface * hand_scale(fluid.frame).energy * pull.stored);
 }
 
 // ---- flow -------------------------------------------------------------------------------------------------
@@ -161,12 +161,12 @@ struct FlowForces {
     double slope{};  ///< damping that the hand feels by these forces (N s/m)
 };
 
-FlowForces forces_of(const FluidTouch& touch, const FlowSample& sample, vec3 velocity, double immersed,
+FlowForces forces_of(const FluidTouch& fluid, const FlowSample& sample, vec3 velocity, double immersed,
                      double max_damping) {
-    const double scale = hand_scale(touch.frame).stiffness;
+    const double scale = hand_scale(fluid.frame).stiffness;
     const double most = scale > 0 ? max_damping / scale : std::numeric_limits<double>::infinity();
-    const Drags drags = drags_of(touch.modes, touch.drag, sample, immersed, most);
-    const auto felt_of = [&](double drag, vec3 way) { return force_to_hand(touch.frame, drag * way); };
+    const Drags drags = drags_of(fluid.modes, fluid.drag, sample, immersed, most);
+    const auto felt_of = [&](double drag, vec3 way) { return force_to_hand(fluid.frame, drag * way); };
     return {felt_of(drags.viscosity, -velocity), felt_of(drags.flow, sample.velocity),
             felt_of(drags.resistance, sample.velocity - velocity),
             scale * (drags.viscosity + drags.resistance)};
@@ -185,21 +185,21 @@ double share_of_newer(std::uint64_t step_age, std::uint32_t model_age) {
     return static_cast<double>(std::min<std::uint64_t>(age + 1, fluid_period)) / fluid_period;
 }
 
-void feel_flow(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip, DampingBudget& damping,
+void feel_flow(const FluidTouch& fluid, FluidTouchState& state, const FluidTip& tip, DampingBudget& damping,
                FluidForces& feel) {
     state.force = {};
     state.flow_work = 0;
-    if (!asks_for_flow(touch.modes) || !(state.immersed > 0)) return;
-    const vec3 velocity = touch.frame.turn * (touch.frame.metres_per_metre * tip.velocity);
-    const FlowSample newest = flow_at(touch.newer, state.place);
+    if (!asks_for_flow(fluid.modes) || !(state.immersed > 0)) return;
+    const vec3 velocity = fluid.frame.turn * (fluid.frame.metres_per_metre * tip.velocity);
+    const FlowSample newest = flow_at(fluid.newer, state.place);
     const auto of = [&](const FlowSample& sample) {
-        return forces_of(touch, sample, velocity, state.immersed, damping.left);
+        return forces_of(fluid, sample, velocity, state.immersed, damping.left);
     };
-    const FlowForces forces = mixed(of(flow_at(touch.older, state.place)), of(newest),
-                                    share_of_newer(touch.step_age, tip.model_age));
+    const FlowForces forces = mixed(of(flow_at(fluid.older, state.place)), of(newest),
+                                    share_of_newer(fluid.step_age, tip.model_age));
     const vec3 force = forces.viscosity + forces.flow + forces.resistance;
     const vec3 step =
-        glm::transpose(touch.frame.turn) * newest.velocity * (tick_seconds / touch.frame.metres_per_metre);
+        glm::transpose(fluid.frame.turn) * newest.velocity * (tick_seconds / fluid.frame.metres_per_metre);
     if (!is_finite(force) || !is_finite(step)) return;
     damping.take(forces.slope, damping.left);
     state.force = force;
@@ -213,20 +213,20 @@ void feel_flow(const FluidTouch& touch, FluidTouchState& state, const FluidTip& 
 
 /// Adds the wall's force. `place` is the true place P of the tip, `state.place` the nearest place in the
 /// bowl.
-void feel_wall(const FluidTouch& touch, FluidTouchState& state, vec3 place, vec3 velocity,
+void feel_wall(const FluidTouch& fluid, FluidTouchState& state, vec3 place, vec3 velocity,
                DampingBudget& damping, FluidForces& feel) {
     state.wall = {};
     const vec3 off = state.place - place;  // displacement from the true place into the bowl (m)
     const double depth = glm::length(off);
-    if (!(touch.modes.wall > 0) || !(depth > 0) || !std::isfinite(depth)) return;
-    const double scale = hand_scale(touch.frame).stiffness * touch.modes.wall;
-    const double damps = damping.take(scale * touch.wall.damping, damping.left);
-    const vec3 in = glm::transpose(touch.frame.turn) * (off / depth);
-    const double stretch = depth / touch.frame.metres_per_metre;
-    const double push = scale * touch.wall.stiffness * stretch - damps * glm::dot(velocity, in);
+    if (!(fluid.modes.wall > 0) || !(depth > 0) || !std::isfinite(depth)) return;
+    const double scale = hand_scale(fluid.frame).stiffness * fluid.modes.wall;
+    const double damps = damping.take(scale * fluid.wall.damping, damping.left);
+    const vec3 in = glm::transpose(fluid.frame.turn) * (off / depth);
+    const double stretch = depth / fluid.frame.metres_per_metre;
+    const double push = scale * fluid.wall.stiffness * stretch - damps * glm::dot(velocity, in);
     const vec3 force = std::max(0.0, push) * in;
     state.wall = finite_or_zero_force(force);
-    add(feel, force, scale * touch.wall.stiffness * stretch * stretch / 2);
+    add(feel, force, scale * fluid.wall.stiffness * stretch * stretch / 2);
 }
 
 /// Nearest point within the profile, in a half plane through the axis (r outwards, y up).
@@ -268,57 +268,57 @@ vec3 to_bowl(const BowlFrame& frame, vec3 device) {
     return frame.origin + frame.turn * (frame.metres_per_metre * device);
 }
 
-void add_fluid_step(FluidTouch& touch, const FlowPatch& newest) {
-    touch.older = touch.newer.spacing > 0 ? touch.newer : newest;
-    touch.newer = newest;
-    touch.step_age = 0;
+void add_fluid_step(FluidTouch& fluid, const FlowPatch& newest) {
+    fluid.older = fluid.newer.spacing > 0 ? fluid.newer : newest;
+    fluid.newer = newest;
+    fluid.step_age = 0;
 }
 
-bool detect_fluid_switch(FluidTouchState& state, const FluidTouch& touch) {
-    if (touch.number == state.number) return false;
-    state = {.number = touch.number};
+bool detect_fluid_switch(FluidTouchState& state, const FluidTouch& fluid) {
+    if (fluid.number == state.number) return false;
+    state = {.number = fluid.number};
     return true;
 }
 
-FluidForces feel_fluid(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip) {
-    const vec3 place = to_bowl(touch.frame, tip.position);
+FluidForces feel_fluid(const FluidTouch& fluid, FluidTouchState& state, const FluidTip& tip) {
+    const vec3 place = to_bowl(fluid.frame, tip.position);
     if (!is_finite(place) || !is_finite(tip.velocity)) {
-        state = {.number = touch.number};
+        state = {.number = fluid.number};
         return {};
     }
     FluidForces feel{.supplied = state.begun != 0 ? state.flow_work : 0};
     DampingBudget damping{tip.max_damping};
-    state.place = nearest_in_bowl(touch.wall, place);
-    const double height = height_now(touch.surface, tip.model_age);
-    state.immersed = immersed_part(touch, height - state.place.y);
-    feel_mass(touch, state, tip, damping, feel);
-    feel_surface(touch, state, height, place.y, feel);
-    feel_flow(touch, state, tip, damping, feel);
-    feel_wall(touch, state, place, tip.velocity, damping, feel);
+    state.place = nearest_in_bowl(fluid.wall, place);
+    const double height = height_now(fluid.surface, tip.model_age);
+    state.immersed = immersed_part(fluid, height - state.place.y);
+    feel_mass(fluid, state, tip, damping, feel);
+    feel_surface(fluid, state, height, place.y, feel);
+    feel_flow(fluid, state, tip, damping, feel);
+    feel_wall(fluid, state, place, tip.velocity, damping, feel);
     state.begun = 1;
     return feel;
 }
 
-vec3 force_on_ladle(const FluidTouch& touch, const FluidTouchState& state) {
-    const double scale = touch.frame.newtons_per_newton;
-    return scale > 0 ? touch.frame.turn * state.force / scale : vec3(0);
+vec3 force_on_ladle(const FluidTouch& fluid, const FluidTouchState& state) {
+    const double scale = fluid.frame.newtons_per_newton;
+    return scale > 0 ? fluid.frame.turn * state.force / scale : vec3(0);
 }
 
-vec3 full_drag(const FluidTouch& touch, vec3 place, vec3 velocity, double immersed, std::uint32_t model_age) {
+vec3 full_drag(const FluidTouch& fluid, vec3 place, vec3 velocity, double immersed, std::uint32_t model_age) {
     const auto of = [&](const FlowPatch& patch) {
         const FlowSample sample = flow_at(patch, place);
         const Drags drags =
-            drags_of(FluidModes{}, touch.drag, sample, immersed, std::numeric_limits<double>::infinity());
+            drags_of(FluidModes{}, fluid.drag, sample, immersed, std::numeric_limits<double>::infinity());
         return (drags.flow + drags.resistance) * (sample.velocity - velocity);
     };
     return finite_or_zero_force(
-        glm::mix(of(touch.older), of(touch.newer), share_of_newer(touch.step_age, model_age)));
+        glm::mix(of(fluid.older), of(fluid.newer), share_of_newer(fluid.step_age, model_age)));
 }
 
-vec3 recoil_peak(const FluidTouch& touch, vec3 impulse, std::uint32_t length) {
-    if (!(touch.modes.recoil > 0) || length == 0) return vec3(0);
-    // A half sine with a peak P and a duration T has the impulse 2 / pi P T. This is solved for P.
-    return touch.modes.recoil * force_to_hand(touch.frame, impulse) * (pi / 2 / (length * tick_seconds));
+vec3 recoil_peak(const FluidTouch& fluid, vec3 impulse, std::uint32_t length) {
+    if (!(fluid.modes.recoil > 0) || length == 0) return vec3(0);
+    // A half sine of that peak has the impulse 2 / pi peak length.
+    return fluid.modes.recoil * force_to_hand(fluid.frame, impulse) * (pi / 2 / (length * tick_seconds));
 }
 
 }  // namespace thaum::haptics

@@ -170,7 +170,7 @@ static_assert(sizeof(FluidTouch) == 58 * sizeof(double) + 2 * sizeof(FlowPatch),
 
 /// Adds the patch of a new fluid step: `newest` becomes `newer` and the patch before it `older`. The first
 /// patch becomes both.
-void add_fluid_step(FluidTouch& touch, const FlowPatch& newest);
+void add_fluid_step(FluidTouch& fluid, const FlowPatch& newest);
 
 /// State of the fluid forces; no padding. All zero without a fluid.
 struct FluidTouchState {
@@ -206,23 +206,23 @@ struct FluidForces {
 };
 
 /// Returns true if the fluid appeared, ended or jumped. The state is then reset.
-bool detect_fluid_switch(FluidTouchState& state, const FluidTouch& touch);
+bool detect_fluid_switch(FluidTouchState& state, const FluidTouch& fluid);
 
 /// Computes the forces of one tick with a fluid. A part that is not finite gives no force.
-FluidForces feel_fluid(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip);
+FluidForces feel_fluid(const FluidTouch& fluid, FluidTouchState& state, const FluidTip& tip);
 
 /// Force of the flow on the ladle as commanded in the last tick (N, bowl frame). The fluid gets the opposite.
-vec3 force_on_ladle(const FluidTouch& touch, const FluidTouchState& state);
+vec3 force_on_ladle(const FluidTouch& fluid, const FluidTouchState& state);
 
-/// Sum of viscosity (1), flow (2) and resistance (3) on a ladle at full strengths, without any limit by a
-/// device (N, bowl frame). It equals force_on_ladle if all strengths are full and the device can render them.
-/// A world whose hands may feel less of this force, or nothing, gives the opposite of it to the fluid.
-vec3 full_drag(const FluidTouch& touch, vec3 place, vec3 velocity, double immersed,
+/// Force (1) + (2) + (3) on a ladle at full strengths, without any limit by a device (N, bowl frame). It
+/// equals force_on_ladle if all strengths are full and the device can render them. A world whose hands may
+/// feel less of this force, or nothing, gives the opposite of it to the fluid.
+vec3 full_drag(const FluidTouch& fluid, vec3 place, vec3 velocity, double immersed,
                std::uint32_t model_age = 0);
 
 /// Peak (N, device frame) of a pulse of `length` ticks that gives the hand `impulse` (N s, bowl frame) times
 /// the strength of the mode recoil. For a ladle that throws something in.
-vec3 recoil_peak(const FluidTouch& touch, vec3 impulse, std::uint32_t length);
+vec3 recoil_peak(const FluidTouch& fluid, vec3 impulse, std::uint32_t length);
 
 /// A place of the device frame in the bowl's frame (m).
 vec3 to_bowl(const BowlFrame& frame, vec3 device);

@@ -183,9 +183,9 @@ vec3 saturated(vec3 force, double most) {
     return limited(force, most);
 }
 
-vec3 next_target(const SimulatedDevice& d, vec3 now, vec3 wanted) {
-    if (!is_finite(wanted)) return now;
-    return now + limited(glm::clamp(wanted, -d.reach, d.reach) - now, d.target_step);
+vec3 next_target(const SimulatedDevice& d, vec3 current, vec3 wanted) {
+    if (!is_finite(wanted)) return current;
+    return current + limited(glm::clamp(wanted, -d.reach, d.reach) - current, d.target_step);
 }
 
 void stop_at_the_ends(double& position, double& velocity, double reach) {

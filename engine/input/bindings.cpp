@@ -102,12 +102,12 @@ std::optional<int> index_in(std::span<const std::string_view> names, std::string
     return static_cast<int>(found - names.begin());
 }
 
-/// Removes the part before `separator` from `rest` and returns it without surrounding spaces.
-std::string_view take_piece(std::string_view& rest, char separator) {
-    rest = trimmed(rest);
-    const auto end = std::min(rest.find(separator), rest.size());
-    const auto piece = trimmed(rest.substr(0, end));
-    rest = trimmed(rest.substr(std::min(end + 1, rest.size())));
+/// Removes the part before `separator` from `remaining` and returns it without surrounding spaces.
+std::string_view take_piece(std::string_view& remaining, char separator) {
+    remaining = trimmed(remaining);
+    const auto end = std::min(remaining.find(separator), remaining.size());
+    const auto piece = trimmed(remaining.substr(0, end));
+    remaining = trimmed(remaining.substr(std::min(end + 1, remaining.size())));
     return piece;
 }
 
@@ -150,18 +150,18 @@ std::optional<Control> control_of(std::string_view source, std::string_view name
 std::string_view name_of(Action action) { return action_names[static_cast<std::size_t>(action)]; }
 
 Expected<Control> parse_control(std::string_view words, const KeyCodes& codes) {
-    auto rest = words;
-    const auto source = take_piece(rest, ' ');
-    const auto name = take_piece(rest, ' ');
-    if (const auto control = control_of(source, name, rest, codes)) return *control;
+    auto remaining = words;
+    const auto source = take_piece(remaining, ' ');
+    const auto name = take_piece(remaining, ' ');
+    if (const auto control = control_of(source, name, remaining, codes)) return *control;
     return fail(text("unknown control '", words,
                      "' (such as \"key w\", \"mouse left\", \"wheel up\", \"pad a\", \"pad left_x +\")"));
 }
 
 Expected<std::vector<Control>> parse_controls(std::string_view words, const KeyCodes& codes) {
     std::vector<Control> controls;
-    for (std::string_view rest = words; !rest.empty();) {
-        const auto control = parse_control(take_piece(rest, ','), codes);
+    for (std::string_view remaining = words; !remaining.empty();) {
+        const auto control = parse_control(take_piece(remaining, ','), codes);
         if (!control) return control.error();
         controls.push_back(*control);
     }
@@ -228,9 +228,9 @@ Bindings default_bindings(DeviceKind kind, const KeyCodes& codes) {
     bindings.kind = kind;
     bindings.mouse_look = kind == DeviceKind::keyboard_mouse;
     for (const auto& item : defaults_of(kind)) {
-        auto rest = item.controls;
-        while (!rest.empty()) {
-            const auto control = parse_control(take_piece(rest, ','), codes);
+        auto remaining = item.controls;
+        while (!remaining.empty()) {
+            const auto control = parse_control(take_piece(remaining, ','), codes);
             if (control) bindings.controls[static_cast<std::size_t>(item.action)].push_back(*control);
         }
     }
@@ -243,8 +243,8 @@ void read_toggles(const ConfigTable& table, Bindings& bindings) {
     if (!table.has("toggle")) return;
     const auto words = table.string("toggle", toggles_of(bindings));
     decltype(bindings.toggled) toggled{};
-    for (std::string_view rest = words; !rest.empty();) {
-        const auto name = take_piece(rest, ',');
+    for (std::string_view remaining = words; !remaining.empty();) {
+        const auto name = take_piece(remaining, ',');
         const auto found = std::find_if(toggle_actions.begin(), toggle_actions.end(),
                                         [&](Action a) { return name_of(a) == name; });
         if (found == toggle_actions.end()) {

@@ -17,14 +17,14 @@ constexpr unsigned latch_shift = 32;
 /// Wheel steps of a control that is held, per sample: the first step is at once, then there are 12 a second.
 constexpr double wheel_steps_per_take = 0.012;
 
-/// Returns the whole steps of `rest` plus `amount`; `rest` keeps the fraction. NaN, or a huge jump from a
-/// faulty driver, gives no motion.
-std::int64_t whole_steps(double amount, double& rest) {
+/// Returns the whole steps of `remainder` plus `amount`; `remainder` keeps the fraction. NaN, or a huge jump
+/// from a faulty driver, gives no motion.
+std::int64_t whole_steps(double amount, double& remainder) {
     constexpr double most = 1e9;
     if (!(std::abs(amount) <= most)) return 0;
-    rest += amount;
-    const double whole = std::trunc(rest);
-    rest -= whole;
+    remainder += amount;
+    const double whole = std::trunc(remainder);
+    remainder -= whole;
     return static_cast<std::int64_t>(whole);
 }
 

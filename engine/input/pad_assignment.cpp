@@ -61,10 +61,10 @@ std::string_view PadAssignment::asks() const {
 
 std::size_t PadAssignment::count() { return questions.size(); }
 
-bool PadAssignment::is_at_rest(const StickState& now) const {
-    for (std::size_t i = 0; i < now.axes.size() && i < rest_.axes.size(); ++i)
-        if (std::abs(now.axes[i] - rest_.axes[i]) > back_at_rest) return false;
-    return now.buttons == rest_.buttons && now.hats == rest_.hats;
+bool PadAssignment::is_at_rest(const StickState& current) const {
+    for (std::size_t i = 0; i < current.axes.size() && i < rest_.axes.size(); ++i)
+        if (std::abs(current.axes[i] - rest_.axes[i]) > back_at_rest) return false;
+    return current.buttons == rest_.buttons && current.hats == rest_.hats;
 }
 
 /// The part of an axis that has moved, in the form of a mapping: "a2", "a2~" if inverted, or one side, such
@@ -81,27 +81,27 @@ std::optional<std::string> PadAssignment::moved_axis(std::size_t axis, int value
 }
 
 /// The part of the joystick that is being moved and that was not assigned before.
-std::optional<std::string> PadAssignment::moved_part(const StickState& now) const {
+std::optional<std::string> PadAssignment::moved_part(const StickState& current) const {
     const bool stick = questions.at(number_).stick;
-    for (std::size_t i = 0; !stick && i < now.buttons.size() && i < rest_.buttons.size(); ++i) {
+    for (std::size_t i = 0; !stick && i < current.buttons.size() && i < rest_.buttons.size(); ++i) {
         auto part = text("b", i);
-        if (now.buttons[i] && !rest_.buttons[i] && !taken_.contains(part)) return part;
+        if (current.buttons[i] && !rest_.buttons[i] && !taken_.contains(part)) return part;
     }
-    for (std::size_t i = 0; !stick && i < now.hats.size(); ++i) {
-        auto part = text("h", i, ".", static_cast<int>(now.hats[i]));
-        const bool one_way = (now.hats[i] & (now.hats[i] - 1U)) == 0;
-        if (now.hats[i] != 0 && one_way && !taken_.contains(part)) return part;
+    for (std::size_t i = 0; !stick && i < current.hats.size(); ++i) {
+        auto part = text("h", i, ".", static_cast<int>(current.hats[i]));
+        const bool one_way = (current.hats[i] & (current.hats[i] - 1U)) == 0;
+        if (current.hats[i] != 0 && one_way && !taken_.contains(part)) return part;
     }
-    for (std::size_t i = 0; i < now.axes.size() && i < rest_.axes.size(); ++i)
-        if (auto part = moved_axis(i, now.axes[i])) return part;
+    for (std::size_t i = 0; i < current.axes.size() && i < rest_.axes.size(); ++i)
+        if (auto part = moved_axis(i, current.axes[i])) return part;
     return {};
 }
 
-bool PadAssignment::follow(const StickState& now) {
-    if (let_go_first_ && !is_at_rest(now)) return false;
+bool PadAssignment::follow(const StickState& current) {
+    if (let_go_first_ && !is_at_rest(current)) return false;
     let_go_first_ = false;
     if (asks().empty()) return false;
-    const auto part = moved_part(now);
+    const auto part = moved_part(current);
     if (!part) return false;
     answers_ += text(questions.at(number_).field, ":", *part, ",");
     taken_.insert(*part);

@@ -30,7 +30,7 @@ public:
     static std::size_t count();
 
     /// Takes the state of the joystick. Returns whether the current question was answered.
-    bool follow(const StickState& now);
+    bool follow(const StickState& current);
     /// Whether the current control is needed, because a duel cannot be played without it.
     bool needs_answer() const;
     /// Skips the current control, unless it is needed.
@@ -44,9 +44,9 @@ public:
     std::string mapping() const;
 
 private:
-    std::optional<std::string> moved_part(const StickState& now) const;
+    std::optional<std::string> moved_part(const StickState& current) const;
     std::optional<std::string> moved_axis(std::size_t axis, int value) const;
-    bool is_at_rest(const StickState& now) const;
+    bool is_at_rest(const StickState& current) const;
 
     std::string guid_, name_;
     StickState rest_;

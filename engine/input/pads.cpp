@@ -168,20 +168,20 @@ void PadReader::State::begin() {
 
 /// Checks which joysticks are plugged in. Returns whether something has changed.
 bool PadReader::State::look() {
-    std::vector<std::pair<SDL_JoystickID, bool>> now;
+    std::vector<std::pair<SDL_JoystickID, bool>> plugged_in;
     for (int i = 0; i < SDL_NumJoysticks(); ++i)
-        now.emplace_back(SDL_JoystickGetDeviceInstanceID(i), SDL_IsGameController(i) == SDL_TRUE);
-    return std::exchange(plugged, now) != now;
+        plugged_in.emplace_back(SDL_JoystickGetDeviceInstanceID(i), SDL_IsGameController(i) == SDL_TRUE);
+    return std::exchange(plugged, plugged_in) != plugged_in;
 }
 
 /// Assigns places to pads, and opens and closes them.
 void PadReader::State::open_pads() {
-    std::vector<PluggedPad> now;
+    std::vector<PluggedPad> plugged_in;
     for (std::size_t i = 0; i < plugged.size(); ++i)
-        if (plugged[i].second) now.push_back({plugged[i].first, guid_of(static_cast<int>(i))});
-    place_pads(places, now);
+        if (plugged[i].second) plugged_in.push_back({plugged[i].first, guid_of(static_cast<int>(i))});
+    place_pads(places, plugged_in);
     left_over.clear();
-    for (const auto& pad : now)
+    for (const auto& pad : plugged_in)
         if (std::none_of(places.begin(), places.end(), [&](const auto& place) { return place.id == pad.id; }))
             left_over.push_back(in_words(SDL_JoystickNameForIndex(index_of(pad.id))));
     for (std::size_t i = 0; i < open.size(); ++i) {

@@ -125,10 +125,10 @@ void Rumble::write(const tactile::TactileFrame& frame, double now_s) {
 
 /// Tests whether the running effect is the wanted one.
 bool Rumble::is_running(const ff_effect& wanted) const {
-    const auto& now = effects_[current_];
-    return running_ && now.u.rumble.strong_magnitude == wanted.u.rumble.strong_magnitude &&
-           now.u.rumble.weak_magnitude == wanted.u.rumble.weak_magnitude &&
-           now.replay.length == wanted.replay.length;
+    const auto& current = effects_[current_];
+    return running_ && current.u.rumble.strong_magnitude == wanted.u.rumble.strong_magnitude &&
+           current.u.rumble.weak_magnitude == wanted.u.rumble.weak_magnitude &&
+           current.replay.length == wanted.replay.length;
 }
 
 void Rumble::silence() {

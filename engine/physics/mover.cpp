@@ -60,20 +60,21 @@ vec3 wish_on(const Physics& physics, Key key, const Ground& ground, vec3 wish,
     return limited(carried + wish, most) - carried;
 }
 
-/// Whether something kept the mover from the velocity to which it was last driven in this direction.
-bool resisted(const MoverState& state, vec3 now, vec3 direction, double mass, double dt) {
-    return state.driven && glm::dot(state.expected - now, direction) * mass > noticed_force * dt;
+/// Whether something resisted the last drive in this direction.
+bool resisted(const MoverState& state, vec3 current, vec3 direction, double mass, double dt) {
+    return state.driven && glm::dot(state.expected - current, direction) * mass > noticed_force * dt;
 }
 
-/// Change of velocity by which the mover is driven along the ground in this step.
-vec3 drive(const MoverSettings& settings, const MoverState& state, vec3 target, vec3 now, double mass,
+/// Change of velocity in the plane of the ground in this step.
+vec3 drive(const MoverSettings& settings, const MoverState& state, vec3 target, vec3 current, double mass,
            double dt) {
-    const vec3 missing = target - now;
+    const vec3 missing = target - current;
     const double size = glm::length(missing);
     if (size <= still) return {};
     const double free = settings.ground_acceleration * dt;
     const double pushing = settings.push_force / mass * dt;
-    return limited(missing, resisted(state, now, missing / size, mass, dt) ? std::min(free, pushing) : free);
+    return limited(missing,
+                   resisted(state, current, missing / size, mass, dt) ? std::min(free, pushing) : free);
 }
 
 /// Share of the weight that rests on the ground, 0 to 1; traction is proportional to it.
@@ -89,14 +90,14 @@ void walk(Physics& physics, Key key, const Ground& ground, vec3 wish, MoverSetti
     settings.push_force *= traction;
     settings.adhesion *= traction;
     const vec3 relative = physics.velocity(key) - ground.velocity;
-    const vec3 now = along(relative, ground.normal);
+    const vec3 current = along(relative, ground.normal);
     const vec3 target = wish_along(wish_on(physics, key, ground, wish, settings), ground.normal);
-    const vec3 change = drive(settings, state, target, now, mass, dt);
+    const vec3 change = drive(settings, state, target, current, mass, dt);
     const double leaving = std::max(0.0, glm::dot(relative, ground.normal));
     const vec3 down = ground.normal * -std::min(leaving, settings.adhesion * dt);
     const vec3 uphill = -along(physics.settings().gravity, ground.normal) * (traction * dt);
     physics.nudge(key, mass * (change + down + uphill));
-    state.expected = now + change;
+    state.expected = current + change;
     state.driven = 1;
 }
 

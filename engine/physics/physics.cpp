@@ -208,8 +208,8 @@ double Physics::Impl::free_share(const Body& moving, vec3 start, vec3 end, doubl
     detail::Path left{start, (end - start) / length, length, radius};
     for (const Body& body : bodies) {
         if (body.dynamic() || !collide(moving.desc, body.desc) || !may_touch(body, left)) continue;
-        const auto touch = cast_at(body, left);
-        if (touch && touch->travelled > 0) left.length = touch->travelled;
+        const auto contact = cast_at(body, left);
+        if (contact && contact->travelled > 0) left.length = contact->travelled;
     }
     return left.length / length;
 }

@@ -14,11 +14,11 @@ std::optional<detail::CastHit> Physics::Impl::cast_at(const Body& body, const de
     detail::Path local = path;
     local.from = to_local * (path.from - body.state.position);
     local.direction = to_local * path.direction;
-    auto touch = body.desc.shape == Shape::mesh
-                     ? meshes[body.desc.mesh].cast(local)
-                     : detail::cast(local, [&](vec3 p) { return detail::nearest_to(body.desc, p); });
-    if (touch) touch->normal = body.state.orientation * touch->normal;
-    return touch;
+    auto contact = body.desc.shape == Shape::mesh
+                       ? meshes[body.desc.mesh].cast(local)
+                       : detail::cast(local, [&](vec3 p) { return detail::nearest_to(body.desc, p); });
+    if (contact) contact->normal = body.state.orientation * contact->normal;
+    return contact;
 }
 
 std::optional<RayHit> Physics::ray(vec3 from, vec3 to, Layers mask, Key ignore_key) const {
@@ -34,19 +34,19 @@ std::optional<RayHit> Physics::sweep_sphere(vec3 from, vec3 to, double radius, L
     const Impl& in = *impl_;
     detail::Path path{from, (to - from) / length, length, radius};
     const Body* nearest = nullptr;
-    detail::CastHit touch{};
+    detail::CastHit contact{};
     for (const Body& body : in.bodies) {
         if ((body.desc.layer & mask) == 0 || body.key == ignore_key) continue;
         if (!may_touch(body, path)) continue;
         const auto here = in.cast_at(body, path);
-        if (!here || (nearest && here->travelled >= touch.travelled)) continue;
+        if (!here || (nearest && here->travelled >= contact.travelled)) continue;
         nearest = &body;
-        touch = *here;
-        path.length = touch.travelled;  // shortens the path, so that only nearer hits count from here on
+        contact = *here;
+        path.length = contact.travelled;  // shortens the path, so that only nearer hits count from here on
     }
     if (!nearest) return std::nullopt;
-    const vec3 centre = from + touch.travelled * path.direction;
-    return RayHit{nearest->key, centre - radius * touch.normal, touch.normal, touch.travelled / length};
+    const vec3 centre = from + contact.travelled * path.direction;
+    return RayHit{nearest->key, centre - radius * contact.normal, contact.normal, contact.travelled / length};
 }
 
 void Physics::Impl::gather_from(const Body& body, vec3 point, detail::NearestSurfaces& into) const {

@@ -15,11 +15,11 @@ constexpr int nearly_all = 57;
 Quality stepped(Quality q, int by) { return static_cast<Quality>(static_cast<int>(q) + by); }
 
 AutoQuality decided(const AutoQuality& state) {
-    AutoQuality next{.now = state.now, .most = state.most};
-    if (2 * state.slow > judged && state.now != Quality::low) {
-        next.now = next.most = stepped(state.now, -1);
-    } else if (state.quick >= nearly_all && state.now < state.most) {
-        next.now = stepped(state.now, +1);
+    AutoQuality next{.current = state.current, .most = state.most};
+    if (2 * state.slow > judged && state.current != Quality::low) {
+        next.current = next.most = stepped(state.current, -1);
+    } else if (state.quick >= nearly_all && state.current < state.most) {
+        next.current = stepped(state.current, +1);
     }
     return next;
 }

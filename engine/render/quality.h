@@ -38,7 +38,7 @@ Quality first_quality(std::string_view renderer);
 
 /// State of `auto`. Start with `{.now = first_quality(...)}`, again whenever the window changes its size.
 struct AutoQuality {
-    Quality now{};
+    Quality current{};
     Quality most = Quality::high;  ///< highest preset that has not proved too slow
     int frames{};                  ///< pictures since the last decision or change
     int slow{}, quick{};           ///< numbers of slow and of fast pictures among `frames`

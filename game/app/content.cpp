@@ -204,10 +204,10 @@ private:
         const auto config = words ? Config::parse(*words, shown, 1) : Expected<Config>(words.error());
         if (!config) return shown;
         auto table = config->root();
-        for (std::string_view rest = missing.table; !rest.empty();) {
-            const auto dot = std::min(rest.find('.'), rest.size());
-            table = table.table(rest.substr(0, dot));
-            rest.remove_prefix(std::min(dot + 1, rest.size()));
+        for (std::string_view remaining = missing.table; !remaining.empty();) {
+            const auto dot = std::min(remaining.find('.'), remaining.size());
+            table = table.table(remaining.substr(0, dot));
+            remaining.remove_prefix(std::min(dot + 1, remaining.size()));
         }
         return text(table.place(missing.key), ": '", missing.key, "'");
     }
@@ -315,11 +315,11 @@ private:
     /// and texts for the screen may have no-break spaces.
     void find_invisible(const std::string& file) {
         auto words = read_text_file(assets_ / file, max_bytes).value_or("");
-        auto rest = without_byte_order_mark(words);
-        for (std::size_t line = 1; !rest.empty(); ++line) {
-            const auto end = std::min(rest.find('\n'), rest.size());
-            const auto found = hidden_character(without_comment(rest.substr(0, end)));
-            rest.remove_prefix(std::min(end + 1, rest.size()));
+        auto remaining = without_byte_order_mark(words);
+        for (std::size_t line = 1; !remaining.empty(); ++line) {
+            const auto end = std::min(remaining.find('\n'), remaining.size());
+            const auto found = hidden_character(without_comment(remaining.substr(0, end)));
+            remaining.remove_prefix(std::min(end + 1, remaining.size()));
             const auto place = text(game::shown_path(assets_, file), ":", line, ": ");
             const auto is_told = [&](const std::string& fault) {
                 return fault.starts_with(place) && fault.find("invisible character") != fault.npos;

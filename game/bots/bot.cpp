@@ -204,7 +204,7 @@ void begin_anew(const BotTurn& turn) {
 }
 
 /// Releases all buttons and ends all plans while the wizard is dead.
-void rest(const BotTurn& turn) {
+void end_plans(const BotTurn& turn) {
     auto& mind = turn.mind;
     turn.eyes.looks = 0;
     mind.right_left = mind.up_left = mind.move_strafe = mind.move_forward = 0;
@@ -276,7 +276,7 @@ void think(BotTurn turn) {
     if (mind.round != turn.match.match().round) begin_anew(turn);
     turn.self = self_of(turn.match, turn.seat.player, mind.readiness);
     const auto& self = turn.self;
-    if (!self.alive) return rest(turn);
+    if (!self.alive) return end_plans(turn);
     look_around(turn);
     wander_aim(turn.seat, mind);
     make_plans(turn);

@@ -186,9 +186,9 @@ void draw_hand(const Simulation& match, const Seat& seat, const StirPlan& plan, 
         const vec2 place = micrometres * place_on(path, static_cast<double>(at) / time);
         return std::pair(std::lround(place.x), std::lround(place.y));
     };
-    const auto before = counts_at(age - rest_before), now = counts_at(age - rest_before + 1);
-    sample.counts[hand::look_right] = static_cast<std::int32_t>(now.first - before.first);
-    sample.counts[hand::look_up] = static_cast<std::int32_t>(now.second - before.second);
+    const auto before = counts_at(age - rest_before), after = counts_at(age - rest_before + 1);
+    sample.counts[hand::look_right] = static_cast<std::int32_t>(after.first - before.first);
+    sample.counts[hand::look_up] = static_cast<std::int32_t>(after.second - before.second);
 }
 
 }  // namespace thaum::game::inline bots

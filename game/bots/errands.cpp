@@ -105,8 +105,8 @@ void choose_errand(const BotTurn& turn) {
         return;
     }
     if (mind.errand == Errand::hide && tick < mind.errand_until) return;
-    const bool hurt = self.health < seat.skill.cover_below;
-    const auto hide = hurt && sees_foe(mind, tick) ? hiding_place(turn) : Choice{};
+    const bool is_hurt = self.health < seat.skill.cover_below;
+    const auto hide = is_hurt && sees_foe(mind, tick) ? hiding_place(turn) : Choice{};
     mind.errand = hide.found ? Errand::hide : Errand::none;
     if (!hide.found) return;
     mind.goal = hide.place;

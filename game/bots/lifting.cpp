@@ -218,7 +218,7 @@ Aim aim_to_guard(const BotTurn& turn) {
 struct Throw {
     vec3 target{};  ///< target (m, world)
     vec3 wanted{};  ///< wanted direction (unit, world)
-    vec3 now{};     ///< present direction (unit, world)
+    vec3 actual{};  ///< present direction (unit, world)
     double harm{};  ///< harm of a hit (HP)
 };
 
@@ -238,7 +238,7 @@ Throw plan_throw(const BotTurn& turn, const Lifter& lifter) {
             .harm = harm_of(match.data().wizard, mass, from_there.shot.speed)};
     t.wanted = along(aim_of_shot(from_there, t.target));
     const vec3 crossing = self.eye + along({self.yaw, self.pitch}) * lifter.grasp.crossing - thing;
-    t.now = crossing / std::max(1e-9, glm::length(crossing));
+    t.actual = crossing / std::max(1e-9, glm::length(crossing));
     return t;
 }
 
@@ -263,12 +263,12 @@ Aim hold_and_throw(const BotTurn& turn, const Lifter& lifter) {
         return as_it_is;
     }
     const bool sees = mind.foe_seen_at != 0 && tick <= mind.foe_seen_at + ticks(0.4);
-    const double off = det::acos(std::clamp(glm::dot(t.wanted, t.now), -1.0, 1.0));
+    const double off = det::acos(std::clamp(glm::dot(t.wanted, t.actual), -1.0, 1.0));
     if (sees && off < skill.within * (waits ? 1 : 2) &&
         !turn.match.physics().ray(thing, t.target, layer::ground))
         mind.buttons |= bit(Button::throw_);
-    const double rest = lifter.grasp.crossing - glm::distance(thing, self.eye);
-    return aim_at(self.eye, thing + t.wanted * std::max(1.0, rest));
+    const double left_to_cross = lifter.grasp.crossing - glm::distance(thing, self.eye);
+    return aim_at(self.eye, thing + t.wanted * std::max(1.0, left_to_cross));
 }
 
 }  // namespace

@@ -110,8 +110,8 @@ void brew(const BotTurn& turn) {
         if (stir_plan.recipe == no_potion) return end_stirring(turn);
     }
     const auto step = next_brew_step(turn);
-    const bool hurt = self.health < stir_plan.health - unnerved;
-    if (step.task == BrewTask::done || tick >= stir_plan.until || hurt) return end_stirring(turn);
+    const bool badly_hurt = self.health < stir_plan.health - unnerved;
+    if (step.task == BrewTask::done || tick >= stir_plan.until || badly_hurt) return end_stirring(turn);
     const bool there = within_reach(match.data(), cauldron, self.centre);
     if (step.task == BrewTask::fetch || !there) {
         stir_plan.stage = StirStage::fetch;

@@ -17,7 +17,7 @@ void each_array(State& state, Visit&& visit) {
     visit(state.projected);
 }
 
-std::size_t arrays_of(const fluid::Fluid& fluid) { return fluid.now.substances.size() + 5; }
+std::size_t arrays_of(const fluid::Fluid& fluid) { return fluid.state.substances.size() + 5; }
 std::size_t size_of(const fluid::Fluid& fluid) { return arrays_of(fluid) * fluid.lattice.size; }
 
 }  // namespace
@@ -31,18 +31,19 @@ void make_brew_state(ecs::World& world, const Brew& brew) {
 
 void write_fluid(ecs::World& world, std::size_t which, const fluid::Fluid& fluid) {
     auto* to = world.blob<BrewSamples>().data() + which * size_of(fluid);
-    each_array(fluid.now, [&](const fluid::Samples& from) { to = std::copy(from.begin(), from.end(), to); });
+    each_array(fluid.state,
+               [&](const fluid::Samples& from) { to = std::copy(from.begin(), from.end(), to); });
 }
 
 void read_fluid(const ecs::World& world, std::size_t which, fluid::Fluid& fluid) {
     const auto samples = world.blob<BrewSamples>();
     THAUM_ASSERT(samples.size() == 2 * size_of(fluid), "the World holds the state of another fluid");
     const auto* from = samples.data() + which * size_of(fluid);
-    each_array(fluid.now, [&](fluid::Samples& to) {
+    each_array(fluid.state, [&](fluid::Samples& to) {
         std::copy_n(from, to.size(), to.begin());
         from += to.size();
     });
-    fluid.now.pushed = false;
+    fluid.state.pushed = false;
 }
 
 void write_surface(ecs::World& world, Cauldron& cauldron, const fluid::SpringSurface& surface) {
@@ -75,7 +76,7 @@ BrewFields fields_of(const ecs::World& world, std::size_t which, const fluid::Fl
     for (std::size_t axis = 0; axis < 3; ++axis)
         fields.velocity.component[axis] =
             fluid::grid_of(fluid.lattice, samples(axis), fluid.place(axis), kernel);
-    for (std::size_t s = 0; s < fluid.now.substances.size(); ++s)
+    for (std::size_t s = 0; s < fluid.state.substances.size(); ++s)
         fields.substances[s] = fluid::cell_grid(fluid.lattice, samples(3 + s), kernel);
     return fields;
 }

@@ -48,10 +48,10 @@ vec3 place_of(const MatchContext& context, ecs::Entity wizard, std::uint32_t pla
     const auto* spec = free_device(context, player, number);
     if (spec == nullptr) return free.path;
     const auto& counts = context.input.frame.devices[number].counts;
-    const auto by_stick = [&](std::size_t turn) {
+    const auto stick_place = [&](std::size_t turn) {
         return context.data.casting->stick_reach * std::clamp(counts[turn] / 127.0, -1.0, 1.0);
     };
-    return free.path + vec3(by_stick(hand::turn_right), by_stick(hand::turn_up), 0);
+    return free.path + vec3(stick_place(hand::turn_right), stick_place(hand::turn_up), 0);
 }
 
 /// Whether the hand is in use for something other than free casting.

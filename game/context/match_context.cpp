@@ -108,37 +108,37 @@ void record(MatchContext& context, const Event& event) {
     add_up(event, event_log.match_stats);
 }
 
-void hurt(MatchContext& context, ecs::Entity wizard, Tick tick, const Hurt& hurt) {
+void hurt(MatchContext& context, ecs::Entity wizard, Tick tick, const Hurt& harm) {
     auto& world = context.world;
     auto& health = world.get<Health>(wizard);
     const auto player = std::as_const(world).get<Wizard>(wizard).player;
-    if (hurt.points <= 0 || tick < health.shielded_until || world.has<Dead>(wizard)) return;
-    const double left = hurt.points * (tick < health.hardened_until ? health.harm_share : 1);
-    const double held = tick < health.ward_until && !hurt.pierces ? std::min(health.ward, left) : 0;
+    if (harm.points <= 0 || tick < health.shielded_until || world.has<Dead>(wizard)) return;
+    const double left = harm.points * (tick < health.hardened_until ? health.harm_share : 1);
+    const double held = tick < health.ward_until && !harm.pierces ? std::min(health.ward, left) : 0;
     health.ward -= held;
     if (held > 0) {
         record(context, {.tick = tick,
                          .kind = EventKind::held_off,
                          .subject = player,
-                         .by = hurt.by,
-                         .detail = static_cast<std::uint32_t>(hurt.how),
+                         .by = harm.by,
+                         .detail = static_cast<std::uint32_t>(harm.how),
                          .amount = held,
-                         .place = hurt.place});
+                         .place = harm.place});
     }
     const double points = left - held;
     if (points <= 0) return;
     health.points -= points;
     health.hurt_at = tick;
-    health.hurt_by = hurt.by;
-    health.hurt_how = static_cast<std::uint32_t>(hurt.how);
-    if (hurt.by < players && hurt.by != player) health.foe_did_at = tick;
+    health.hurt_by = harm.by;
+    health.hurt_how = static_cast<std::uint32_t>(harm.how);
+    if (harm.by < players && harm.by != player) health.foe_did_at = tick;
     record(context, {.tick = tick,
-                     .kind = hurt.how,
+                     .kind = harm.how,
                      .subject = player,
-                     .by = hurt.by,
-                     .detail = hurt.detail,
+                     .by = harm.by,
+                     .detail = harm.detail,
                      .amount = points,
-                     .place = hurt.place});
+                     .place = harm.place});
 }
 
 }  // namespace thaum::game::inline context

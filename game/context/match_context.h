@@ -113,6 +113,6 @@ struct Hurt {
 
 /// Takes health and records the event, unless the wizard is shielded or dead. Writes Health, EventLog and
 /// resource::Journal, reads Wizard and Dead.
-void hurt(MatchContext& context, ecs::Entity wizard, Tick tick, const Hurt& hurt);
+void hurt(MatchContext& context, ecs::Entity wizard, Tick tick, const Hurt& harm);
 
 }  // namespace thaum::game::inline context

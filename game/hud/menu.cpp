@@ -191,8 +191,8 @@ float value_width(const MenuRow& row, const MenuLayout& l) {
     const float needed = beside + value.at(size), wanted = std::max(needed, beside + longest.at(size));
     if (wanted <= most) return std::clamp(0.5F * l.row_width, wanted, most);
     if (needed <= most || label.at(size) <= short_label * l.row_width) return most;
-    const float ems = label.ems + value.ems, rest = room - beside - label.rounding - value.rounding;
-    return beside + value.at(std::max(rest, 0.0F) / ems);
+    const float ems = label.ems + value.ems, remaining = room - beside - label.rounding - value.rounding;
+    return beside + value.at(std::max(remaining, 0.0F) / ems);
 }
 
 void add_arrow(Overlay& out, fvec2 centre, float radius, float way) {

@@ -15,11 +15,11 @@ struct Offer {
 /// The spell with the lowest wand key, for a player who is hurt, has no shield and has enough
 /// focus for it; null for other players.
 const SpellStats* spell_in_need(const PlayerPicture& p) {
-    constexpr double hurt = 0.8;  // share of full health below which a player counts as hurt
+    constexpr double hurt_below = 0.8;  // share of full health below which a player counts as hurt
     const auto& casting = p.casting;
     if (!casting.there || casting.first_spell == nullptr || casting.stroke.drawing || casting.ward > 0)
         return nullptr;
-    if (p.vitals.health > hurt * p.vitals.health_full || casting.focus < casting.first_spell->focus)
+    if (p.vitals.health > hurt_below * p.vitals.health_full || casting.focus < casting.first_spell->focus)
         return nullptr;
     return casting.first_spell;
 }
@@ -77,36 +77,38 @@ std::optional<Offer> offer_to(const PlayerPicture& p, const ControlNames& contro
     return std::nullopt;
 }
 
-void count_uses(const PlayerPicture& before, const PlayerPicture& now, std::uint32_t player,
+void count_uses(const PlayerPicture& before, const PlayerPicture& after, std::uint32_t player,
                 PromptUses& uses) {
     const auto done = [&](PromptKind kind) { ++uses.of(player, kind); };
-    if (before.vitals.lives != now.vitals.lives || now.vitals.dead) return;
-    if (!before.stations.stirs && now.stations.stirs) done(PromptKind::stir);
-    if (!before.stations.scrying.scries && now.stations.scrying.scries) done(PromptKind::scry);
-    if (!before.stations.scrying.draws && now.stations.scrying.draws) done(PromptKind::draw_curve);
-    if (!before.stations.carving.carves && now.stations.carving.carves) done(PromptKind::carve);
-    const bool hands_free = !before.stations.carries.empty() && now.stations.carries.empty();
+    if (before.vitals.lives != after.vitals.lives || after.vitals.dead) return;
+    if (!before.stations.stirs && after.stations.stirs) done(PromptKind::stir);
+    if (!before.stations.scrying.scries && after.stations.scrying.scries) done(PromptKind::scry);
+    if (!before.stations.scrying.draws && after.stations.scrying.draws) done(PromptKind::draw_curve);
+    if (!before.stations.carving.carves && after.stations.carving.carves) done(PromptKind::carve);
+    const bool hands_free = !before.stations.carries.empty() && after.stations.carries.empty();
     const bool put_away =
-        now.senses.gift.kind == EventKind::put_away && now.senses.gift.tick != before.senses.gift.tick;
-    if (hands_free && (now.stations.stirs || put_away))
+        after.senses.gift.kind == EventKind::put_away && after.senses.gift.tick != before.senses.gift.tick;
+    if (hands_free && (after.stations.stirs || put_away))
         done(put_away ? PromptKind::put_away : PromptKind::drop);
-    if (!before.wand.held && now.wand.held) done(now.wand.holds_thing ? PromptKind::lift : PromptKind::swing);
-    const auto& reading = now.casting.reading;
+    if (!before.wand.held && after.wand.held)
+        done(after.wand.holds_thing ? PromptKind::lift : PromptKind::swing);
+    const auto& reading = after.casting.reading;
     if (reading.outcome == StrokeOutcome::cast && reading.age_s < before.casting.reading.age_s)
         done(PromptKind::cast);
-    if (before.wand.holds_thing && !now.wand.held && now.wand.fired != before.wand.fired)
+    if (before.wand.holds_thing && !after.wand.held && after.wand.fired != before.wand.fired)
         done(PromptKind::throw_thing);
 }
 
-/// The station that the player has just tried to use from too far away, or from which the player was just
-/// pushed away; std::nullopt if there is none.
-std::optional<StationKind> missed_station(const PlayerPicture& before, const PlayerPicture& now) {
-    const bool lost_crystal = before.stations.carving.carves && !now.stations.carving.near;
-    const bool lost_orb = before.stations.scrying.scries && !now.stations.scrying.near;
-    if (now.stations.misses_rim || (before.stations.stirs && !now.stations.stirs && !now.stations.at_rim))
+/// The station that the player has tried to use from too far away, or from which the player was just pushed
+/// away.
+std::optional<StationKind> missed_station(const PlayerPicture& before, const PlayerPicture& after) {
+    const bool lost_crystal = before.stations.carving.carves && !after.stations.carving.near;
+    const bool lost_orb = before.stations.scrying.scries && !after.stations.scrying.near;
+    if (after.stations.misses_rim ||
+        (before.stations.stirs && !after.stations.stirs && !after.stations.at_rim))
         return StationKind::cauldron;
-    if (now.stations.scrying.misses || lost_orb) return StationKind::orb;
-    if (now.stations.carving.misses || lost_crystal) return StationKind::crystal;
+    if (after.stations.scrying.misses || lost_orb) return StationKind::orb;
+    if (after.stations.carving.misses || lost_crystal) return StationKind::crystal;
     return std::nullopt;
 }
 
@@ -138,13 +140,13 @@ float strength_of(const Prompt& prompt, std::uint32_t player, PromptWish wish, c
     return 1 - static_cast<float>(done) / static_cast<float>(PromptUses::learnt);
 }
 
-void count_uses(const Picture& before, const Picture& now, PromptUses& uses) {
-    if (now.tick <= before.tick) return;
+void count_uses(const Picture& before, const Picture& after, PromptUses& uses) {
+    if (after.tick <= before.tick) return;
     for (std::uint32_t player = 0; player < players; ++player) {
-        const auto& wizard = now.wizards[player];
+        const auto& wizard = after.wizards[player];
         count_uses(before.wizards[player], wizard, player, uses);
         if (const auto missed = missed_station(before.wizards[player], wizard))
-            uses.missed[player] = MissedStation{now.tick, *missed};
+            uses.missed[player] = MissedStation{after.tick, *missed};
         const bool near = wizard.stations.stirs || wizard.stations.at_rim || wizard.stations.scrying.near ||
                           wizard.stations.carving.near;
         if (near || wizard.vitals.dead) uses.missed[player].reset();

@@ -66,6 +66,6 @@ std::string_view words_of_missed_station(Tick now, std::uint32_t player, const P
 float strength_of(const Prompt& prompt, std::uint32_t player, PromptWish wish, const PromptUses& uses);
 
 /// Counts the actions of players between two pictures of a match.
-void count_uses(const Picture& before, const Picture& now, PromptUses& uses);
+void count_uses(const Picture& before, const Picture& after, PromptUses& uses);
 
 }  // namespace thaum::game::inline hud

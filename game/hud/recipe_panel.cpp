@@ -108,10 +108,11 @@ void add_force_band(Overlay& out, const RecipePicture& recipe, const Panel& bar,
                                     {x(recipe.max_force), bar.high.y},
                                     inside ? paints.white : paints.soft,
                                     3 * u});
-    const float now = x(recipe.force);
-    out.items.emplace_back(LineItem{{now, bar.low.y - 4 * u}, {now, bar.high.y + 4 * u}, 5 * u, paints.dark});
+    const float current = x(recipe.force);
     out.items.emplace_back(
-        LineItem{{now, bar.low.y - 3 * u}, {now, bar.high.y + 3 * u}, 2.5F * u, paints.amber});
+        LineItem{{current, bar.low.y - 4 * u}, {current, bar.high.y + 4 * u}, 5 * u, paints.dark});
+    out.items.emplace_back(
+        LineItem{{current, bar.low.y - 3 * u}, {current, bar.high.y + 3 * u}, 2.5F * u, paints.amber});
 }
 
 }  // namespace
@@ -151,8 +152,8 @@ void add_ghost(Overlay& out, const RecipePicture& recipe, fvec2 centre, float ha
         out.items.emplace_back(LineItem{at(i - 1), at(i), std::max(1.5F, 2 * u), paints.soft});
     out.items.emplace_back(ArcItem{at(0), 0, 3 * u, 0, whole_turn, paints.white});
     // Duration of the running dot's loop (s), and share of the loop for which the dot rests at the end.
-    constexpr double period = 1.6, rest = 0.25;
-    const double share = std::min(1.0, std::fmod(seconds, period) / period / (1 - rest));
+    constexpr double period = 1.6, pause = 0.25;
+    const double share = std::min(1.0, std::fmod(seconds, period) / period / (1 - pause));
     const auto runner = static_cast<std::size_t>(share * static_cast<double>(points.size() - 1));
     out.items.emplace_back(ArcItem{at(runner), 0, 4.5F * u, 0, whole_turn, paints.amber});
 }

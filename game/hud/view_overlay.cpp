@@ -424,9 +424,9 @@ void add_force_plot(Overlay& out, const ForcePicture& force, const ViewLayout& l
                                             foot + fvec2(column, 0),
                                             opaque(force_colour(static_cast<double>(share))), 0});
     }
-    const float now = *std::max_element(force.strongest.end() - 8, force.strongest.end());
+    const float current = *std::max_element(force.strongest.end() - 8, force.strongest.end());
     add_text_in(out, {l.forces.low + u * fvec2(6, 5), {l.forces.high.x - 6 * u, low.y - high}},
-                text(fixed(std::min(static_cast<double>(now), force.cap), 2), " of ", fixed(force.cap, 2),
+                text(fixed(std::min(static_cast<double>(current), force.cap), 2), " of ", fixed(force.cap, 2),
                      " N, +", fixed(1000 * force.created, 1), " mJ"),
                 12 * u, paints.white, Align::left);
 }

@@ -13,10 +13,10 @@ constexpr double root_of_ten = 3.1622776601683795;
 constexpr double thin = 1e-6;  // smallest viscosity other than 0 (m^2/s)
 constexpr double weight_step = 0.05, min_weight = -1, max_weight = 2;
 
-/// The next viscosity up or down, in steps of half a decade (m^2/s). The one below the smallest is 0.
-double other_viscosity(double now, int way) {
-    if (way > 0) return now < thin ? thin : std::min(now * root_of_ten, fluid::max_viscosity);
-    return now <= 1.01 * thin ? 0 : now / root_of_ten;
+/// Next viscosity up or down, in steps of half a decade; below the smallest comes 0 (m^2/s).
+double other_viscosity(double current, int way) {
+    if (way > 0) return current < thin ? thin : std::min(current * root_of_ten, fluid::max_viscosity);
+    return current <= 1.01 * thin ? 0 : current / root_of_ten;
 }
 
 std::string of_viscosity(double viscosity) { return text(static_cast<float>(viscosity), " m2/s"); }
@@ -38,17 +38,17 @@ void turn_cells(LabHands& hands, const Rules&, int way) {
 
 /// Replaces the chosen substance by the next ingredient in the rules that no other substance already is.
 void turn_ingredient(LabHands& hands, const Rules& rules, int) {
-    Ingredient* now = chosen(hands);
+    Ingredient* current = chosen(hands);
     const auto& all = rules.ingredients;
-    if (now == nullptr || all.empty()) return;
+    if (current == nullptr || all.empty()) return;
     const auto named = [](const std::string& name) {
         return [&name](const Ingredient& i) { return i.name == name; };
     };
-    auto at = static_cast<std::size_t>(std::ranges::find_if(all, named(now->name)) - all.begin());
+    auto at = static_cast<std::size_t>(std::ranges::find_if(all, named(current->name)) - all.begin());
     for (std::size_t tries = 0; tries < all.size(); ++tries) {
         at = at + 1 < all.size() ? at + 1 : 0;
         if (std::ranges::any_of(hands.settings.substances, named(all[at].name))) continue;
-        *now = all[at];
+        *current = all[at];
         return;
     }
 }

@@ -173,8 +173,9 @@ LabFigures figures_of(const LabState& lab) {
     const auto& fluid = lab.brew.fluid;
     LabFigures figures{.momentum = fluid::momentum(fluid)};
     figures.fluid.energy = fluid::energy(fluid);
-    for (std::size_t s = 0; s < fluid.now.substances.size(); ++s) figures.amounts[s] = amount(fluid, s);
-    if (lab.last_poured < fluid.now.substances.size()) figures.mixing = fluid::mixing(fluid, lab.last_poured);
+    for (std::size_t s = 0; s < fluid.state.substances.size(); ++s) figures.amounts[s] = amount(fluid, s);
+    if (lab.last_poured < fluid.state.substances.size())
+        figures.mixing = fluid::mixing(fluid, lab.last_poured);
     return figures;
 }
 

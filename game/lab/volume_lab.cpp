@@ -374,9 +374,9 @@ void change_device(VolumeLab& lab, haptics::DeviceSpec device) {
     lab.data.device = std::move(device);
     take_up_device(lab);
     std::vector<double> grown;
-    const auto fit = [&](field::Placement& old, const field::Placement& now) {
-        grown.push_back(now.scale / old.scale);
-        old = now;
+    const auto fit = [&](field::Placement& old, const field::Placement& current) {
+        grown.push_back(current.scale / old.scale);
+        old = current;
     };
     fit(lab.fitted, fitted(lab.source, lab.data.device.workspace));
     for (auto& beside : lab.beside)
@@ -522,12 +522,12 @@ VolumeLabFigures step_volume_lab(VolumeLab& lab, const VolumeLabInput& input) {
 
 field::Volume volume_now(const VolumeLab& lab) {
     if (!lab.carvable()) return lab.source;
-    field::Volume now = field::density_volume(lab.body);
-    if (!lab.edited) now.stored_as = lab.source.stored_as;
-    field::lie_as(now, lab.source);
-    now.name = lab.source.name;
-    now.units = lab.source.units;
-    return now;
+    field::Volume current = field::density_volume(lab.body);
+    if (!lab.edited) current.stored_as = lab.source.stored_as;
+    field::lie_as(current, lab.source);
+    current.name = lab.source.name;
+    current.units = lab.source.units;
+    return current;
 }
 
 std::uint64_t lab_hash(const VolumeLab& lab) {

@@ -39,10 +39,10 @@ void PlayerHands::rebind(const Settings& settings) const {
         const auto& hands = seats_[p].hands;
         if (!hands) continue;
         hands->rebind(settings.bindings_of(device_of(p)));
-        const auto &now = settings.players[p], &then = seated_.players[p];
-        hands->set_turn_ramp(now.turn_ramp_s);
-        hands->set_sticks({now.stick_dead_zone, now.stick_curve});
-        hands->set_look(now.sensitivity / then.sensitivity, now.invert_y != then.invert_y);
+        const auto &current = settings.players[p], &then = seated_.players[p];
+        hands->set_turn_ramp(current.turn_ramp_s);
+        hands->set_sticks({current.stick_dead_zone, current.stick_curve});
+        hands->set_look(current.sensitivity / then.sensitivity, current.invert_y != then.invert_y);
     }
 }
 

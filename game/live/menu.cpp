@@ -205,14 +205,14 @@ bool LiveMenu::joined_just_now(const Device& device, const input::PadState& befo
     return joining;
 }
 
-void LiveMenu::pad(int place, const input::PadState& before, const input::PadState& now,
+void LiveMenu::pad(int place, const input::PadState& before, const input::PadState& current,
                    std::int64_t now_ns) {
-    if (!now.present) {
+    if (!current.present) {
         if (held_.pad == place) release();
         return;
     }
     const Device device{DeviceKind::pad, place};
-    for (const auto& control : pressed_controls(before, now)) {
+    for (const auto& control : pressed_controls(before, current)) {
         // Other controls that were pressed at the same time are ignored.
         if (waits_for_control()) return give_control(device, control);
         const bool start_page = on_start_page();
@@ -222,14 +222,13 @@ void LiveMenu::pad(int place, const input::PadState& before, const input::PadSta
         step({.kind = *kind, .device = device});
         joining_.at(static_cast<std::size_t>(place)) = !seated && has_seat(place);
     }
-    if (!waits_for_control()) point_by_pad(device, before, now, now_ns);
+    if (!waits_for_control()) point_by_pad(device, before, current, now_ns);
 }
 
-void LiveMenu::point_by_pad(const Device& device, const input::PadState& before, const input::PadState& now,
-                            std::int64_t now_ns) {
-    // A stick that is pushed when its pad is plugged in may be stuck, so it is ignored.
-    if (!before.present) return;
-    const auto way = menu_direction_of(now);
+void LiveMenu::point_by_pad(const Device& device, const input::PadState& before,
+                            const input::PadState& current, std::int64_t now_ns) {
+    if (!before.present) return;  // a stick that is pushed when the pad is plugged in may be stuck
+    const auto way = menu_direction_of(current);
     if (way == menu_direction_of(before) || (on_start_page() && joined_just_now(device, before))) return;
     if (held_.pad == device.pad) release();
     if (!way) return;

@@ -45,8 +45,8 @@ public:
     /// `position` is in pixels from the window's top left.
     void cursor(fvec2 position, render::Size window);
     void wheel(double steps);
-    /// Takes the state `now` of the pad with number `place`; `before` is its state at the last call.
-    void pad(int place, const input::PadState& before, const input::PadState& now, std::int64_t now_ns);
+    /// The pad with number `place` was in state `before` at the last look.
+    void pad(int place, const input::PadState& before, const input::PadState& current, std::int64_t now_ns);
     /// Whether the pad has a seat on the start screen.
     bool has_seat(int place) const;
     /// Repeats a direction that is held, if the repetition is due.
@@ -132,7 +132,7 @@ private:
     void keep_changes(const Settings& before);
     void give_control(const Device& device, const input::Control& control);
     void name_key(int key, std::int64_t now_ns);
-    void point_by_pad(const Device& device, const input::PadState& before, const input::PadState& now,
+    void point_by_pad(const Device& device, const input::PadState& before, const input::PadState& current,
                       std::int64_t now_ns);
     bool on_start_page() const {
         return !state_.pages.empty() && state_.pages.back().page == page_name::start;

@@ -17,7 +17,7 @@ constexpr double delay_ms = 6;
 
 /// The last two pictures, and the picture interpolated between them for the present time.
 struct InterpolationBuffer {
-    Picture before = game::make_picture(), now = game::make_picture(), shown = game::make_picture();
+    Picture before = game::make_picture(), newest = game::make_picture(), shown = game::make_picture();
     game::PromptUses prompt_uses{};  ///< uses of controls, counted over all pictures so far
     std::int64_t shown_due_ns = 0;   ///< all ticks due by this time are contained in `shown` (ns)
     bool any = false;
@@ -35,15 +35,15 @@ void take_due(Stamps& stamps, std::int64_t due_ns, F f) {
 
 void advance(TripleBuffer<Picture>& pictures, InterpolationBuffer& buffer) {
     if (!pictures.take()) return;
-    std::swap(buffer.before, buffer.now);
-    buffer.now = pictures.newest();
-    game::count_uses(buffer.before, buffer.now, buffer.prompt_uses);
+    std::swap(buffer.before, buffer.newest);
+    buffer.newest = pictures.newest();
+    game::count_uses(buffer.before, buffer.newest, buffer.prompt_uses);
     buffer.any = true;
 }
 
 const Picture& show(InterpolationBuffer& buffer, double speed) {
     const auto& a = buffer.before;
-    const auto& b = buffer.now;
+    const auto& b = buffer.newest;
     const double since_due_ms = static_cast<double>(monotonic_ns() - b.due_ns) * 1e-6;
     const double shown_tick = static_cast<double>(b.tick) + (since_due_ms - delay_ms) * speed;
     const bool follows = a.tick < b.tick;
@@ -64,9 +64,9 @@ struct QualityChoice {
     render::Quality now(std::optional<render::Quality> set, render::Size window) {
         // A window of another size needs another amount of work, so a quality that was too slow may be fast
         // enough now.
-        if (window != size) found = {.now = size == render::Size{} ? first : found.now};
+        if (window != size) found = {.current = size == render::Size{} ? first : found.current};
         size = window;
-        return set.value_or(found.now);
+        return set.value_or(found.current);
     }
 };
 
@@ -105,7 +105,8 @@ const render::Frame& frame_of(RenderState& state, const Screen& screen, render::
     hud.quality = state.quality.now(screen.quality, size);
     hud.prompt_uses = state.buffer.prompt_uses;
     if (screen.arena_scene)
-        game::make_arena_frame(state.arena_scene, state.buffer.now, camera_angle(), hud, size, state.memory);
+        game::make_arena_frame(state.arena_scene, state.buffer.newest, camera_angle(), hud, size,
+                               state.memory);
     else
         game::make_frame(state.arena_scene, show(state.buffer, speed), hud, size, state.memory);
     game::add_menu(state.memory.frame.overlay, menu_of(screen, state.buffer.shown), size,
@@ -117,8 +118,8 @@ const render::Frame& frame_of(RenderState& state, const Screen& screen, render::
 bool due(RenderState& state, const Screen& screen, bool changed) {
     const auto now = monotonic_ns();
     const auto& replay = screen.hud.replay;
-    const bool stopped = replay && (replay->paused || state.buffer.now.tick >= replay->length);
-    const bool still = screen.arena_scene || state.buffer.now.paused || stopped;
+    const bool stopped = replay && (replay->paused || state.buffer.newest.tick >= replay->length);
+    const bool still = screen.arena_scene || state.buffer.newest.paused || stopped;
     if (still && !changed && now < state.next_still_ns) return false;
     state.next_still_ns = now + still_period_ns;
     return true;

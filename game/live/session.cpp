@@ -509,11 +509,11 @@ Screen LiveSession::screen() const {
 }
 
 void LiveSession::publish_screen() {
-    auto now = screen();
-    if (published_ == now) return;
-    shared_.screen.to_fill() = now;
+    auto current = screen();
+    if (published_ == current) return;
+    shared_.screen.to_fill() = current;
     shared_.screen.publish();
-    published_ = std::move(now);
+    published_ = std::move(current);
 }
 
 // The start screen ------------------------------------------------------------------------------------------

@@ -73,20 +73,20 @@ void copy(const ecs::World& from, ecs::Entity source, ecs::World& to, ecs::Entit
 /// Copies a wizard of the old scene into the new one. What a wand holds in the old scene is let go.
 void move_wizard(const MatchContext& from, MatchContext& to, std::uint32_t player) {
     auto& world = to.world;
-    const auto old = wizard_of(from.world, player), now = wizard_of(world, player);
-    copy<Gaze, Stance, Health, WandBelt, HandState, Score>(from.world, old, world, now);
-    let_go(to, now);
-    world.remove<Body>(now);
-    copy<Motion>(from.world, old, world, now);
-    world.get<Motion>(now).asleep = 0;  // wakes the wizard, because the ground below may have changed
-    if (const auto* focus = from.world.find<Focus>(old); focus != nullptr && world.has<Focus>(now))
-        world.get<Focus>(now) = *focus;
-    if (const auto* lens = from.world.find<Lens>(old); lens != nullptr && world.has<Lens>(now))
-        world.get<Lens>(now) = *lens;
+    const auto old = wizard_of(from.world, player), wizard = wizard_of(world, player);
+    copy<Gaze, Stance, Health, WandBelt, HandState, Score>(from.world, old, world, wizard);
+    let_go(to, wizard);
+    world.remove<Body>(wizard);
+    copy<Motion>(from.world, old, world, wizard);
+    world.get<Motion>(wizard).asleep = 0;  // wakes the wizard, because the ground below may have changed
+    if (const auto* focus = from.world.find<Focus>(old); focus != nullptr && world.has<Focus>(wizard))
+        world.get<Focus>(wizard) = *focus;
+    if (const auto* lens = from.world.find<Lens>(old); lens != nullptr && world.has<Lens>(wizard))
+        world.get<Lens>(wizard) = *lens;
     if (const auto* dead = from.world.find<Dead>(old))
-        world.add(now, *dead);
+        world.add(wizard, *dead);
     else
-        world.add(now, from.world.get<Body>(old));
+        world.add(wizard, from.world.get<Body>(old));
 }
 
 void move_match(const MatchContext& from, MatchContext& to) {

@@ -70,9 +70,9 @@ std::string kind_difference(const std::vector<KindTable>& recorded, const std::v
     }
     for (const auto& [group, number] : numbers) {
         const auto there = kind_in_words(table_of(recorded, group), number);
-        const auto now = kind_in_words(table_of(here, group), number);
-        if (there != now)
-            return text(in_one_line(group), " ", number, " is ", there, " in the log and ", now,
+        const auto current = kind_in_words(table_of(here, group), number);
+        if (there != current)
+            return text(in_one_line(group), " ", number, " is ", there, " in the log and ", current,
                         " in this program: replay the log with the program that recorded it");
     }
     return {};

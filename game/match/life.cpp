@@ -52,8 +52,8 @@ void die(MatchContext& context, ecs::Entity e, const Wizard& wizard, const Healt
 void return_to_life(MatchContext& context, ecs::Entity e, const Wizard& wizard, Health& health, Tick tick) {
     auto& world = context.world;
     const auto foe = wizard_of(world, 1 - wizard.player);
-    const auto& now = std::as_const(world);
-    const auto pad = farthest_pad(world, now.get<Motion>(foe).position);
+    const auto& const_world = std::as_const(world);
+    const auto pad = farthest_pad(world, const_world.get<Motion>(foe).position);
     health = {.points = context.data.wizard.health,
               .shielded_until = tick + context.data.round.spawn_shield,
               .hurt_by = no_player};

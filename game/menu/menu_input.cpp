@@ -92,14 +92,14 @@ std::optional<Kind> menu_direction_of(const input::PadState& pad) {
     return {};
 }
 
-std::vector<Control> pressed_controls(const input::PadState& before, const input::PadState& now) {
+std::vector<Control> pressed_controls(const input::PadState& before, const input::PadState& current) {
     std::vector<Control> controls;
     for (unsigned b = 0; b <= static_cast<unsigned>(PadButton::left); ++b) {
-        if ((now.buttons & ~before.buttons & 1U << b) != 0)
+        if ((current.buttons & ~before.buttons & 1U << b) != 0)
             controls.push_back({Control::Source::pad_button, static_cast<int>(b), 0});
     }
     for (std::size_t a = 0; a < input::pad_axes; ++a) {
-        const double from = before.axes[a], to = now.axes[a];
+        const double from = before.axes[a], to = current.axes[a];
         if (std::abs(from) >= menu_stick_press || std::abs(to) < menu_stick_press) continue;
         controls.push_back({Control::Source::pad_axis, static_cast<int>(a), to > 0 ? 1 : -1});
     }

@@ -23,7 +23,7 @@ std::optional<MenuEvent::Kind> name_event_of(int key);
 std::optional<MenuEvent::Kind> menu_direction_of(const input::PadState& pad);
 
 /// All controls of the pad that were pressed since `before`.
-std::vector<input::Control> pressed_controls(const input::PadState& before, const input::PadState& now);
+std::vector<input::Control> pressed_controls(const input::PadState& before, const input::PadState& current);
 
 /// Event of a pad's control; std::nullopt for controls that point in a direction (menu_direction_of).
 std::optional<MenuEvent::Kind> menu_event_of(const input::Control& control, bool start_page);

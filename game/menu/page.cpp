@@ -55,17 +55,17 @@ bool is_same(const Row& a, const Row& b) {
 }  // namespace
 
 MenuState on_same_rows(MenuState state, const MenuContext& before, const MenuContext& context) {
-    const auto pages = state.pages;
-    for (state.pages.clear(); state.pages.size() < pages.size();) {
-        const auto& page = pages[state.pages.size()];
+    const auto open_pages = state.pages;
+    for (state.pages.clear(); state.pages.size() < open_pages.size();) {
+        const auto& page = open_pages[state.pages.size()];
         state.pages.push_back(page);
         const auto rows = rows_of(state, before);
         if (page.cursor >= rows.size()) continue;
-        const auto now = rows_of(state, context);
+        const auto current = rows_of(state, context);
         const auto same =
-            std::ranges::find_if(now, [&](const Row& row) { return is_same(row, rows[page.cursor]); });
-        if (same == now.end()) continue;
-        const auto place = static_cast<std::size_t>(same - now.begin());
+            std::ranges::find_if(current, [&](const Row& row) { return is_same(row, rows[page.cursor]); });
+        if (same == current.end()) continue;
+        const auto place = static_cast<std::size_t>(same - current.begin());
         auto& open = state.pages.back();
         open.middle = open.middle + place > page.cursor ? open.middle + place - page.cursor : 0;
         open.cursor = place;

@@ -111,13 +111,13 @@ void take_brew(const Brew& brew, const CauldronRules& rules, std::uint64_t state
     const auto& fluid = brew.fluid;
     out.state = state;
     out.lattice = fluid.lattice;
-    out.velocity = fluid.now.velocity;
+    out.velocity = fluid.state.velocity;
     for (std::size_t axis = 0; axis < 3; ++axis) out.velocity_places[axis] = fluid.place(axis);
     out.colours.base = fvec3(rules.colour);
     for (std::size_t s = 0; s < out.densities.size(); ++s) {
         out.densities[s].clear();
         if (brew.contents[s] >= rules.ingredients.size()) continue;
-        out.densities[s] = fluid.now.substances[s];
+        out.densities[s] = fluid.state.substances[s];
         out.colours.substances[s] = fvec3(rules.ingredients[brew.contents[s]].colour);
     }
     out.surface = brew.surface;

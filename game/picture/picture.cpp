@@ -131,7 +131,7 @@ void take_force(const Simulation& match, ecs::Entity wizard, std::uint32_t playe
     out.arm = arm_condition(match.world(), player);
     out.cause = static_cast<haptics::SafetyCause>(hand_state.servo.safety.cause);
     out.cap = match.haptic_setup().on[player] ? force_cap(match.haptic_setup(), player) : 0;
-    out.now = hand_state.servo.safety.output;
+    out.current = hand_state.servo.safety.output;
     out.source = strongest_source(forces_on(match.world(), wizard),
                                   wand != nullptr ? wand->look.steady_force : std::string_view())
                      .name;

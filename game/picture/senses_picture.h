@@ -33,7 +33,7 @@ struct ForcePicture {
     ArmCondition arm{};            ///< condition of a real force-feedback arm
     haptics::SafetyCause cause{};  ///< reason for a reduced force
     double cap{};                  ///< limit of the force (N)
-    vec3 now{};                    ///< present force (N, device frame, drawn in the eye frame)
+    vec3 current{};                ///< present force (N, device frame, drawn in the eye frame)
     std::string_view source;       ///< name of the strongest source of force (felt_source.h); empty: none
     /// largest net energy that the hand has got from sources that must not create energy (J)
     double created{};
@@ -41,7 +41,7 @@ struct ForcePicture {
     std::array<float, std::tuple_size_v<ForceTrace> / force_column - 1> strongest{};
 
     /// The present force as a share of its limit.
-    double share() const { return cap > 0 ? glm::length(now) / cap : 0; }
+    double share() const { return cap > 0 ? glm::length(current) / cap : 0; }
 };
 
 struct SensesPicture {

@@ -134,9 +134,9 @@ VoxelBlobs voxels_in(const ecs::World& world, const Crystal& crystal) {
 }
 
 /// Whether the voxels are equal to those of an earlier picture.
-bool equal(const CrystalVoxels& old, const VoxelBlobs& now) {
-    return std::memcmp(old.density.data(), now.density.data(), now.density.size_bytes()) == 0 &&
-           std::memcmp(old.colour.data(), now.colour.data(), now.colour.size_bytes()) == 0;
+bool equal(const CrystalVoxels& old, const VoxelBlobs& current) {
+    return std::memcmp(old.density.data(), current.density.data(), current.density.size_bytes()) == 0 &&
+           std::memcmp(old.colour.data(), current.colour.data(), current.colour.size_bytes()) == 0;
 }
 
 void take_voxels(const ecs::World& world, const Crystal& crystal, CrystalPicture& out) {
@@ -144,12 +144,12 @@ void take_voxels(const ecs::World& world, const Crystal& crystal, CrystalPicture
         out.voxels = nullptr;
         return;
     }
-    const auto now = voxels_in(world, crystal);
-    if (out.voxels != nullptr && equal(*out.voxels, now)) return;
+    const auto current = voxels_in(world, crystal);
+    if (out.voxels != nullptr && equal(*out.voxels, current)) return;
     auto copy = std::make_shared<CrystalVoxels>();
-    copy->density.assign(now.density.begin(), now.density.end());
+    copy->density.assign(current.density.begin(), current.density.end());
     copy->colour.resize(crystal_voxels);
-    std::memcpy(copy->colour.data(), now.colour.data(), now.colour.size_bytes());
+    std::memcpy(copy->colour.data(), current.colour.data(), current.colour.size_bytes());
     out.voxels = std::move(copy);
 }
 

@@ -69,9 +69,9 @@ bool is_deed(const ecs::Difference& d) {
 }
 
 bool has_changed(const Play& play) {
-    Bytes now;
-    save_state(play, now);
-    const auto found = ecs::diff(play.begun, now, 100000);
+    Bytes current;
+    save_state(play, current);
+    const auto found = ecs::diff(play.begun, current, 100000);
     return found && std::any_of(found->begin(), found->end(), is_deed);
 }
 

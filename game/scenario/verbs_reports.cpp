@@ -206,9 +206,9 @@ void push_difference(lua_State* lua, const ecs::Difference& d) {
 int verb_changes(lua_State* lua, void* context) {
     const auto& play = began(context);
     const auto& before = state_at(play, lua, 1);
-    Bytes now;
-    if (lua_isnoneornil(lua, 2)) save_state(play, now);
-    const auto& after = lua_isnoneornil(lua, 2) ? now : state_at(play, lua, 2);
+    Bytes current;
+    if (lua_isnoneornil(lua, 2)) save_state(play, current);
+    const auto& after = lua_isnoneornil(lua, 2) ? current : state_at(play, lua, 2);
     const auto found = ecs::diff(before, after, 1000);
     if (!found) fault(found.error().message);
     lua_newtable(lua);

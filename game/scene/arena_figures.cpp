@@ -189,8 +189,8 @@ void add_forces(const ArenaScene& arena_scene, const PlayerPicture& p, bool own,
     const fvec3 tint = tint_of(p.senses.force);
     if (p.wand.held) add_beam(arena_scene, tip, *p.wand.held, 0.012, tint, out);
     if (!own || p.senses.force.share() < min_share) return;
-    add_beam(arena_scene, tip, tip + view * p.senses.force.now / p.senses.force.cap * ribbon_length, 0.006,
-             tint, out);
+    add_beam(arena_scene, tip, tip + view * p.senses.force.current / p.senses.force.cap * ribbon_length,
+             0.006, tint, out);
     out.push_back(bead_at(arena_scene, tip, 0.02F, tint, 0.7F));
 }
 

@@ -66,7 +66,7 @@ bool differs(const CrystalVoxels& a, const CrystalVoxels& b, std::size_t from, s
 
 /// Increments the version of each brick in which the crystal differs from what was shown, and repaints it.
 /// Returns the number of these bricks.
-std::size_t follow(const CrystalVoxels& now, const CrystalVoxels* before, CrystalLook& look) {
+std::size_t follow(const CrystalVoxels& current, const CrystalVoxels* before, CrystalLook& look) {
     std::size_t changed = 0, brick = 0;
     const auto row_of = [](int x, int y, int z) {
         return static_cast<std::size_t>(x) +
@@ -82,11 +82,11 @@ std::size_t follow(const CrystalVoxels& now, const CrystalVoxels* before, Crysta
     for (int z = 0; z < side; z += render::scan_brick)
         for (int y = 0; y < side; y += render::scan_brick)
             for (int x = 0; x < side; x += render::scan_brick, ++brick) {
-                const auto is_new = [&](std::size_t row) { return differs(now, *before, row, size); };
+                const auto is_new = [&](std::size_t row) { return differs(current, *before, row, size); };
                 if (before != nullptr && !each_row({x, y, z}, is_new)) continue;
                 each_row({x, y, z}, [&](std::size_t row) {
                     for (std::size_t i = row; i < row + size; ++i)
-                        look.paint[i] = colour_of(now.colour[i], look.wanted[i]);
+                        look.paint[i] = colour_of(current.colour[i], look.wanted[i]);
                     return false;
                 });
                 ++look.bricks.at(brick);
@@ -132,16 +132,16 @@ std::size_t show_crystal(const CrystalPicture& crystal, CrystalLook& look) {
     place(crystal, look.body);
     place(crystal, look.key);
     look.key.unit = look.key.spacing.x;
-    const auto now = crystal.voxels ? crystal.voxels : look.rough;
-    if (!anew && now == look.shown) return 0;
-    const auto changed = follow(*now, anew ? nullptr : look.shown.get(), look);
-    look.shown = now;
+    const auto current = crystal.voxels ? crystal.voxels : look.rough;
+    if (!anew && current == look.shown) return 0;
+    const auto changed = follow(*current, anew ? nullptr : look.shown.get(), look);
+    look.shown = current;
     if (changed > 0) {
         ++look.body.version;
         ++look.mesh.version;
-        look.mesh.triangles = crystal_mesh(now->density, look.paint, side, look.body.spacing.x);
+        look.mesh.triangles = crystal_mesh(current->density, look.paint, side, look.body.spacing.x);
     }
-    look.body.samples = std::span<const float>(now->density);
+    look.body.samples = std::span<const float>(current->density);
     look.body.brick_versions = look.bricks;
     look.body.colours = look.paint;
     look.key.samples = std::span<const float>(look.wanted);

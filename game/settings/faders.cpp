@@ -42,10 +42,10 @@ void read_off(const ConfigTable& table, Faders& faders) {
     const auto words = table.string("off", off_words(faders));
     auto changed = faders;
     for (auto& fader : changed) fader.on = true;
-    for (std::string_view rest = words; !rest.empty();) {
-        const auto comma = std::min(rest.find(','), rest.size());
-        const auto name = bare(rest.substr(0, comma));
-        rest.remove_prefix(std::min(comma + 1, rest.size()));
+    for (std::string_view remaining = words; !remaining.empty();) {
+        const auto comma = std::min(remaining.find(','), remaining.size());
+        const auto name = bare(remaining.substr(0, comma));
+        remaining.remove_prefix(std::min(comma + 1, remaining.size()));
         const auto found = std::ranges::find(haptics::fluid_modes, name, &haptics::FluidMode::name);
         if (found == haptics::fluid_modes.end()) {
             table.report("off",
@@ -65,8 +65,8 @@ std::string_view effect_of_fader(std::size_t source) { return fader_words[source
 std::string percent_words(double share) { return text(std::round(1000 * share) / 10, " %"); }
 
 double moved_share(double share, int steps, int in_all) {
-    const auto now = static_cast<int>(std::lround(in_all * share));
-    return static_cast<double>(std::clamp(now + steps, 0, in_all)) / in_all;
+    const auto current = static_cast<int>(std::lround(in_all * share));
+    return static_cast<double>(std::clamp(current + steps, 0, in_all)) / in_all;
 }
 
 std::string shown(const Fader& fader) {

@@ -179,8 +179,8 @@ std::optional<std::uint64_t> number_of_own(std::string_view name) {
     const auto matched = numbered ? fitted(name.substr(digits), "_dddd-dd-dd_dd-dd-dd") + digits
                                   : fitted(name, "dddd-dd-dd_dd-dd-dd_dd");
     if (matched <= (numbered ? digits : 0)) return std::nullopt;
-    const auto rest = name.substr(matched);
-    if (!rest.empty() && (rest[0] != '-' || !is_number(rest.substr(1)))) return std::nullopt;
+    const auto remaining = name.substr(matched);
+    if (!remaining.empty() && (remaining[0] != '-' || !is_number(remaining.substr(1)))) return std::nullopt;
     return numbered ? std::stoull(std::string(name.substr(0, digits))) : 0;
 }
 

@@ -152,10 +152,10 @@ bool names(const std::vector<SettingEdit>& edits, const SettingEdit& one) {
                        [&](const SettingEdit& e) { return e.table == one.table && e.key == one.key; });
 }
 
-/// Tests whether `now` has the values of the edits, and otherwise those of `old`.
-bool says(const Settings& old, const Settings& now, const std::vector<SettingEdit>& edits) {
-    const auto differences = changes(old, now);
-    const auto values = all_values(now);
+/// Tests whether `current` has the values of the edits, and otherwise those of `old`.
+bool says(const Settings& old, const Settings& current, const std::vector<SettingEdit>& edits) {
+    const auto differences = changes(old, current);
+    const auto values = all_values(current);
     return std::all_of(differences.begin(), differences.end(),
                        [&](const auto& d) { return names(edits, d); }) &&
            std::all_of(edits.begin(), edits.end(), [&](const auto& e) {
@@ -180,8 +180,8 @@ Expected<std::string> edit_settings(std::string_view toml, const std::string& na
     for (const auto& edit : edits) apply(edit, lines);
     std::string edited;
     for (const auto& line : lines) edited += line + '\n';
-    const auto now = read_settings(edited, name);
-    if (now && says(old->settings, now->settings, edits)) return edited;
+    const auto current = read_settings(edited, name);
+    if (current && says(old->settings, current->settings, edits)) return edited;
     return fail(text(name, ": the game cannot change a file written in this way; edit the file by hand"));
 }
 

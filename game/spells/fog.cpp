@@ -24,15 +24,15 @@ public:
     /// proportional to the square root.
     void cast(const SpellCast& cast) const override {
         auto& world = cast.context.world;
-        const auto& now = std::as_const(world);
+        const auto& const_world = std::as_const(world);
         Motion motion;
-        motion.position = now.get<Motion>(cast.wizard).position +
-                          rotation({0, 1, 0}, now.get<Gaze>(cast.wizard).yaw) * vec3(0, 0, -ahead_);
+        motion.position = const_world.get<Motion>(cast.wizard).position +
+                          rotation({0, 1, 0}, const_world.get<Gaze>(cast.wizard).yaw) * vec3(0, 0, -ahead_);
         world.commands().create(Fog{.radius = radius_ * std::sqrt(cast.strength),
                                     .sight = sight_,
                                     .began = cast.tick,
                                     .until = cast.tick + std::max<Tick>(1, ticks(lasts_ * cast.strength)),
-                                    .player = now.get<Wizard>(cast.wizard).player},
+                                    .player = const_world.get<Wizard>(cast.wizard).player},
                                 motion);
     }
     double worth(const SpellOccasion& occasion) const override {

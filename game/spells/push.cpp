@@ -52,28 +52,30 @@ vec3 level(vec3 way, double yaw) {
 
 void push_wizard(const SpellCast& cast, const PushData& data, ecs::Entity foe, const Reached& reached) {
     auto& world = cast.context.world;
-    const auto& now = std::as_const(world);
-    const auto by = now.get<Wizard>(cast.wizard).player;
+    const auto& const_world = std::as_const(world);
+    const auto by = const_world.get<Wizard>(cast.wizard).player;
     const double speed = data.speed * cast.strength;
-    const vec3 way = level(reached.way, now.get<Gaze>(cast.wizard).yaw);
-    shove(cast.context, foe, way * (speed * now.get<Body>(foe).mass), now.get<Motion>(foe).position, by,
-          cast.tick);
+    const vec3 way = level(reached.way, const_world.get<Gaze>(cast.wizard).yaw);
+    shove(cast.context, foe, way * (speed * const_world.get<Body>(foe).mass),
+          const_world.get<Motion>(foe).position, by, cast.tick);
     world.get<Health>(foe).foe_did_at = cast.tick;
     record(cast.context, {.tick = cast.tick,
                           .kind = EventKind::pushed,
-                          .subject = now.get<Wizard>(foe).player,
+                          .subject = const_world.get<Wizard>(foe).player,
                           .by = by,
                           .amount = speed,
                           .place = reached.point});
 }
 
 void push_thing(const SpellCast& cast, const PushData& data, ecs::Entity thing, const Reached& reached) {
-    const auto& now = std::as_const(cast.context.world);
-    const double impulse = std::min(data.impulse, data.fastest * now.get<Body>(thing).mass) * cast.strength;
+    const auto& const_world = std::as_const(cast.context.world);
+    const double impulse =
+        std::min(data.impulse, data.fastest * const_world.get<Body>(thing).mass) * cast.strength;
     const vec3 up(reached.way.x, std::max(reached.way.y, data.lift), reached.way.z);
     const double length = glm::length(up);
     const vec3 way = length > 0 ? up / length : vec3(0, 1, 0);
-    shove(cast.context, thing, way * impulse, reached.point, now.get<Wizard>(cast.wizard).player, cast.tick);
+    shove(cast.context, thing, way * impulse, reached.point, const_world.get<Wizard>(cast.wizard).player,
+          cast.tick);
 }
 
 /// The thing that the wizard holds with the wand in hand; an invalid entity if there is none.

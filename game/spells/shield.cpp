@@ -7,7 +7,7 @@ namespace thaum::game::inline spells {
 namespace {
 
 /// Share of health below which a bot that is being shot at casts a shield.
-constexpr double hurt = 0.6;
+constexpr double hurt_below = 0.6;
 
 class ShieldSpell final : public SpellRules {
 public:
@@ -20,7 +20,7 @@ public:
         health.ward_until = cast.tick + lasts_;
     }
     double worth(const SpellOccasion& occasion) const override {
-        const bool wanted = occasion.under_fire && !occasion.warded && occasion.health < hurt;
+        const bool wanted = occasion.under_fire && !occasion.warded && occasion.health < hurt_below;
         return wanted ? 1 - 0.5 * occasion.health : 0;
     }
     ecs::Mask reads(const ecs::World&) const override { return {}; }

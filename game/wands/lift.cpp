@@ -188,11 +188,11 @@ Target target_of(const MatchContext& context, const LiftData& data, ecs::Entity 
 
 void take(MatchContext& context, const LiftData& data, ecs::Entity wizard, ecs::Entity thing,
           LiftHand& hand) {
-    const auto& now = std::as_const(context.world);
-    const auto& gaze = now.get<Gaze>(wizard);
+    const auto& const_world = std::as_const(context.world);
+    const auto& gaze = const_world.get<Gaze>(wizard);
     const auto& body = context.physics.read().state(thing.index);
     hand = {.held = thing, .yaw = gaze.yaw, .pitch = gaze.pitch};
-    hand.taken_device = now.get<HandState>(wizard).device.position;
+    hand.taken_device = const_world.get<HandState>(wizard).device.position;
     hand.taken_object =
         glm::conjugate(look_rotation(gaze.yaw, gaze.pitch)) * (body.position - sight_of(context, wizard).eye);
     hand.turn = glm::conjugate(rotation({0, 1, 0}, gaze.yaw)) * body.orientation;
@@ -200,7 +200,7 @@ void take(MatchContext& context, const LiftData& data, ecs::Entity wizard, ecs::
     hand.base_velocity = context.physics.read().velocity(wizard.index);
     hand.coupling.expected = body.velocity;
     const double size = extent(context.physics.read().desc(thing.index));
-    const auto player = now.get<Wizard>(wizard).player;
+    const auto player = const_world.get<Wizard>(wizard).player;
     hand.metres_per_metre = context.input.haptic_setup.workspace_scale[player] * data.metres_per_metre *
                             std::clamp(size, data.finest, 1.0);
 }
@@ -456,13 +456,14 @@ void feel_weight(MatchContext& context, const LiftData& data, ecs::Entity wizard
 void pull(MatchContext& context, const LiftData& data, ecs::Entity wizard, Tick tick, LiftHand& hand) {
     const auto key = hand.held.index;
     auto& physics = context.physics.write();
-    const auto& now = std::as_const(context.world);
-    const vec3 device = now.get<HandState>(wizard).device.position;
-    follow(data, now.get<Gaze>(wizard), hand);
+    const auto& const_world = std::as_const(context.world);
+    const vec3 device = const_world.get<HandState>(wizard).device.position;
+    follow(data, const_world.get<Gaze>(wizard), hand);
     const auto frame = frame_of(context, data, wizard, hand);
     const HandMotion motion = motion_of(frame, device, hand);
-    const HeldThing thing{
-        .body = physics.state(key), .mass = physics.desc(key).mass, .holders = holders(now, hand.held)};
+    const HeldThing thing{.body = physics.state(key),
+                          .mass = physics.desc(key).mass,
+                          .holders = holders(const_world, hand.held)};
     const vec3 blow = thing.body.velocity - hand.coupling.expected;
     if (thing.holders == 1) feel_blow(context, data, frame, wizard, tick, thing.mass * blow, hand);
     const auto result = couple_thing(physics, data, hand, motion, thing);

@@ -68,12 +68,12 @@ struct Hold {
 /// The anchor nearest to the crosshair, or else the point of a fixed body under the crosshair; std::nullopt
 /// if neither is within reach.
 std::optional<Hold> latched_at(const MatchContext& context, const SwingData& data, ecs::Entity wizard) {
-    const auto& now = std::as_const(context.world);
+    const auto& const_world = std::as_const(context.world);
     const Sight sight = sight_of(context, wizard);
     const vec3 eye = sight.eye, ahead = sight.ahead;
     std::optional<Hold> found;
     double best = data.aim_cos;
-    now.view<const Anchor, const Motion>().each([&](ecs::Entity e, const Motion& motion) {
+    const_world.view<const Anchor, const Motion>().each([&](ecs::Entity e, const Motion& motion) {
         const vec3 to = motion.position - eye;
         const double distance = glm::length(to);
         if (distance > data.reach || distance < 1e-6) return;

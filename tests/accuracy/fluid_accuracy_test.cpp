@@ -196,9 +196,9 @@ double edge_error(double ratio, double top, double width) {
         return vec3(slips[static_cast<std::size_t>(std::floor(at.y * parts + 0.5))] / slips[parts], 0, 0);
     };
     set_velocity(*fluid, exact);
-    const Samples before = fluid->now.substances[0];
+    const Samples before = fluid->state.substances[0];
     for (int i = 0; i < 100; ++i) advance(*fluid, 0.1);
-    EXPECT_EQ(fluid->now.substances[0], before) << "some of the substance has moved";
+    EXPECT_EQ(fluid->state.substances[0], before) << "some of the substance has moved";
     return flows::relative_error(*fluid, exact, exact);
 }
 
@@ -335,11 +335,11 @@ double off_mirror(const Fluid& one, const Fluid& other, std::size_t across) {
                 for (int i = 0; i < nx; ++i) {
                     Cells cell{i, j, k};
                     const double here =
-                        double{one.now.velocity[axis][static_cast<std::size_t>(one.lattice.at(i, j, k))]};
+                        double{one.state.velocity[axis][static_cast<std::size_t>(one.lattice.at(i, j, k))]};
                     // Faces are mirrored onto faces; along the axis there is one more face than cells.
                     cell[across] = one.lattice.cells[across] - cell[across] - (axis == across ? 0 : 1);
                     const auto there = static_cast<std::size_t>(one.lattice.at(cell[0], cell[1], cell[2]));
-                    const double seen = double{other.now.velocity[axis][there]} * (axis == across ? -1 : 1);
+                    const double seen = double{other.state.velocity[axis][there]} * (axis == across ? -1 : 1);
                     worst = std::max(worst, std::abs(here - seen));
                 }
             }
@@ -384,8 +384,8 @@ Fluid resting_along(int axis) {
     const double pull = fluid.settings.gravity.y;
     fluid.settings.gravity = vec3(0);
     fluid.settings.gravity[axis] = pull;
-    for (std::size_t s = 0; s < fluid.now.substances.size(); ++s) {
-        const auto before = fluid.now.substances[s];
+    for (std::size_t s = 0; s < fluid.state.substances.size(); ++s) {
+        const auto before = fluid.state.substances[s];
         const auto at = [&](vec3 place) {
             const auto level = static_cast<int>(place[axis] / fluid.lattice.h);
             return double{before[static_cast<std::size_t>(fluid.lattice.at(0, level, 0))]};
@@ -426,7 +426,7 @@ TEST(FluidAccuracy, TheSameCallsGiveTheSameBits) {
     const auto run = [] {
         Fluid fluid = stirred(Edge::free_slip, 4);
         for (int i = 0; i < 10; ++i) advance(fluid, flows::step);
-        return fluid.now.velocity;
+        return fluid.state.velocity;
     };
     EXPECT_EQ(run(), run());
 }

@@ -78,9 +78,9 @@ TEST(FluidBuoyancy, AWaveInLayersIsNeitherAmplifiedNorDamped) {
     double late = 0, least = before;
     for (int i = 0; i < steps; ++i) {
         advance(fluid, flows::step);
-        const double now = flows::kinetic_energy(fluid);
-        if (i < steps / 10) least = std::min(least, now);
-        if (i > steps * 9 / 10) late = std::max(late, now);
+        const double current = flows::kinetic_energy(fluid);
+        if (i < steps / 10) least = std::min(least, current);
+        if (i > steps * 9 / 10) late = std::max(late, current);
     }
     EXPECT_LT(least, 1e-2 * before);
     EXPECT_NEAR(late / before, 1, 0.08);
@@ -116,7 +116,7 @@ TEST(FluidBuoyancy, AConstantDensityStaysConstantInAStirredBox) {
         }
         double worst = 0;
         each_cell(fluid.lattice, [&](int, int, int, std::size_t at) {
-            worst = std::max(worst, std::abs(double{fluid.now.substances[0][at]} - 0.7));
+            worst = std::max(worst, std::abs(double{fluid.state.substances[0][at]} - 0.7));
         });
         EXPECT_LE(worst, 2e-5) << "order " << order;
     }
@@ -128,7 +128,7 @@ double work_of(const std::array<Samples, 3>& push, const std::array<Samples, 3>&
     for (std::size_t axis = 0; axis < 3; ++axis)
         each_cell(after.lattice, [&](int, int, int, std::size_t at) {
             work += 0.5 * double{push[axis][at]} *
-                    (double{before[axis][at]} + double{after.now.velocity[axis][at]});
+                    (double{before[axis][at]} + double{after.state.velocity[axis][at]});
         });
     const double h = after.lattice.h;
     return work * h * h * h;
@@ -141,7 +141,7 @@ TEST(FluidBuoyancy, ALadleInAHeavyBrewGivesNoMoreThanItsWork) {
             const double turn = 0.1 * i;
             const vec3 way(-det::sin(turn), 0.3, det::cos(turn));
             push(fluid, {{0.5 + 0.2 * det::cos(turn), 0.3, 0.5 + 0.2 * det::sin(turn)}, 0.1, 1e-4 * way});
-            const auto pushed = fluid.now.push, velocity = fluid.now.velocity;
+            const auto pushed = fluid.state.push, velocity = fluid.state.velocity;
             const double before = flows::kinetic_energy(fluid) + flows::potential_energy(fluid);
             ASSERT_EQ(advance(fluid, flows::step).substeps, 1);
             const double after = flows::kinetic_energy(fluid) + flows::potential_energy(fluid);

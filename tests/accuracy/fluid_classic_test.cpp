@@ -62,7 +62,7 @@ TEST(FluidClassic, DiffusionOfAWaveFollowsBackwardEuler) {
         const double shrinks = 1 / (1 + diffusion * flows::step / (h * h) * 4 * sine * sine);
         for (int j = 0; j < 16; ++j) {
             const double expected = 1 + shrinks * det::cos(2 * pi * waves * (j + 0.5) * h);
-            EXPECT_NEAR(fluid.now.substances[0][static_cast<std::size_t>(fluid.lattice.at(3, j, 5))],
+            EXPECT_NEAR(fluid.state.substances[0][static_cast<std::size_t>(fluid.lattice.at(3, j, 5))],
                         expected, 2e-6);
         }
     }
@@ -70,7 +70,7 @@ TEST(FluidClassic, DiffusionOfAWaveFollowsBackwardEuler) {
 
 TEST(FluidClassic, CarriesAWaveByWholeCellsExactly) {
     Fluid fluid = striped(Edge::periodic, 2, 0, 20);
-    const Samples before = fluid.now.substances[0];
+    const Samples before = fluid.state.substances[0];
     // The flow moves 3 cells of 1/16 m in a step. A uniform flow is not changed by diffusion or
     // projection.
     set_velocity(fluid, [](vec3) { return vec3(0, 3.0 / 16 / flows::step, 0); });
@@ -78,7 +78,7 @@ TEST(FluidClassic, CarriesAWaveByWholeCellsExactly) {
     for (int j = 0; j < 16; ++j) {
         const auto to = static_cast<std::size_t>(fluid.lattice.at(3, j, 5));
         const auto from = static_cast<std::size_t>(fluid.lattice.at(3, (j + 13) % 16, 5));
-        EXPECT_NEAR(fluid.now.substances[0][to], before[from], 1e-5);
+        EXPECT_NEAR(fluid.state.substances[0][to], before[from], 1e-5);
     }
 }
 
@@ -115,11 +115,11 @@ TEST(FluidClassic, MoreSweepsLeaveLessDivergenceDownToAFloor) {
 
 TEST(FluidClassic, AFluidAtRestStaysAtRest) {
     Fluid fluid = striped(Edge::no_slip, 1, 0, 20);
-    const Samples before = fluid.now.substances[0];
+    const Samples before = fluid.state.substances[0];
     for (int i = 0; i < 5; ++i) EXPECT_EQ(advance(fluid, flows::step).speed, 0.0);
     for (int j = 0; j < 16; ++j) {
         const auto at = static_cast<std::size_t>(fluid.lattice.at(2, j, 7));
-        EXPECT_EQ(fluid.now.substances[0][at], before[at]);
+        EXPECT_EQ(fluid.state.substances[0][at], before[at]);
     }
 }
 
@@ -131,7 +131,7 @@ TEST(FluidClassic, TheSameCallsGiveTheSameBits) {
             push(fluid, flows::random_push(fluid.settings, 10, random));
             advance(fluid, flows::step);
         }
-        return fluid.now.velocity;
+        return fluid.state.velocity;
     };
     EXPECT_EQ(run(), run());
 }

@@ -136,7 +136,7 @@ TEST(FluidSolids, OpeningsOfAnySizeHaveTheirAreaAndTheirCentre) {
 double square_in_openings(const Fluid& fluid, const Solids& solids) {
     double sum = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const Samples &u = fluid.now.velocity[axis], &open = solids.open()[axis];
+        const Samples &u = fluid.state.velocity[axis], &open = solids.open()[axis];
         for (std::size_t i = 0; i < u.size(); ++i) sum += double{open[i]} * double{u[i]} * double{u[i]};
     }
     return sum;
@@ -187,7 +187,7 @@ TEST(FluidSolids, LayersInABowlStayAtRest) {
     set_substance(fluid, 1, [](vec3 place) { return place.y > 0.6 ? 0.5 : 0.0; });
     const double mass = amount(fluid, 0);
     for (int i = 0; i < 100; ++i) {
-        fluid.now.asleep = false;
+        fluid.state.asleep = false;
         const auto report = advance(fluid, 0.016);
         ASSERT_GT(report.cells, 0) << i;
         ASSERT_EQ(report.speed, 0) << i;
@@ -216,9 +216,9 @@ void stir_a_bowl(int n) {
     double before = energy(fluid);
     for (int i = 0; i < 30; ++i) {
         advance(fluid, 0.016);
-        const double now = energy(fluid);
-        ASSERT_LT(now, before) << i;
-        before = now;
+        const double current = energy(fluid);
+        ASSERT_LT(current, before) << i;
+        before = current;
     }
 }
 
@@ -238,7 +238,7 @@ TEST(FluidSolids, AStirredBowlFallsAsleepAndWakesAgain) {
             if (advance(fluid, 0.016).cells == 0) return true;
         return false;
     };
-    EXPECT_FALSE(fluid.now.asleep);
+    EXPECT_FALSE(fluid.state.asleep);
     EXPECT_TRUE(sleeps_within(3)) << "layers rest";
     for (const double viscosity : {1.0, 100.0, 1e5}) {
         fluid.settings.viscosity = 0;

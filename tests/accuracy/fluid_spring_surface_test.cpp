@@ -43,7 +43,7 @@ SpringSurface mode(const SpringSurfaceSettings& s, std::uint32_t p, std::uint32_
 
 /// Height and velocity of one mode, and the largest deviation of the surface from the mode.
 struct Part {
-    double height{}, velocity{}, rest{};
+    double height{}, velocity{}, deviation{};
 };
 
 Part part_of(const SpringSurface& surface, std::uint32_t p, std::uint32_t q) {
@@ -59,7 +59,8 @@ Part part_of(const SpringSurface& surface, std::uint32_t p, std::uint32_t q) {
     part.height /= norm;
     part.velocity /= norm;
     each_node(s, [&](std::size_t x, std::size_t z, std::size_t i) {
-        part.rest = std::max(part.rest, std::abs(surface.height[i] - part.height * shape_at(s, p, q, x, z)));
+        part.deviation =
+            std::max(part.deviation, std::abs(surface.height[i] - part.height * shape_at(s, p, q, x, z)));
     });
     return part;
 }
@@ -75,7 +76,7 @@ void expect_frequency(SpringSurfaceSettings s, std::uint32_t p, std::uint32_t q)
     EXPECT_NEAR(std::atan2(-part.velocity / frequency, part.height), 1.3, 1.3e-8)
         << s.nodes << " nodes, rim " << static_cast<int>(s.rim) << ", shear " << s.shear << ", mode " << p
         << ' ' << q;
-    EXPECT_LE(part.rest, 1e-12);
+    EXPECT_LE(part.deviation, 1e-12);
 }
 
 TEST(SpringSurfaceAccuracy, NormalModesHaveTheLatticesFrequencies) {

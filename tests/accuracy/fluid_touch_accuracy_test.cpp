@@ -21,16 +21,16 @@ struct StirredBox {
     vec3 given{};  ///< impulse given to the fluid (N s)
 
     StirredBox() {
-        auto& touch = rig.fluid();
-        touch.modes = {1, 1, 1, 0, 0, 0, 0};
-        touch.frame.origin = vec3(0.5);
-        touch.drag = {.viscous = 0.4, .form = 0.15, .stirred_mass = brew_density * 0.01};
-        touch.newer = {};
-        add_fluid_step(touch, flow());
+        auto& fluid = rig.fluid();
+        fluid.modes = {1, 1, 1, 0, 0, 0, 0};
+        fluid.frame.origin = vec3(0.5);
+        fluid.drag = {.viscous = 0.4, .form = 0.15, .stirred_mass = brew_density * 0.01};
+        fluid.newer = {};
+        add_fluid_step(fluid, flow());
     }
 
     FlowPatch flow() const {
-        const FlowSource source{.velocity = fluid::face_grid(fluid.lattice, fluid.now.velocity),
+        const FlowSource source{.velocity = fluid::face_grid(fluid.lattice, fluid.state.velocity),
                                 .viscosity = 0.02 * brew_density,
                                 .density = brew_density};
         return patch_of(source, to_bowl(rig.model.fluid.frame, rig.tip.position));

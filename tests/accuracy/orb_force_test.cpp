@@ -139,11 +139,11 @@ std::pair<double, double> share_of_others(std::uint8_t key, const Expectation& e
         const vec3 tip = haptics::measured_position(device, seance.part<HandState>().device);
         const auto strength = seance.part<WornModes>().strength[key - 1U];
         seance.run(1);
-        const vec3 now = seance.part<HandState>().servo.proxy;
+        const vec3 current = seance.part<HandState>().servo.proxy;
         if (flow.near_an_edge(proxy)) continue;
-        others += k * glm::distance(now, expected({proxy, tip, flow, strength})) > 1e-5 ? 1 : 0;
+        others += k * glm::distance(current, expected({proxy, tip, flow, strength})) > 1e-5 ? 1 : 0;
         ++counted;
-        largest = std::max(largest, k * glm::distance(now, tip));
+        largest = std::max(largest, k * glm::distance(current, tip));
     }
     return {others / counted, largest};
 }

@@ -48,9 +48,9 @@ std::optional<Part> part_of(std::string words) {
     if (words.size() < 2) return {};
     part.kind = words.front();
     part.turned = words.ends_with('~');
-    char* rest = nullptr;
-    part.number = std::strtoul(words.c_str() + 1, &rest, 10);
-    if (part.kind == 'h') part.direction = static_cast<unsigned>(std::strtoul(rest + 1, nullptr, 10));
+    char* remaining = nullptr;
+    part.number = std::strtoul(words.c_str() + 1, &remaining, 10);
+    if (part.kind == 'h') part.direction = static_cast<unsigned>(std::strtoul(remaining + 1, nullptr, 10));
     return part;
 }
 

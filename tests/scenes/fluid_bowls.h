@@ -97,10 +97,10 @@ inline std::array<Samples, 3> forces_of(const WalledFlow& flow, const Fluid& flu
 /// Applies the force for a step of dt (s).
 inline void drive(Fluid& fluid, const std::array<Samples, 3>& force, double dt) {
     for (std::size_t axis = 0; axis < 3; ++axis)
-        std::ranges::transform(force[axis], fluid.now.push[axis].begin(),
+        std::ranges::transform(force[axis], fluid.state.push[axis].begin(),
                                [dt](float f) { return static_cast<float>(dt) * f; });
-    fluid.now.pushed = true;
-    fluid.now.asleep = false;
+    fluid.state.pushed = true;
+    fluid.state.asleep = false;
 }
 
 // ---- between two cylinders --------------------------------------------------------------------------------

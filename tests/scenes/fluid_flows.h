@@ -61,7 +61,7 @@ void each_component(const Fluid& fluid, std::size_t axis, F&& f) {
         for (int j = 0; j < ny; ++j) {
             for (int i = 0; i < nx; ++i) {
                 const auto at = static_cast<std::size_t>(fluid.lattice.at(i, j, k));
-                f(double{fluid.now.velocity[axis][at]}, (vec3(i, j, k) + place) * fluid.lattice.h);
+                f(double{fluid.state.velocity[axis][at]}, (vec3(i, j, k) + place) * fluid.lattice.h);
             }
         }
     }
@@ -91,8 +91,8 @@ inline double error_at(const Flow& flow, const Fluid& fluid, double time) {
 /// Lengths of the steps until `end` (s): whole steps, and a shorter last one if necessary.
 inline std::vector<double> steps_until(double end, double dt = step) {
     std::vector<double> result(static_cast<std::size_t>(end / dt + 1e-9), dt);
-    const double rest = end - dt * static_cast<double>(result.size());
-    if (rest > 1e-9 * dt) result.push_back(rest);
+    const double remaining = end - dt * static_cast<double>(result.size());
+    if (remaining > 1e-9 * dt) result.push_back(remaining);
     return result;
 }
 
@@ -232,7 +232,7 @@ inline double shear_error(const Fluid& fluid, const Fluid& finer) {
         const vec3 cell = place / finer.lattice.h - finer.place(axis);
         const auto at =
             finer.lattice.at(static_cast<int>(std::lround(cell.x)), static_cast<int>(std::lround(cell.y)), 0);
-        return double{finer.now.velocity[axis][static_cast<std::size_t>(at)]};
+        return double{finer.state.velocity[axis][static_cast<std::size_t>(at)]};
     };
     double off = 0, of = 0;
     for (std::size_t axis = 0; axis < 2; ++axis)
@@ -309,7 +309,7 @@ inline Profile cavity_profile(const Fluid& fluid, std::size_t axis, std::size_t 
             cell[other] = j;
             const auto at = static_cast<std::size_t>(fluid.lattice.at(cell[0], cell[1], 0));
             row.places.push_back((j + stands[static_cast<int>(other)]) * fluid.lattice.h);
-            row.values.push_back(double{fluid.now.velocity[axis][at]});
+            row.values.push_back(double{fluid.state.velocity[axis][at]});
         }
         row = with_walls(row, 0, lid(other));
         result.places.push_back((i + stands[static_cast<int>(along)]) * fluid.lattice.h);
@@ -390,7 +390,7 @@ inline Densities densities_of(const Fluid& fluid, std::size_t substance,
         for (int j = 0; j < ny; ++j) {
             for (int i = 0; i < nx; ++i) {
                 const double found = double{
-                    fluid.now.substances[substance][static_cast<std::size_t>(fluid.lattice.at(i, j, k))]};
+                    fluid.state.substances[substance][static_cast<std::size_t>(fluid.lattice.at(i, j, k))]};
                 const vec3 place = (vec3(i, j, k) + 0.5) * fluid.lattice.h;
                 result.least = std::min(result.least, found);
                 result.most = std::max(result.most, found);
@@ -522,7 +522,7 @@ inline Expected<Fluid> resting(const Scheme& scheme, int n) {
 /// that speeds add up.
 inline double energy_given(const Fluid& fluid) {
     double pushes = 0;
-    for (const Samples& push : fluid.now.push) {
+    for (const Samples& push : fluid.state.push) {
         for (const float p : push) pushes += double{p} * double{p};
     }
     const double h = fluid.lattice.h;

@@ -59,8 +59,8 @@ inline double potential_energy(const Fluid& fluid) {
     const double h = fluid.lattice.h;
     each_cell(fluid.lattice, [&](int i, int j, int k, std::size_t at) {
         const double height = -glm::dot(fluid.settings.gravity, h * (vec3(i, j, k) + 0.5));
-        for (std::size_t s = 0; s < fluid.now.substances.size(); ++s)
-            sum += fluid.settings.substances[s].weight * height * double{fluid.now.substances[s][at]};
+        for (std::size_t s = 0; s < fluid.state.substances.size(); ++s)
+            sum += fluid.settings.substances[s].weight * height * double{fluid.state.substances[s][at]};
     });
     return sum * h * h * h;
 }
@@ -122,7 +122,7 @@ inline double layers_error(const Fluid& fluid, const ThickLayer& layer) {
 inline double crept_out(const Fluid& fluid) {
     double out = 0, all = 0;
     each_cell(fluid.lattice, [&](int, int j, int, std::size_t at) {
-        const double density{fluid.now.substances[0][at]};
+        const double density{fluid.state.substances[0][at]};
         all += density;
         if (!ThickLayer::is_thick(vec3(0, (j + 0.5) * fluid.lattice.h, 0))) out += density;
     });
@@ -179,7 +179,7 @@ inline double absolute_error(const Fluid& fluid, const std::function<double(vec3
     double off = 0, of = 0;
     each_cell(fluid.lattice, [&](int i, int j, int k, std::size_t at) {
         const double expected = exact(fluid.lattice.h * (vec3(i, j, k) + 0.5));
-        off += std::abs(double{fluid.now.substances[0][at]} - expected);
+        off += std::abs(double{fluid.state.substances[0][at]} - expected);
         of += expected;
     });
     return off / of;
@@ -189,8 +189,8 @@ inline double absolute_error(const Fluid& fluid, const std::function<double(vec3
 inline std::pair<double, double> range_of(const Fluid& fluid) {
     double least = 1e300, most = -1e300;
     each_cell(fluid.lattice, [&](int, int, int, std::size_t at) {
-        least = std::min(least, double{fluid.now.substances[0][at]});
-        most = std::max(most, double{fluid.now.substances[0][at]});
+        least = std::min(least, double{fluid.state.substances[0][at]});
+        most = std::max(most, double{fluid.state.substances[0][at]});
     });
     return {least, most};
 }

@@ -74,29 +74,29 @@ private:
 /// moves by da. The energy F dx flows out to the hand, and F da flows in from the world.
 class HandSum {
 public:
-    void add(const HandRow& now, PassiveEnergy& out) {
-        out.max_booked = std::max(out.max_booked, now.booked);
+    void add(const HandRow& current, PassiveEnergy& out) {
+        out.max_booked = std::max(out.max_booked, current.booked);
         if (rows_ >= 2) {
             // Uses the force of the previous tick, because the hand's position at that tick's end and the
             // surface after it are known only now.
             const HandRow &first = before_[0], &row = before_[1];
-            const vec3 step = row.real ? now.at - row.at : row.at - first.at;
+            const vec3 step = row.real ? current.at - row.at : row.at - first.at;
             const double out_at_hand = glm::dot(row.passive, step);
-            work(first, row, now, out_at_hand, out);
+            work(first, row, current, out_at_hand, out);
         }
         before_[0] = before_[1];
-        before_[1] = now;
+        before_[1] = current;
         ++rows_;
     }
 
 private:
-    void work(const HandRow& first, const HandRow& row, const HandRow& now, double out_at_hand,
+    void work(const HandRow& first, const HandRow& row, const HandRow& current, double out_at_hand,
               PassiveEnergy& out) {
         const bool hangs = first.stiffness > 0 && row.stiffness > 0;
-        const vec3 end = hangs                        ? row.anchor - first.anchor
-                         : row.touches && now.touches ? now.surface - row.surface
-                                                      : vec3(0);
-        // A spring that appears already stretched holds energy that it has not created.
+        const vec3 end = hangs                            ? row.anchor - first.anchor
+                         : row.touches && current.touches ? current.surface - row.surface
+                                                          : vec3(0);
+        // A spring that appears already stretched has not created that energy itself.
         const vec3 stretch = row.at - row.anchor;
         double held = row.stiffness * glm::dot(stretch, stretch) / 2;
         if (row.touches) {

@@ -58,17 +58,17 @@ public:
         servo_.limits.max_speed = 1e9;
         servo_.limits.slew = 1e12;
         constexpr double felt = metres_per_metre * newtons_per_newton;
-        auto& touch = model_.fluid;
-        touch.number = 1;
-        touch.modes = world.modes;
-        touch.frame = {.turn = mat3(rotation(glm::normalize(vec3(1, 2, -0.5)), 0.9)),
+        auto& fluid = model_.fluid;
+        fluid.number = 1;
+        fluid.modes = world.modes;
+        fluid.frame = {.turn = mat3(rotation(glm::normalize(vec3(1, 2, -0.5)), 0.9)),
                        .metres_per_metre = metres_per_metre,
                        .newtons_per_newton = newtons_per_newton};
-        touch.drag = {.viscous = 4 / felt, .form = 1.5 / felt, .stirred_mass = 10, .height = 0.2};
-        touch.wall = round_bowl(0.5, 0.4);
-        touch.wall.stiffness = stiffness_ / felt;
-        touch.wall.damping = spec.max_damping / 2 / felt;
-        touch.ladle = {.mass = ladle_mass / felt, .stiffness = stiffness_ / 2 / felt, .damping = 2 / felt};
+        fluid.drag = {.viscous = 4 / felt, .form = 1.5 / felt, .stirred_mass = 10, .height = 0.2};
+        fluid.wall = round_bowl(0.5, 0.4);
+        fluid.wall.stiffness = stiffness_ / felt;
+        fluid.wall.damping = spec.max_damping / 2 / felt;
+        fluid.ladle = {.mass = ladle_mass / felt, .stiffness = stiffness_ / 2 / felt, .damping = 2 / felt};
         settings_.contact = stiffness_ / felt;
         surface_ = make_spring_surface(settings_);
     }
@@ -91,25 +91,25 @@ private:
         past_.push_back(model_);
         if (past_.size() > world_.delay + 1) past_.pop_front();
         const auto age = static_cast<std::uint32_t>(past_.size() - 1);
-        const auto& touch = past_.front().fluid;
+        const auto& fluid = past_.front().fluid;
         const vec3 force = servo_step(servo_, state_, past_.front(), {measured_position(device_, tip_), age});
-        count(touch, touch.surface.height + touch.surface.velocity * age * tick_seconds);
+        count(fluid, fluid.surface.height + fluid.surface.velocity * age * tick_seconds);
         if (tick % 40 == 0) goal_ = any(0.05);
         const vec3 from = tip_.position;
         tip_ = haptics::step(device_, tip_, goal_, force);
         const double out = glm::dot(tip_.force, tip_.position - from);
         energy_.moved += std::abs(out);
-        // The newest flow drags the ladle along and so gives it energy. Resistance is the only mode that acts
-        // in a flow here.
-        const vec3 flow = flow_at(touch.newer, state_.fluid.place).velocity;
+        // The newest flow carries the ladle along, which receives energy through resistance, the only force
+        // in a flow.
+        const vec3 flow = flow_at(fluid.newer, state_.fluid.place).velocity;
         last_ =
-            out - glm::dot(touch.frame.turn * state_.fluid.force, flow) * (tick_seconds / metres_per_metre);
+            out - glm::dot(fluid.frame.turn * state_.fluid.force, flow) * (tick_seconds / metres_per_metre);
     }
 
     /// Accounts for the energy of the last tick, after the surface has moved its end of the spring.
-    void count(const haptics::FluidTouch& touch, double height) {
+    void count(const haptics::FluidTouch& fluid, double height) {
         energy_.created += last_ - surface_force_ * (height - height_) / metres_per_metre;
-        energy_.created = std::max(energy_.created, -held(touch, height));
+        energy_.created = std::max(energy_.created, -held(fluid, height));
         energy_.most_created = std::max(energy_.most_created, energy_.created);
         surface_force_ = state_.fluid.surface_force;
         height_ = height;
@@ -117,29 +117,29 @@ private:
 
     /// Energy stored in the ladle and in the springs to wall and surface (J). Only this much may return;
     /// energy lost to damping may not.
-    double held(const haptics::FluidTouch& touch, double height) const {
-        const auto& fluid = state_.fluid;
-        const vec3 place = to_bowl(touch.frame, tip_.position);
-        const double in = glm::length(nearest_in_bowl(touch.wall, place) - place) / metres_per_metre;
-        const vec3 off = fluid.mass_position - tip_.position, speed = fluid.mass_velocity;
+    double held(const haptics::FluidTouch& fluid, double height) const {
+        const auto& state = state_.fluid;
+        const vec3 place = to_bowl(fluid.frame, tip_.position);
+        const double in = glm::length(nearest_in_bowl(fluid.wall, place) - place) / metres_per_metre;
+        const vec3 off = state.mass_position - tip_.position, speed = state.mass_velocity;
         const double ladle = ladle_mass * glm::dot(speed, speed) + stiffness_ / 2 * glm::dot(off, off);
-        return (touch.modes.wall * stiffness_ * in * in + touch.modes.inertia * ladle) / 2 +
-               std::abs(fluid.surface_force * (height - place.y)) / metres_per_metre;
+        return (fluid.modes.wall * stiffness_ * in * in + fluid.modes.inertia * ladle) / 2 +
+               std::abs(state.surface_force * (height - place.y)) / metres_per_metre;
     }
 
     void move_world(int tick) {
-        auto& touch = model_.fluid;
+        auto& fluid = model_.fluid;
         if (tick % static_cast<int>(haptics::fluid_period) == 0)
-            add_fluid_step(touch, uniform_flow(any(world_.flow), random_.uniform(), random_.uniform()));
+            add_fluid_step(fluid, uniform_flow(any(world_.flow), random_.uniform(), random_.uniform()));
         else
-            ++touch.step_age;
+            ++fluid.step_age;
         if (!world_.waves) return;
-        const vec3 place = to_bowl(touch.frame, tip_.position);
+        const vec3 place = to_bowl(fluid.frame, tip_.position);
         const std::array probe{
             fluid::SurfaceProbe{.place = {place.x, place.z}, .height = place.y, .radius = 0.1}};
         const auto reaction = fluid::advance(surface_, scratch_, probe, tick_seconds).probes[0];
-        touch.surface = {.height = reaction.height,
-                         .velocity = (reaction.height - touch.surface.height) / tick_seconds,
+        fluid.surface = {.height = reaction.height,
+                         .velocity = (reaction.height - fluid.surface.height) / tick_seconds,
                          .stiffness = settings_.contact,
                          .pop_through = settings_.pop_through,
                          .cling = settings_.cling,

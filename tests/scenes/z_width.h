@@ -172,8 +172,8 @@ inline Pressed pressed(const haptics::DeviceSpec& spec, const Wall& wall, double
 inline double delivered_limit(const haptics::DeviceSpec& spec, Wall wall, double newtons) {
     double best = 0;
     for (wall.stiffness = 50; wall.stiffness < 1e4; wall.stiffness *= 1.03) {
-        const Pressed now = pressed(spec, wall, newtons);
-        if (!(now.depth + now.shake <= 1.1 * newtons / wall.stiffness)) break;
+        const Pressed current = pressed(spec, wall, newtons);
+        if (!(current.depth + current.shake <= 1.1 * newtons / wall.stiffness)) break;
         best = wall.stiffness;
     }
     return best;

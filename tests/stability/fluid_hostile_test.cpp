@@ -53,7 +53,7 @@ TEST(FluidHostile, TheBaselineWithstandsThemToo) {
 double difference(const Fluid& one, const Fluid& other) {
     double square = 0, apart = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto &a = one.now.velocity[axis], &b = other.now.velocity[axis];
+        const auto &a = one.state.velocity[axis], &b = other.state.velocity[axis];
         for (std::size_t i = 0; i < a.size(); ++i) {
             apart += double{a[i] - b[i]} * double{a[i] - b[i]};
             square += double{b[i]} * double{b[i]};
@@ -102,7 +102,7 @@ TEST(FluidHostile, StoppedFlowIsExactlyZeroWhileASubstanceDiffuses) {
     for (int i = 0; i < 30; ++i) report = advance(fluid, flows::step);
     EXPECT_EQ(report.speed, 0);
     EXPECT_GT(report.cells, 0);
-    const auto densest = [&] { return *std::ranges::max_element(fluid.now.substances[0]); };
+    const auto densest = [&] { return *std::ranges::max_element(fluid.state.substances[0]); };
     const float before = densest();
     for (int i = 0; i < 30; ++i) advance(fluid, flows::step);
     EXPECT_LT(densest(), before);
@@ -161,9 +161,9 @@ TEST(FluidHostile, ABowlLeftAloneGainsNoEnergy) {
         ASSERT_GT(before, 0);
         for (int i = 0; i < 300; ++i) {
             advance(fluid, flows::step);
-            const double now = energy(fluid);
-            ASSERT_LE(now, before * (1 + 1e-6)) << viscosity << " step " << i;
-            before = now;
+            const double current = energy(fluid);
+            ASSERT_LE(current, before * (1 + 1e-6)) << viscosity << " step " << i;
+            before = current;
         }
     }
 }

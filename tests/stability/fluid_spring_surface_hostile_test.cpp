@@ -51,13 +51,13 @@ TEST(SpringSurfaceStability, EnergyNeverGrowsAtAnyStiffnessDampingAndStep) {
                     double before = energy(surface);
                     for (int i = 0; i < 60; ++i) {
                         const SpringSurfaceStep step = advance(surface, scratch, {}, dt);
-                        const double now = energy(surface);
-                        ASSERT_LE(now, before * (1 + 1e-13))
+                        const double current = energy(surface);
+                        ASSERT_LE(current, before * (1 + 1e-13))
                             << stiffness << ' ' << damping << ' ' << dt << ' ' << i;
                         ASSERT_LE(step.steps, s.max_steps);
                         ASSERT_GT(step.seconds, 0);
                         ASSERT_LE(step.seconds, dt * (1 + 1e-12));
-                        before = now;
+                        before = current;
                     }
                     ASSERT_GT(before, 0);
                 }
@@ -107,9 +107,9 @@ TEST(SpringSurfaceStability, JumpingProbesAddNoMoreEnergyThanTheirSpringsHold) {
                 }
                 // Energy that four springs can store before they break (J).
                 const double held = 4 * s.pop_through * s.pop_through / (2 * s.contact);
-                const double now = energy(surface);
-                ASSERT_LE(now, before + 1.02 * held) << i;
-                before = now;
+                const double current = energy(surface);
+                ASSERT_LE(current, before + 1.02 * held) << i;
+                before = current;
             }
             EXPECT_GT(through, 100);
         }
@@ -220,35 +220,35 @@ TEST(SpringSurface, PressedHardItGivesWayAndTheProbeThatLeavesPullsALastRipple) 
     SurfaceProbe probe{.radius = 0.15};
     const auto step = [&] { return advance(surface, scratch, {&probe, 1}, 0.001).probes[0]; };
     double most = 0;
-    ProbeReaction now;
-    while (!now.inside && probe.height > -1) {
+    ProbeReaction current;
+    while (!current.inside && probe.height > -1) {
         probe.height -= 0.0002;
-        now = step();
-        most = std::max(most, now.force);
+        current = step();
+        most = std::max(most, current.force);
     }
     EXPECT_LE(most, s.pop_through);
     EXPECT_GT(most, 0.95 * s.pop_through);
     for (int i = 0; i < 3000; ++i) {
-        now = step();
-        ASSERT_EQ(now.force <= 0, true);  // while the probe is inside the surface, nothing may push it up
+        current = step();
+        ASSERT_EQ(current.force <= 0, true);  // while the probe is inside the surface, nothing may push it up
     }
-    EXPECT_TRUE(now.inside);
+    EXPECT_TRUE(current.inside);
     double least = 0, highest = 0;
-    while (now.inside && probe.height < 1) {
+    while (current.inside && probe.height < 1) {
         probe.height += 0.00005;
-        now = step();
-        least = std::min(least, now.force);
-        highest = std::max(highest, now.height);
+        current = step();
+        least = std::min(least, current.force);
+        highest = std::max(highest, current.height);
     }
     EXPECT_LT(least, -0.9 * s.cling);
     EXPECT_GE(least, -s.cling);
     EXPECT_GT(highest, 0.01);
-    EXPECT_LT(now.height, probe.height);
+    EXPECT_LT(current.height, probe.height);
     const double ripple = energy(surface);
     EXPECT_GT(ripple, 0.01);
-    now = step();
-    EXPECT_EQ(now.force, 0);
-    EXPECT_FALSE(now.inside);
+    current = step();
+    EXPECT_EQ(current.force, 0);
+    EXPECT_FALSE(current.inside);
 }
 
 TEST(SpringSurface, TwoProbesPressAsEachAlone) {

@@ -27,11 +27,11 @@ struct DelayedFluid {
     double mass{};  ///< mass of the fluid (kg)
     vec3 velocity{}, pushed{}, coming{};
 
-    void step(FluidTouch& touch) {
+    void step(FluidTouch& fluid) {
         velocity += coming / mass;
         coming = pushed;
         pushed = {};
-        add_fluid_step(touch, uniform_flow(velocity, 4, 8));
+        add_fluid_step(fluid, uniform_flow(velocity, 4, 8));
     }
 };
 
@@ -122,50 +122,50 @@ FlowPatch nasty_patch(Random& random) {
 
 /// A fluid with all modes, a surface and a wall. Its counts may be out of range.
 FluidTouch fluid_with_everything(Random& random) {
-    FluidTouch touch = some_fluid();
-    touch.number = random.below(3);
-    touch.modes = {1, 1, 1, 1, 1, 1, 1};
-    touch.ladle = {2, 4000, 40};
-    touch.wall = bench::round_bowl(1.5, 1);
-    touch.wall.stiffness = 5000;
-    touch.wall.damping = 10;
-    touch.surface = {.stiffness = 5000, .pop_through = 200, .cling = 40, .present = 1};
-    touch.wall.points = random.below(12);
-    touch.surface.inside = static_cast<std::uint32_t>(random.below(2));
-    return touch;
+    FluidTouch fluid = some_fluid();
+    fluid.number = random.below(3);
+    fluid.modes = {1, 1, 1, 1, 1, 1, 1};
+    fluid.ladle = {2, 4000, 40};
+    fluid.wall = bench::round_bowl(1.5, 1);
+    fluid.wall.stiffness = 5000;
+    fluid.wall.damping = 10;
+    fluid.surface = {.stiffness = 5000, .pop_through = 200, .cling = 40, .present = 1};
+    fluid.wall.points = random.below(12);
+    fluid.surface.inside = static_cast<std::uint32_t>(random.below(2));
+    return fluid;
 }
 
-void spoil_fluid(FluidTouch& touch, Random& random) {
+void spoil_fluid(FluidTouch& fluid, Random& random) {
     const auto sometimes = [&random](double& value) {
         if (random.below(6) == 0) value = nasty_number(random);
     };
-    touch = fluid_with_everything(random);
-    for (const FluidMode& mode : fluid_modes) sometimes(touch.modes.*mode.strength);
-    for (double* value : {&touch.frame.origin.y,
-                          &touch.frame.turn[0][1],
-                          &touch.frame.metres_per_metre,
-                          &touch.frame.newtons_per_newton,
-                          &touch.drag.viscous,
-                          &touch.drag.form,
-                          &touch.drag.stirred_mass,
-                          &touch.drag.height,
-                          &touch.surface.height,
-                          &touch.surface.velocity,
-                          &touch.surface.stiffness,
-                          &touch.surface.pop_through,
-                          &touch.surface.cling,
-                          &touch.wall.centre.x,
-                          &touch.wall.profile[2].x,
-                          &touch.wall.profile[5].y,
-                          &touch.wall.stiffness,
-                          &touch.wall.damping,
-                          &touch.ladle.mass,
-                          &touch.ladle.stiffness,
-                          &touch.ladle.damping})
+    fluid = fluid_with_everything(random);
+    for (const FluidMode& mode : fluid_modes) sometimes(fluid.modes.*mode.strength);
+    for (double* value : {&fluid.frame.origin.y,
+                          &fluid.frame.turn[0][1],
+                          &fluid.frame.metres_per_metre,
+                          &fluid.frame.newtons_per_newton,
+                          &fluid.drag.viscous,
+                          &fluid.drag.form,
+                          &fluid.drag.stirred_mass,
+                          &fluid.drag.height,
+                          &fluid.surface.height,
+                          &fluid.surface.velocity,
+                          &fluid.surface.stiffness,
+                          &fluid.surface.pop_through,
+                          &fluid.surface.cling,
+                          &fluid.wall.centre.x,
+                          &fluid.wall.profile[2].x,
+                          &fluid.wall.profile[5].y,
+                          &fluid.wall.stiffness,
+                          &fluid.wall.damping,
+                          &fluid.ladle.mass,
+                          &fluid.ladle.stiffness,
+                          &fluid.ladle.damping})
         sometimes(*value);
-    touch.older = nasty_patch(random);
-    touch.newer = nasty_patch(random);
-    touch.step_age = random.below(2) == 0 ? random.below(40) : ~std::uint64_t{0} - random.below(3);
+    fluid.older = nasty_patch(random);
+    fluid.newer = nasty_patch(random);
+    fluid.step_age = random.below(2) == 0 ? random.below(40) : ~std::uint64_t{0} - random.below(3);
 }
 
 TEST(FluidTouchHostile, InvalidInputIsBlockedAndValidInputIsFeltAgain) {

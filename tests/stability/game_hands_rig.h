@@ -159,9 +159,9 @@ struct HandsRig {
     }
     void run(Tick ticks) {
         for (Tick t = 0; t < ticks && !testing::Test::HasFatalFailure(); ++t) {
-            auto now = frame;
-            if (before) before(now);
-            match.tick(now);
+            auto current = frame;
+            if (before) before(current);
+            match.tick(current);
             watch.look(match);
             held_ticks += busy(0) ? 1 : 0;
         }

@@ -73,9 +73,9 @@ TEST(HapticsHostile, APassiveHandAndDeviceNeverGainEnergy) {
         double before = start;
         for (int tick = 0; tick < 1000; ++tick) {
             state = step(device, state, {}, {});
-            const double now = energy(device, state);
-            ASSERT_LE(now, before + 1e-14 * start) << run << " at " << tick;
-            before = now;
+            const double current = energy(device, state);
+            ASSERT_LE(current, before + 1e-14 * start) << run << " at " << tick;
+            before = current;
         }
     }
 }
@@ -106,9 +106,10 @@ TEST(HapticsHostile, ACouplingToAStillHandNeverGainsEnergy) {
                     double before = start;
                     for (int i = 0; i < 2000; ++i) {
                         advance(step, s, dt);
-                        const double now = pair_energy(c, m, s);
-                        ASSERT_LE(now, before + 1e-11 * start) << k << " " << m << " " << ratio << " " << dt;
-                        before = now;
+                        const double current = pair_energy(c, m, s);
+                        ASSERT_LE(current, before + 1e-11 * start)
+                            << k << " " << m << " " << ratio << " " << dt;
+                        before = current;
                     }
                     if (ratio > 0) continue;
                     EXPECT_NEAR(before, start, 1e-8 * start);  // the energy must stay the same

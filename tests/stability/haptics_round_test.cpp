@@ -342,7 +342,7 @@ SurfacePatch cylinder_in_box(Random& random) {
 /// Without friction, the normal forces alone must balance the pull towards the tip. A former fault: where an
 /// edge of one body crosses the side of another, the proxy got stuck on the rounded edge, with up to 5 N.
 TEST(RoundBodies, NothingButPushHoldsAProxyBetweenACylinderAndTheEdgesOfABox) {
-    constexpr double rest = 1e-8;  // tolerance (m), which equals 5e-6 N at the surface's stiffness
+    constexpr double tolerance = 1e-8;  // tolerance (m), equal to 5e-6 N
     for (std::uint64_t seed = 0; seed < 150; ++seed) {
         Random random{seed};
         Probe probe{cylinder_in_box(random)};
@@ -354,7 +354,7 @@ TEST(RoundBodies, NothingButPushHoldsAProxyBetweenACylinderAndTheEdgesOfABox) {
             tip.place = place;
             const ContactResult touched = probe.at(place);
             const vec3 spring = touched.proxy - place;
-            ASSERT_LE(glm::length(spring - touched.push), rest) << "seed " << seed << " tick " << tick;
+            ASSERT_LE(glm::length(spring - touched.push), tolerance) << "seed " << seed << " tick " << tick;
         }
     }
 }
@@ -482,7 +482,7 @@ Crossing crossing(SurfaceKind kind, bool mesh, Random& random) {
 /// former fault: the edge of a box and the seam of two triangles held the proxy beside a round solid, with up
 /// to 12 N.
 TEST(RoundBodies, NoProxyStaysWhereAWayDownhillIsFree) {
-    constexpr double rest = 2e-9;  // tolerance (m), a pull of a fiftieth of the force
+    constexpr double tolerance = 2e-9;  // tolerance (m), a pull of a fiftieth of the force
     for (const SurfaceKind kind : {SurfaceKind::sphere, SurfaceKind::capsule, SurfaceKind::cylinder}) {
         for (const bool mesh : {false, true}) {
             int touched = 0, stuck = 0;
@@ -497,7 +497,7 @@ TEST(RoundBodies, NoProxyStaysWhereAWayDownhillIsFree) {
                     if (glm::length(place) > 0.01) tip.way = -glm::normalize(place);
                     if (probe.at(place).contacts == 0 || tick % 10 != 0) continue;
                     ++touched;
-                    if (downhill(scene.grounds, probe.state.proxy, place, random) > rest) ++stuck;
+                    if (downhill(scene.grounds, probe.state.proxy, place, random) > tolerance) ++stuck;
                 }
             }
             EXPECT_GT(touched, 1000);

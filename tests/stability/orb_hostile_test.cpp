@@ -21,10 +21,11 @@ field::TransferFunction hostile_curve(Random& random, double max_property) {
 /// Energy that the forces have given to one hand, computed from the device's own motion.
 class GivenEnergy {
 public:
-    void add(const HandState& before, const HandState& now, const haptics::HapticModel& model, double cap) {
-        created_ += glm::dot(now.device.force, now.device.position - before.device.position);
+    void add(const HandState& before, const HandState& current, const haptics::HapticModel& model,
+             double cap) {
+        created_ += glm::dot(current.device.force, current.device.position - before.device.position);
         // Energy that was dissipated earlier must not count in favour of the forces later.
-        if (stored(now, model, cap) < 1e-3) created_ = std::max(created_, 0.0);
+        if (stored(current, model, cap) < 1e-3) created_ = std::max(created_, 0.0);
         max_ = std::max(max_, created_);
     }
     double most() const { return max_; }
@@ -101,13 +102,13 @@ Outcome dart_about(std::array<std::uint32_t, 2> worn, Tick length, std::uint64_t
         }
         seance.run(1);
         for (std::uint32_t player = 0; player < players; ++player) {
-            const auto& now = seance.part<HandState>(player);
-            const vec3 output = now.servo.safety.output;
+            const auto& current = seance.part<HandState>(player);
+            const vec3 output = current.servo.safety.output;
             outcome.cap = seance.match->haptic_setup().servos[player].limits.cap;
-            outcome.finite = outcome.finite && is_finite(output) && is_finite(now.device.position);
+            outcome.finite = outcome.finite && is_finite(output) && is_finite(current.device.position);
             outcome.largest = std::max(outcome.largest, glm::length(output));
             outcome.felt += output != vec3(0) ? 0.5 / static_cast<double>(length) : 0;
-            energies[player].add(before[player], now, seance.model(player), outcome.cap);
+            energies[player].add(before[player], current, seance.model(player), outcome.cap);
             outcome.created = std::max(outcome.created, energies[player].most());
         }
     }

@@ -40,8 +40,8 @@ struct Probe {
     FakeHdLive arm{};             ///< state of the fake arm at the end
 
     bool has_ended() {
-        int now = 0;
-        if (!status && ::waitpid(pid, &now, WNOHANG) == pid) status = now;
+        int current = 0;
+        if (!status && ::waitpid(pid, &current, WNOHANG) == pid) status = current;
         return status.has_value();
     }
     bool exited_well() const { return status && WIFEXITED(*status) && WEXITSTATUS(*status) == 0; }

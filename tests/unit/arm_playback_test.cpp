@@ -13,7 +13,7 @@
 namespace thaum::input {
 namespace {
 
-haptics::DeviceSpec touch() {
+haptics::DeviceSpec touch_spec() {
     return {.name = "Touch",
             .sensed = 6,
             .actuated = 3,
@@ -25,7 +25,7 @@ haptics::DeviceSpec touch() {
 
 /// A hand that rests, or is moved along x.
 struct Hand {
-    ArmPlayback playback{haptics::servo_of(touch(), 0.5)};
+    ArmPlayback playback{haptics::servo_of(touch_spec(), 0.5)};
     std::int64_t now_ns = 1'000'000;
     std::int32_t place_um = 0, step_um = 0;
 

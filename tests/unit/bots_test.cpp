@@ -96,12 +96,12 @@ TEST(BotSkill, EveryLevelHasItsFileAndAnyOtherIsRefusedInOneLine) {
 TEST(Bot, FetchesHealthWhenHurtAndEnergyWhenDry) {
     for (int level = 1; level <= hardest_bot; ++level) {
         const auto skill = skill_of(level);
-        Scene hurt(skill);
-        auto& world = hurt.match.world_to_change();
+        Scene scene(skill);
+        auto& world = scene.match.world_to_change();
         world.get<Health>(wizard_of(world, 0)).points = 0.2 * skill.vial_below;
-        hurt.put(1, {15, 0, -15}, 0);
-        hurt.run(12, stands_still);
-        EXPECT_EQ(hurt.picked_up(), PowerUpKind::vial) << level;
+        scene.put(1, {15, 0, -15}, 0);
+        scene.run(12, stands_still);
+        EXPECT_EQ(scene.picked_up(), PowerUpKind::vial) << level;
     }
     for (int level = 1; level <= hardest_bot; ++level) {
         Scene dry(skill_of(level), {"bolt.energy.regain_per_s=0"});

@@ -160,12 +160,12 @@ TEST(CarvingHistory, AnEditLargerThanTheMemoryCannotBeUndone) {
     Rig rig(3);
     rig.carve_step(0, 0, 0);
     edit(rig.body.view(), density_constant(round_extent(ExtentShape::sphere, 30), 0.5), {}, rig.history);
-    const std::uint64_t now = hash_of(rig.body);
+    const std::uint64_t current = hash_of(rig.body);
     EXPECT_TRUE(undo(rig.history, rig.body.view()).empty());
-    EXPECT_EQ(hash_of(rig.body), now);
+    EXPECT_EQ(hash_of(rig.body), current);
     rig.carve_step(1, 0, 0);  // the history can still be used afterwards
     undo(rig.history, rig.body.view());
-    EXPECT_EQ(hash_of(rig.body), now);
+    EXPECT_EQ(hash_of(rig.body), current);
 }
 
 TEST(CarvingHistory, UndoGivesNewVersionsToItsBricksAlone) {

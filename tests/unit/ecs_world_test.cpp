@@ -67,7 +67,7 @@ TEST_F(EcsWorld, ViewsRequireExcludeAndOffer) {
     const Entity plain = world.create(Position{{1, 0, 0}});
     const Entity moving = world.create(Position{{2, 0, 0}}, Velocity{{1, 0, 0}});
     const Entity frozen = world.create(Position{{3, 0, 0}}, Velocity{{1, 0, 0}}, Frozen{});
-    const Entity hurt = world.create(Position{{4, 0, 0}}, Velocity{{1, 0, 0}}, Health{5, 0});
+    const Entity wounded = world.create(Position{{4, 0, 0}}, Velocity{{1, 0, 0}}, Health{5, 0});
 
     std::vector<Entity> seen;
     world.view<Position, const Velocity, Without<Frozen>>().each(
@@ -75,7 +75,7 @@ TEST_F(EcsWorld, ViewsRequireExcludeAndOffer) {
             p.at += v.linear;
             seen.push_back(e);
         });
-    EXPECT_EQ(seen, (std::vector{moving, hurt}));
+    EXPECT_EQ(seen, (std::vector{moving, wounded}));
     EXPECT_EQ(world.get<Position>(moving).at.x, 3);
     EXPECT_EQ(world.get<Position>(frozen).at.x, 3);
     EXPECT_EQ(world.get<Position>(plain).at.x, 1);

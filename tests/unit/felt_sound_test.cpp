@@ -120,7 +120,7 @@ TEST(FeltSound, ALastingVoiceEndsWithTheFramesAndStopForgetsAll) {
 TEST(FeltSound, FaultsInTheBandsAreToldInOneLine) {
     const TemporaryFolder folder;
     const auto file = folder.path() / "sound.toml";
-    const std::string rest =
+    const std::string remaining =
         "[middle]\nlow_hz = 80\nhigh_hz = 250\nfull = 1\n[high]\nlow_hz = 250\nhigh_hz = "
         "1000\nfull = 1\n";
     for (const auto& [low_band, words] :
@@ -128,7 +128,7 @@ TEST(FeltSound, FaultsInTheBandsAreToldInOneLine) {
           {"low_hz = 1\nhigh_hz = 80\nfull = 1\n", "'low_hz' is 1"},
           {"low_hz = 20\nhigh_hz = 80\nfull = 0\n", "'full' is 0"},
           {"low_hz = 20\nhigh_hz = 80\n", "'full' is missing"}}) {
-        ASSERT_TRUE(write_text_file(file, text("version = 1\n[low]\n", low_band, rest)));
+        ASSERT_TRUE(write_text_file(file, text("version = 1\n[low]\n", low_band, remaining)));
         const auto message = message_of(load_felt_bands(file));
         EXPECT_EQ(message.find(file.string()), 0U) << message;
         EXPECT_NE(message.find(words), std::string::npos) << message;

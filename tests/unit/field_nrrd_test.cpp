@@ -168,11 +168,11 @@ TEST_F(VolumeFiles, DetachedHeadersAndSkippedBytes) {
     const char* head = "NRRD0005\r\ntype: short\r\ndimension: 3\r\nsizes: 2 3 4\r\nendian: little\r\n";
     put("data.raw", "junk" + shorts(24));
     put("data.gz", gzipped(shorts(24)));
-    for (const std::string& rest :
+    for (const std::string& remaining :
          {std::string("encoding: raw\r\nbyte skip: 4\r\ndata file: data.raw\r\n"),
           std::string("encoding: raw\r\nbyteskip: -1\r\ndatafile: data.raw\r\n\r\n"),
           std::string("encoding: gz\r\nData File: data.gz")}) {
-        const auto v = read_volume(put("head.nhdr", head + rest)).value();
+        const auto v = read_volume(put("head.nhdr", head + remaining)).value();
         EXPECT_EQ(v.samples[23], 23);
     }
 }

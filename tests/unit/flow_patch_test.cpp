@@ -22,16 +22,16 @@ fluid::Fluid wild_fluid() {
     const auto fill = [&random](fluid::Samples& samples, double low) {
         for (float& s : samples) s = static_cast<float>(random.uniform(low, 1));
     };
-    for (auto& component : made->now.velocity) fill(component, -1);
-    for (auto& substance : made->now.substances) fill(substance, 0);
+    for (auto& component : made->state.velocity) fill(component, -1);
+    for (auto& substance : made->state.substances) fill(substance, 0);
     return std::move(*made);
 }
 
 FlowSource source_of(const fluid::Fluid& fluid) {
     FlowSource source{
-        .velocity = fluid::face_grid(fluid.lattice, fluid.now.velocity), .viscosity = 0.5, .density = 20};
-    source.substances[0] = {fluid::cell_grid(fluid.lattice, fluid.now.substances[0]), 3, 10};
-    source.substances[2] = {fluid::cell_grid(fluid.lattice, fluid.now.substances[1]), 0.25, -5};
+        .velocity = fluid::face_grid(fluid.lattice, fluid.state.velocity), .viscosity = 0.5, .density = 20};
+    source.substances[0] = {fluid::cell_grid(fluid.lattice, fluid.state.substances[0]), 3, 10};
+    source.substances[2] = {fluid::cell_grid(fluid.lattice, fluid.state.substances[1]), 0.25, -5};
     return source;
 }
 
@@ -71,7 +71,7 @@ TEST(FlowPatch, ALinearFlowIsExactAndAFlowAtRestIsTheSameFromEachPatch) {
     auto fluid = wild_fluid();
     const auto flow = [](vec3 p) { return vec3(1 + p.y, 2 * p.x - p.z, 0.5 - 3 * p.y); };
     fluid::set_velocity(fluid, flow);
-    const FlowSource source{.velocity = fluid::face_grid(fluid.lattice, fluid.now.velocity), .density = 1};
+    const FlowSource source{.velocity = fluid::face_grid(fluid.lattice, fluid.state.velocity), .density = 1};
     Random random{2};
     for (int run = 0; run < 500; ++run) {
         const vec3 middle = place_in(random, 0.5, 0.7), off = place_in(random, -0.12, 0.12);

@@ -47,7 +47,7 @@ TEST(FluidResample, AmountsAreConservedInAllCases) {
                 const Fluid to = taken_over(from, settings_of(n, solver, bowl));
                 for (std::size_t s = 0; s < 3; ++s)
                     EXPECT_NEAR(amount(to, s), amount(from, s), 1e-6 * amount(from, s)) << n << ' ' << s;
-                EXPECT_FALSE(to.now.asleep);
+                EXPECT_FALSE(to.state.asleep);
             }
         }
     }
@@ -84,8 +84,8 @@ TEST(FluidResample, TheSameGridIsTheSameFlow) {
     advance(from, flows::step);
     const Fluid to = taken_over(from, settings);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        for (std::size_t i = 0; i < from.now.velocity[axis].size(); ++i)
-            ASSERT_NEAR(to.now.velocity[axis][i], from.now.velocity[axis][i], 1e-6);
+        for (std::size_t i = 0; i < from.state.velocity[axis].size(); ++i)
+            ASSERT_NEAR(to.state.velocity[axis][i], from.state.velocity[axis][i], 1e-6);
     }
 }
 
@@ -107,10 +107,10 @@ TEST(FluidMixing, FilledShareTellsHowFarABlobHasSpread) {
         Fluid fluid = *make_fluid(settings_of(16, Solver::thaum, bowl));
         const auto filled = [&](auto&& density) {
             set_substance(fluid, 0, density);
-            return filled_share(fluid, fluid.now.substances[0]);
+            return filled_share(fluid, fluid.state.substances[0]);
         };
         // 0, because there is none of the substance.
-        EXPECT_EQ(filled_share(fluid, fluid.now.substances[0]), 0);
+        EXPECT_EQ(filled_share(fluid, fluid.state.substances[0]), 0);
         EXPECT_NEAR(filled([](vec3) { return 0.3; }), 1, 1e-6);
         EXPECT_NEAR(filled([](vec3 p) { return p.x < 0.5 ? 0.7 : 0.0; }), 0.5, 1e-6);
         const double small = filled([](vec3 p) { return p.x < 0.5 && p.z < 0.5 && p.y < 0.5 ? 4.0 : 0.0; });

@@ -97,8 +97,8 @@ TEST(FluidSaved, ARestoredFluidContinuesWithTheSameBits) {
         EXPECT_EQ(saved.shape, c.shape);
         Brew again{std::move(saved.fluid), std::move(saved.surface)};
         if (c.settings.solver == Solver::thaum) {
-            // All samples are compared, those of the ghost cells beyond the walls, too.
-            EXPECT_EQ(again.fluid.now.velocity, through.fluid.now.velocity);
+            // This comparison includes the ghosts.
+            EXPECT_EQ(again.fluid.state.velocity, through.fluid.state.velocity);
         }
         EXPECT_EQ(save(again.fluid, again.surface, c.shape), save(through.fluid, through.surface, c.shape));
         stir(through, 6, 16);
@@ -113,7 +113,7 @@ TEST(FluidSaved, SleepAndDataOfTheCallerAreRestored) {
     const Brew still = brew_of(c);
     const Bytes caller_data{std::byte{3}, std::byte{1}};
     const auto saved = restore(save(still.fluid, still.surface, c.shape, caller_data), solid_of).value();
-    EXPECT_TRUE(saved.fluid.now.asleep);
+    EXPECT_TRUE(saved.fluid.state.asleep);
     EXPECT_EQ(saved.surface.asleep, 1U);
     EXPECT_EQ(saved.caller_data, caller_data);
 }
@@ -170,13 +170,14 @@ TEST(FluidSaved, InvalidContentsAreNamed) {
     };
     const auto middle = [](Brew& b) { return static_cast<std::size_t>(b.fluid.lattice.at(3, 3, 3)); };
     expect("velocity along y: a value is not finite",
-           [&](Brew& b, NamedShape&) { b.fluid.now.velocity[1][middle(b)] = nan; });
+           [&](Brew& b, NamedShape&) { b.fluid.state.velocity[1][middle(b)] = nan; });
     expect("push along z: a value is not finite",
-           [&](Brew& b, NamedShape&) { b.fluid.now.push[2][middle(b)] = nan; });
-    expect("pressure: a value", [&](Brew& b, NamedShape&) { b.fluid.now.pressure[middle(b)] = 1e30F; });
+           [&](Brew& b, NamedShape&) { b.fluid.state.push[2][middle(b)] = nan; });
+    expect("pressure: a value", [&](Brew& b, NamedShape&) { b.fluid.state.pressure[middle(b)] = 1e30F; });
     expect("last projection: a value",
-           [&](Brew& b, NamedShape&) { b.fluid.now.projected[middle(b)] = 1e30F; });
-    expect("substance 2: a value", [&](Brew& b, NamedShape&) { b.fluid.now.substances[1][middle(b)] = -1; });
+           [&](Brew& b, NamedShape&) { b.fluid.state.projected[middle(b)] = 1e30F; });
+    expect("substance 2: a value",
+           [&](Brew& b, NamedShape&) { b.fluid.state.substances[1][middle(b)] = -1; });
     expect("cells must be 1 to 256", [](Brew& b, NamedShape&) { b.fluid.settings.cells = {6, 0, 6}; });
     expect("cells must be 1 to 256", [](Brew& b, NamedShape&) { b.fluid.settings.cells[2] = 1'000'000; });
     expect("fewer samples than its grid", [](Brew& b, NamedShape&) {

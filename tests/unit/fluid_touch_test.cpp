@@ -15,7 +15,7 @@ namespace {
 /// Damping at the hand (N s/m) for 1 N s/m in the bowl: the product s_f s_x of both scales.
 constexpr double felt_share = 16.0 / 256;
 
-vec3 in_device(const FluidTouch& touch, vec3 bowl) { return glm::transpose(touch.frame.turn) * bowl; }
+vec3 in_device(const FluidTouch& fluid, vec3 bowl) { return glm::transpose(fluid.frame.turn) * bowl; }
 vec3 any_vector(Random& random, double size) {
     return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
 }

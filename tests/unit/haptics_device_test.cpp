@@ -46,12 +46,12 @@ TEST(HapticsDevice, TheFiveModelsAreRead) {
         ++count;
     }
     EXPECT_EQ(count, 5);
-    const auto touch = *read(shipped("touch"));
-    EXPECT_EQ(touch.name, "Touch");
-    EXPECT_EQ(touch.peak_force, 3.3);
-    EXPECT_EQ(touch.max_stiffness, 400);
-    EXPECT_EQ(touch.sensed, 6);
-    EXPECT_EQ(touch.actuated, 3);
+    const auto spec = *read(shipped("touch"));
+    EXPECT_EQ(spec.name, "Touch");
+    EXPECT_EQ(spec.peak_force, 3.3);
+    EXPECT_EQ(spec.max_stiffness, 400);
+    EXPECT_EQ(spec.sensed, 6);
+    EXPECT_EQ(spec.actuated, 3);
     EXPECT_EQ(read(shipped("omega3"))->max_stiffness, 5000);
     EXPECT_EQ(read(shipped("falcon"))->latency, 1);
     EXPECT_EQ(read(shipped("premium"))->actuated, 6);

@@ -222,13 +222,13 @@ TEST(FeltSource, NamesFlowAndCrystalInTheHandsFrame) {
 TEST(FeltSource, IsSaidWithABarAndWithoutNumbersUnlessTheCurveIsShown) {
     auto picture = picture_of(*new_match());
     auto& force = picture.wizards[0].senses.force;
-    force = {.cap = 2, .now = {0, 0, 1}, .source = "Recoil"};
+    force = {.cap = 2, .current = {0, 0, 1}, .source = "Recoil"};
     EXPECT_TRUE(has_text(overlay_of(picture), "Recoil"));
     EXPECT_FALSE(has_text(overlay_of(picture), " N"));
     HudSettings curve;
     curve.forces = true;
     EXPECT_TRUE(has_text(overlay_of(picture, curve), " of 2.00 N"));
-    force.now = {0, 0, 0.01};
+    force.current = {0, 0, 0.01};
     EXPECT_FALSE(has_text(overlay_of(picture), "Recoil")) << "a force that nobody feels";
 }
 

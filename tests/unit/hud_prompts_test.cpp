@@ -104,10 +104,10 @@ TEST(Prompts, FadeAsTheThingIsDoneAndAreGoneAfterTheThirdTime) {
     PromptUses uses;
     float before = 2;
     for (std::uint32_t done = 0; done < PromptUses::learnt; ++done) {
-        const float now = strength_of(prompt, 1, PromptWish::until_learnt, uses);
-        EXPECT_GT(now, 0);
-        EXPECT_LT(now, before);
-        before = now;
+        const float current = strength_of(prompt, 1, PromptWish::until_learnt, uses);
+        EXPECT_GT(current, 0);
+        EXPECT_LT(current, before);
+        before = current;
         ++uses.of(1, PromptKind::stir);
     }
     EXPECT_EQ(strength_of(prompt, 1, PromptWish::until_learnt, uses), 0);
@@ -186,11 +186,11 @@ TEST(Prompts, AWizardThrownFromOrbOrCrystalIsTold) {
 template <class F>
 PromptUses uses_of(Picture before, F change) {
     before.tick = 100;
-    Picture now = before;
-    now.tick = 110;
-    change(now.wizards[0]);
+    Picture current = before;
+    current.tick = 110;
+    change(current.wizards[0]);
     PromptUses uses;
-    count_uses(before, now, uses);
+    count_uses(before, current, uses);
     return uses;
 }
 

@@ -165,7 +165,7 @@ TEST(RimCard, NoTwoTextsOverlapAtTheBusiestMoment) {
                 p.casting.stroke.on_brew = true;
                 p.senses.force.source = "recoil";
                 p.senses.force.cap = 1;
-                p.senses.force.now = vec3(0.5);
+                p.senses.force.current = vec3(0.5);
             }
             each_view([&](const HudSettings& settings, const std::string& name) {
                 for (const render::Size window : {render::Size{1280, 720}, {1920, 1080}, {800, 600}}) {
@@ -219,7 +219,7 @@ Picture at_wall() {
     p.stations.carries = "iron";
     p.senses.force.source = "recoil";
     p.senses.force.cap = 1;
-    p.senses.force.now = vec3(0.5);
+    p.senses.force.current = vec3(0.5);
     return picture;
 }
 

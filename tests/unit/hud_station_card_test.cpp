@@ -146,7 +146,7 @@ TEST(StationCard, NoTwoTextsOverlapAtTheBusiestMoment) {
             p.stations.work_half = p.stations.work.lens = true;
             p.senses.force.source = "vortex tube";
             p.senses.force.cap = 1;
-            p.senses.force.now = vec3(0.5);
+            p.senses.force.current = vec3(0.5);
         }
         each_view([&](const HudSettings& settings, const std::string& name) {
             for (const render::Size window : {render::Size{1280, 720}, {1920, 1080}, {800, 600}}) {
@@ -220,10 +220,10 @@ TEST(NearView, ShowsACrystalLargeWhileItIsCarvedAndGoesBackAfterwards) {
     double last = nearest;
     for (int i = 0; i < 35; ++i) {
         picture.tick += 10;
-        const double now = field_of_player(picture, 0, usual, aspect, view);
-        EXPECT_GE(now, last);
-        EXPECT_LT(now - last, 0.05);
-        last = now;
+        const double current = field_of_player(picture, 0, usual, aspect, view);
+        EXPECT_GE(current, last);
+        EXPECT_LT(current - last, 0.05);
+        last = current;
     }
     EXPECT_DOUBLE_EQ(last, usual);
     picture.crystals[0].edge = 5;

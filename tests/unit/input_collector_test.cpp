@@ -384,9 +384,9 @@ TEST(InputCollector, ATurnGrowsToItsLevelOverTheRamp) {
     EXPECT_NEAR(first, 0.3 * 127, 1);
     int before = first;
     for (int tick = 1; tick < 100; ++tick) {
-        const int now = hands.take().counts[hand::turn_right];
-        EXPECT_GE(now, before) << tick;
-        before = now;
+        const int current = hands.take().counts[hand::turn_right];
+        EXPECT_GE(current, before) << tick;
+        before = current;
     }
     EXPECT_EQ(hands.take().counts[hand::turn_right], 127);
     EXPECT_EQ(hands.take().counts[hand::turn_right], 127);

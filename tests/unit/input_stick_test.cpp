@@ -70,10 +70,10 @@ TEST(InputStick, TheDeadZoneIsJoinedWithoutAStep) {
             EXPECT_NEAR(length_at(1), 1, 1e-12) << dead;
             double before = 0;
             for (double push = dead; push < 1; push += 0.001) {
-                const double now = length_at(push);
-                EXPECT_GE(now, before) << dead << " at " << push;
-                EXPECT_LE(now, before + 0.001 / (1 - dead) + 1e-9) << dead << " at " << push;
-                before = now;
+                const double current = length_at(push);
+                EXPECT_GE(current, before) << dead << " at " << push;
+                EXPECT_LE(current, before + 0.001 / (1 - dead) + 1e-9) << dead << " at " << push;
+                before = current;
             }
         }
     }

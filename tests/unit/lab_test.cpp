@@ -154,7 +154,7 @@ TEST(Lab, AResetIsTheBeginning) {
     step_lab(lab, {.reset = true}, jobs);
     EXPECT_EQ(lab.steps, 1);
     EXPECT_EQ(energy(lab.brew.fluid), 0);
-    EXPECT_TRUE(lab.brew.fluid.now.asleep);
+    EXPECT_TRUE(lab.brew.fluid.state.asleep);
     EXPECT_EQ(figures_of(lab).amounts[1], 0);
 }
 

@@ -30,11 +30,11 @@ TEST(LikelySpell, StaysOnceItIsTold) {
         const SpellPresentation* before = nullptr;
         for (double share = 0.3; share <= 1; share += 0.025) {
             draw_points(casting.stroke, gesture::beginning_of(stroke.points, share));
-            const auto* now = likely_spell(casting, *picture.shown);
-            changes += before != nullptr && now != before;
-            told += now != nullptr;
+            const auto* current = likely_spell(casting, *picture.shown);
+            changes += before != nullptr && current != before;
+            told += current != nullptr;
             all += 1;
-            before = now;
+            before = current;
         }
     }
     EXPECT_GE(told / all, 0.83);

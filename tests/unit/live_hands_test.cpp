@@ -217,10 +217,10 @@ TEST_F(PlayerHandsTest, NewSettingsReachTheHands) {
         hands.key(rig::key("i"), true);
         hands.mouse_move(10, 10);
     });
-    const auto now = sample(0);
-    EXPECT_EQ(now.counts[input::hand::forward], 127);
-    EXPECT_EQ(now.counts[input::hand::look_right], 20);
-    EXPECT_EQ(now.counts[input::hand::look_up], 20);
+    const auto current = sample(0);
+    EXPECT_EQ(current.counts[input::hand::forward], 127);
+    EXPECT_EQ(current.counts[input::hand::look_right], 20);
+    EXPECT_EQ(current.counts[input::hand::look_up], 20);
     // The devices of the next match are made with the new sensitivity, so the collector applies no additional
     // factor.
     hands_.begin_match(settings, {});

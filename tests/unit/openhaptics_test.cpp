@@ -184,12 +184,12 @@ TEST(OpenHaptics, AWallHoldsTheHandAsItsStiffnessSays) {
     auto arm = open_fake("path=" + right.file).value();
     ASSERT_TRUE(arm->start(hand.tick()));
     ASSERT_TRUE(soon([&] { return hand.ticks > 400; }));
-    const auto now = report();
-    // The simulated hand holds with 400 N/m: 400 (0.01 - x) = 200 x. Friction of 0.26 N may hold it up to
-    // 0.43 mm away.
-    EXPECT_NEAR(now.position[0], 0.00667, 0.0005);
-    EXPECT_NEAR(now.force[0], -200 * now.position[0], 0.02);
-    EXPECT_NEAR(hand.x_um, now.position[0] * 1e6, 56);
+    const auto current = report();
+    // The simulated hand holds with 400 N/m: 400 (0.01 - x) = 200 x; 0.26 N of
+    // friction holds up to 0.43 mm away.
+    EXPECT_NEAR(current.position[0], 0.00667, 0.0005);
+    EXPECT_NEAR(current.force[0], -200 * current.position[0], 0.02);
+    EXPECT_NEAR(hand.x_um, current.position[0] * 1e6, 56);
     // The fake stylus turns by 10 rad/m.
     EXPECT_NEAR(hand.y_urad, hand.x_um * 10, 560);
     arm.reset();

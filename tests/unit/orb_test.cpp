@@ -115,11 +115,11 @@ TEST(OrbCore, TheNextRoundHasAnotherFlowAndTheSameCurves) {
         return *memory;
     }());
     EXPECT_NE(seance.orb().seed, before);
-    const auto& now = seance.part<WornModes>();
-    EXPECT_EQ(now.strength[2], field::constant(0.5));
-    EXPECT_EQ(now.worn[0], 2U);
-    EXPECT_EQ(now.told, 0U);
-    EXPECT_EQ(now.order_told, 1U);
+    const auto& current = seance.part<WornModes>();
+    EXPECT_EQ(current.strength[2], field::constant(0.5));
+    EXPECT_EQ(current.worn[0], 2U);
+    EXPECT_EQ(current.told, 0U);
+    EXPECT_EQ(current.order_told, 1U);
 }
 
 TEST(Scrying, CostsFocusAndEndsWithoutIt) {

@@ -34,44 +34,44 @@ TEST(Quality, SoftwareBeginsAtMedium) {
 }
 
 TEST(AutoQuality, StaysWhereTheTimeFits) {
-    const auto s = after({.now = Quality::medium}, 10'000, 25);
-    EXPECT_EQ(s.now, Quality::medium);
+    const auto s = after({.current = Quality::medium}, 10'000, 25);
+    EXPECT_EQ(s.current, Quality::medium);
     EXPECT_EQ(s.most, Quality::high);
 }
 
 TEST(AutoQuality, StepsDownWhenMostPicturesAreLateAndNotForAFew) {
-    EXPECT_EQ(after({.now = Quality::medium}, 67, 50).now, Quality::medium)
+    EXPECT_EQ(after({.current = Quality::medium}, 67, 50).current, Quality::medium)
         << "no change before enough times were measured";
-    EXPECT_EQ(after({.now = Quality::medium}, 68, 50).now, Quality::low);
-    AutoQuality hiccups{.now = Quality::medium};
+    EXPECT_EQ(after({.current = Quality::medium}, 68, 50).current, Quality::low);
+    AutoQuality hiccups{.current = Quality::medium};
     for (int i = 0; i < 3000; ++i) hiccups = after_frame(hiccups, i % 3 == 0 ? 200 : 20);
-    EXPECT_EQ(hiccups.now, Quality::medium);
-    EXPECT_EQ(after({.now = Quality::low}, 1000, 500).now, Quality::low) << "there is nothing below";
+    EXPECT_EQ(hiccups.current, Quality::medium);
+    EXPECT_EQ(after({.current = Quality::low}, 1000, 500).current, Quality::low) << "there is nothing below";
 }
 
 TEST(AutoQuality, StepsUpOnlyWithRoomForTheNext) {
-    EXPECT_EQ(after({.now = Quality::low}, 68, 5).now, Quality::medium);
-    EXPECT_EQ(after({.now = Quality::low}, 10'000, 12).now, Quality::low);
-    EXPECT_EQ(after({.now = Quality::low}, 136, 5).now, Quality::high);
+    EXPECT_EQ(after({.current = Quality::low}, 68, 5).current, Quality::medium);
+    EXPECT_EQ(after({.current = Quality::low}, 10'000, 12).current, Quality::low);
+    EXPECT_EQ(after({.current = Quality::low}, 136, 5).current, Quality::high);
 }
 
 TEST(AutoQuality, AQualityThatWasTooSlowIsNotTriedAgain) {
-    auto s = after({.now = Quality::medium}, 68, 50);
-    ASSERT_EQ(s.now, Quality::low);
+    auto s = after({.current = Quality::medium}, 68, 50);
+    ASSERT_EQ(s.current, Quality::low);
     s = after(s, 100'000, 1);
-    EXPECT_EQ(s.now, Quality::low);
+    EXPECT_EQ(s.current, Quality::low);
 }
 
 TEST(AutoQuality, SwitchesRarelyForAnyTimes) {
     Random random = random_stream(5, 1);
     for (int run = 0; run < 50; ++run) {
-        AutoQuality s{.now = static_cast<Quality>(random.below(qualities))};
+        AutoQuality s{.current = static_cast<Quality>(random.below(qualities))};
         int changes = 0;
         for (int i = 0; i < 20'000; ++i) {
             // Times of pictures, which alternate between fast and slow every 300 pictures.
             const double ms = (i / 300 + run) % 2 == 0 ? random.uniform(0, 8) : random.uniform(20, 200);
             const auto next = after_frame(s, ms);
-            changes += next.now != s.now;
+            changes += next.current != s.current;
             s = next;
         }
         EXPECT_LE(changes, 4);
@@ -79,8 +79,8 @@ TEST(AutoQuality, SwitchesRarelyForAnyTimes) {
 }
 
 TEST(AutoQuality, TimesThatAreNotNumbersChangeNothing) {
-    const auto s = after({.now = Quality::medium}, 1000, std::numeric_limits<double>::quiet_NaN());
-    EXPECT_EQ(s.now, Quality::medium);
+    const auto s = after({.current = Quality::medium}, 1000, std::numeric_limits<double>::quiet_NaN());
+    EXPECT_EQ(s.current, Quality::medium);
 }
 
 }  // namespace

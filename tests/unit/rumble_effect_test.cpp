@@ -69,12 +69,12 @@ TEST(RumbleEffect, AnEffectNeverLastsForEver) {
 TEST(RumbleEffect, MagnitudesGrowWithTheAmplitudeIn255Steps) {
     int before = -1, steps = 0;
     for (int i = 0; i <= 10000; ++i) {
-        const int now =
+        const int current =
             rumble_effect(frame_of(static_cast<float>(i) / 10000, 0), 0).u.rumble.strong_magnitude;
-        ASSERT_GE(now, before);
-        ASSERT_NEAR(now, 6.5535 * i, 129);
-        if (now > before) ++steps;
-        before = now;
+        ASSERT_GE(current, before);
+        ASSERT_NEAR(current, 6.5535 * i, 129);
+        if (current > before) ++steps;
+        before = current;
     }
     EXPECT_EQ(steps, 256);
 }

@@ -330,8 +330,8 @@ void Player::search(const Screen& seen, Hands& hands) {
     ++lost_;
     level(seen, hands);
     constexpr float turn = 25;
-    if (seen.hurt && std::abs(*seen.hurt) > 0.3F) {
-        hands.mouse.x = *seen.hurt > 0 ? fastest : -fastest;
+    if (seen.hurt_from && std::abs(*seen.hurt_from) > 0.3F) {
+        hands.mouse.x = *seen.hurt_from > 0 ? fastest : -fastest;
         return;
     }
     const int whole_turn = looks_of(4.7);

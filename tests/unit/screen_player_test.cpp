@@ -156,11 +156,11 @@ void ScreenPlayer::tick(Play& play) {
     }
     match.tick(frame);
     if (play.practice) play.practice->follow_lessons();
-    const auto& now = match.match();
-    shared_.progress.paused_by = now.paused_by;
-    shared_.progress.state = now.phase != game::Phase::playing ? PlayState::over
-                             : now.paused != 0                 ? PlayState::paused
-                                                               : PlayState::playing;
+    const auto& current = match.match();
+    shared_.progress.paused_by = current.paused_by;
+    shared_.progress.state = current.phase != game::Phase::playing ? PlayState::over
+                             : current.paused != 0                 ? PlayState::paused
+                                                                   : PlayState::playing;
 }
 
 void ScreenPlayer::play_until(Play& play, const std::function<bool()>& ends) {

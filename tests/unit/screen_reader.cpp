@@ -211,7 +211,7 @@ void see_hurts(const game::PlayerPicture& player, Screen& out) {
     const auto& mark = player.senses.marks[0];
     if (glm::dot(mark.towards, mark.towards) < 0.5) return;
     const vec3 local = rotation({0, 1, 0}, -player.vitals.yaw) * mark.towards;
-    out.hurt = static_cast<float>(std::atan2(local.x, -local.z));
+    out.hurt_from = static_cast<float>(std::atan2(local.x, -local.z));
 }
 
 void see_marks(const Eye& eye, const Shown& shown, Screen& out) {

@@ -67,7 +67,7 @@ struct Screen {
     bool holds = false;            ///< true: a beam or a rope leaves the wand
     std::optional<fvec2> arc_end;  ///< end of the drawn arc of a shot, if it is in view (px)
     /// Direction of the mark of a recent hit on the player, clockwise from straight ahead (rad).
-    std::optional<float> hurt;
+    std::optional<float> hurt_from;
     float horizon{};            ///< height of the horizon in the window (px from the top)
     std::vector<float> energy;  ///< filled shares of the energy bars in the strip of wands, by slot
     bool dead = false;

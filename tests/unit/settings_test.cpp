@@ -462,18 +462,18 @@ TEST(SettingsScreen, AFaderMovesByFivesAndKeepsItsValueWhenSwitched) {
     }
 }
 
-void touch(const std::filesystem::path& path) { std::ofstream(path) << "x"; }
+void make_file(const std::filesystem::path& path) { std::ofstream(path) << "x"; }
 
 TEST(MatchLogs, NamesAreNumberedAndOnlyTheOldestOfThemAreDeleted) {
     const auto folder = fresh_folder("matches");
     std::filesystem::create_directories(folder);
     // File names of an earlier version contain no number; they count as older than all numbered ones.
-    for (int i = 10; i < 20; ++i) touch(folder / text("2001-01-", i, "_00-00-00_01.thaumlog"));
+    for (int i = 10; i < 20; ++i) make_file(folder / text("2001-01-", i, "_00-00-00_01.thaumlog"));
     for (const auto* other : {"mine.thaumlog", "000001_mine.thaumlog", "000001_2001-01-10_00-00-00.txt"})
-        touch(folder / other);
+        make_file(folder / other);
     const auto first = new_match_log(folder, 5).value();
     EXPECT_TRUE(first.filename().string().starts_with("000001_")) << first;
-    touch(first);
+    make_file(first);
     EXPECT_FALSE(std::filesystem::exists(folder / "2001-01-15_00-00-00_01.thaumlog"));
     EXPECT_TRUE(std::filesystem::exists(folder / "2001-01-16_00-00-00_01.thaumlog"));
     for (const auto* other : {"mine.thaumlog", "000001_mine.thaumlog", "000001_2001-01-10_00-00-00.txt"})
@@ -489,7 +489,7 @@ TEST(MatchLogs, AWrongClockDeletesNoNewerLog) {
     int number = 0;
     const auto played = [&](const char* date, int hours) {
         auto log = folder / text("0000", ++number < 10 ? "0" : "", number, "_", date, ".thaumlog");
-        touch(log);
+        make_file(log);
         std::filesystem::last_write_time(
             log, std::filesystem::file_time_type::clock::now() + std::chrono::hours(hours));
         return log;
@@ -500,7 +500,7 @@ TEST(MatchLogs, AWrongClockDeletesNoNewerLog) {
     for (int i = 0; i < 3; ++i) logs.push_back(played("2000-01-01_00-00-00", -200'000));
     for (std::size_t match = 0; match < 6; ++match) {
         const auto log = new_match_log(folder, 8).value();
-        touch(logs.emplace_back(log));
+        make_file(logs.emplace_back(log));
         for (std::size_t i = 0; i < logs.size(); ++i)
             EXPECT_EQ(std::filesystem::exists(logs[i]), i + 8 >= logs.size())
                 << logs[i] << " after " << match;
@@ -556,11 +556,11 @@ TEST(MatchLogs, FoldersAreNeverRelativeToWhereTheProgramWasStarted) {
 TEST(MatchLogs, RematchesAreCountedAfterTheirMatchAndALogInUseStays) {
     const auto folder = fresh_folder("matches_in_use");
     std::filesystem::create_directories(folder);
-    const auto name = [&](std::string_view rest) {
-        return folder / text("2001-01-01_00-00-00_", rest, ".thaumlog");
+    const auto name = [&](std::string_view remaining) {
+        return folder / text("2001-01-01_00-00-00_", remaining, ".thaumlog");
     };
     const auto in_use = input::LogWriter::create(name("01"), {}).value();
-    for (const auto* rest : {"01-2", "01-10", "02"}) std::ofstream(name(rest)) << "x";
+    for (const auto* remaining : {"01-2", "01-10", "02"}) std::ofstream(name(remaining)) << "x";
     std::ofstream(name("01-x")) << "x";
     EXPECT_TRUE(input::log_in_use(name("01")));
     EXPECT_FALSE(input::log_in_use(name("02")));

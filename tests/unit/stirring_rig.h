@@ -23,14 +23,14 @@ inline DeviceSpec bare_device(double mass = 0.1) {
 inline FluidModes no_modes() { return {0, 0, 0, 0, 0, 0, 0}; }
 
 inline FluidTouch some_fluid() {
-    FluidTouch touch{.number = 1, .modes = no_modes()};
-    touch.frame = {.origin = {0.5, -0.25, 0.125},
+    FluidTouch fluid{.number = 1, .modes = no_modes()};
+    fluid.frame = {.origin = {0.5, -0.25, 0.125},
                    .turn = mat3(rotation(glm::normalize(vec3(1, 2, -0.5)), 0.9)),
                    .metres_per_metre = 16,
                    .newtons_per_newton = 1.0 / 256};
-    touch.drag = {.viscous = 2, .form = 0.5};
-    add_fluid_step(touch, uniform_flow({}, 4, 8));
-    return touch;
+    fluid.drag = {.viscous = 2, .form = 0.5};
+    add_fluid_step(fluid, uniform_flow({}, 4, 8));
+    return fluid;
 }
 
 /// A tip that the test or the device moves, one tick at a time.

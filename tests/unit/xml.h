@@ -13,15 +13,15 @@ namespace thaum::test {
 
 class XmlReader {
 public:
-    explicit XmlReader(std::string_view xml) : rest_(xml), whole_(xml.size()) {}
+    explicit XmlReader(std::string_view xml) : remaining_(xml), whole_(xml.size()) {}
 
     /// First fault and its position (bytes); empty: the text is well-formed.
     std::string fault() {
-        while (!rest_.empty() && fault_.empty()) {
-            if (rest_.front() == '<') {
+        while (!remaining_.empty() && fault_.empty()) {
+            if (remaining_.front() == '<') {
                 read_tag();
             } else {
-                read_words(rest_.find('<'), open_.empty());
+                read_words(remaining_.find('<'), open_.empty());
             }
         }
         if (fault_.empty() && !open_.empty()) blame("an element is never closed");
@@ -30,7 +30,7 @@ public:
     }
 
 private:
-    void blame(std::string_view what) { fault_ = text(what, " at byte ", whole_ - rest_.size()); }
+    void blame(std::string_view what) { fault_ = text(what, " at byte ", whole_ - remaining_.size()); }
 
     static bool is_name(char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
@@ -38,22 +38,22 @@ private:
     }
 
     std::string_view take(std::size_t n) {
-        const auto taken = rest_.substr(0, n);
-        rest_.remove_prefix(taken.size());
+        const auto taken = remaining_.substr(0, n);
+        remaining_.remove_prefix(taken.size());
         return taken;
     }
 
     std::string_view take_name() {
         std::size_t n = 0;
-        while (n < rest_.size() && is_name(rest_[n])) ++n;
+        while (n < remaining_.size() && is_name(remaining_[n])) ++n;
         if (n == 0) blame("a name is missing");
         return take(n);
     }
 
-    void skip_space() { take(std::min(rest_.find_first_not_of(" \n"), rest_.size())); }
+    void skip_space() { take(std::min(remaining_.find_first_not_of(" \n"), remaining_.size())); }
 
     void read_words(std::size_t length, bool space_only) {
-        const auto words = rest_.substr(0, length);
+        const auto words = remaining_.substr(0, length);
         for (std::size_t i = 0; i < words.size(); ++i) {
             const auto c = static_cast<unsigned char>(words[i]);
             if ((c < 0x20 && c != '\n') || c == '<') return blame("a character that XML forbids");
@@ -73,11 +73,11 @@ private:
 
     void read_tag() {
         take(1);
-        if (rest_.starts_with('/')) return read_end();
+        if (remaining_.starts_with('/')) return read_end();
         const auto name = take_name();
         if (open_.empty()) ++roots_;
         std::vector<std::string_view> attributes;
-        for (skip_space(); fault_.empty() && !rest_.starts_with('>') && !rest_.starts_with("/>");
+        for (skip_space(); fault_.empty() && !remaining_.starts_with('>') && !remaining_.starts_with("/>");
              skip_space())
             read_attribute(attributes);
         if (!fault_.empty()) return;
@@ -96,7 +96,7 @@ private:
         }
         seen.push_back(name);
         if (take(2) != "=\"") return blame("an attribute without a value");
-        read_words(std::min(rest_.find('"'), rest_.size()), false);
+        read_words(std::min(remaining_.find('"'), remaining_.size()), false);
         if (fault_.empty() && take(1) != "\"") blame("quotes that do not end");
     }
 
@@ -108,7 +108,7 @@ private:
         open_.pop_back();
     }
 
-    std::string_view rest_;
+    std::string_view remaining_;
     std::size_t whole_;
     std::vector<std::string_view> open_;
     std::size_t roots_ = 0;

@@ -121,7 +121,7 @@ void viscous(const Options& options, Report& report) {
 
 double change_since(const Fluid& fluid, fluid::Samples& before) {
     double most = 0;
-    const auto& u = fluid.now.velocity[0];
+    const auto& u = fluid.state.velocity[0];
     if (before.size() == u.size()) {
         for (std::size_t i = 0; i < u.size(); ++i)
             most = std::max(most, std::abs(double{u[i]} - double{before[i]}));
@@ -191,7 +191,7 @@ void add_turn(const TurnedShape& shape, int n, double cfl, Report& report) {
                        {"amount_change", amount(run.fluid, 0) / before - 1},
                        {"least_density", found.least},
                        {"most_density", found.most}};
-        row.hash = hex(hash_bytes(std::as_bytes(std::span(run.fluid.now.substances[0]))));
+        row.hash = hex(hash_bytes(std::as_bytes(std::span(run.fluid.state.substances[0]))));
         report.rows.push_back(std::move(row));
     }
 }
@@ -233,8 +233,8 @@ void add_deformation(const TurnedShape& shape, int n, Report& report) {
                        {"amount_change", amount(run.fluid, 0) / before - 1},
                        {"least_density", least},
                        {"most_density", most}};
-        row.hash = hex(hash_bytes(std::as_bytes(std::span(run.fluid.now.substances[0]))));
-        // At the start, the densities of both shapes are within 0 and 1, and must remain so.
+        row.hash = hex(hash_bytes(std::as_bytes(std::span(run.fluid.state.substances[0]))));
+        // The highest density of both shapes is 1.
         if (run.scheme.solver == Solver::thaum && !(least >= 0 && most <= 1 + 1e-5))
             report.faults.push_back(text("fluid leveque: ", shape.name, ", n = ", n, ": densities from ",
                                          least, " to ", most, ", not within 0 and 1"));
@@ -404,12 +404,12 @@ fluid::AttackBounds bounds_of(const StressCase& stress_case) {
 /// other programs interrupt some steps, but repeating a step always does the same work.
 double minimum_us(fluid::Fluid& fluid, const fluid::State& before, double first) {
     constexpr int runs = 5;
-    const fluid::State after = fluid.now;
+    const fluid::State after = fluid.state;
     for (int i = 1; i < runs; ++i) {
-        fluid.now = before;
+        fluid.state = before;
         first = std::min(first, us_of([&] { advance(fluid, flows::step); }));
     }
-    fluid.now = after;
+    fluid.state = after;
     return first;
 }
 
@@ -437,7 +437,7 @@ void stress_one(const StressCase& stress_case, std::uint64_t steps, Report& repo
     double worst = 0;
     for (std::uint64_t i = 0; i < steps && attack.fault.empty(); ++i) {
         strike(attack);
-        const fluid::State before = attack.fluid.now;
+        const fluid::State before = attack.fluid.state;
         run.us.push_back(us_of([&] { run.last = advance(attack.fluid, flows::step); }));
         if (run.us.back() > worst) worst = std::max(worst, minimum_us(attack.fluid, before, run.us.back()));
         judge(attack, run.last, bounds_of(stress_case));

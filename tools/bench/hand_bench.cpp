@@ -32,9 +32,10 @@ struct TurningBrew {
     std::vector<vec3> places{};
 
     FlowSource source() const {
-        FlowSource result{.velocity = face_grid(fluid.lattice, fluid.now.velocity), .density = brew_density};
-        for (std::size_t s = 0; s < fluid.now.substances.size(); ++s)
-            result.substances[s] = {cell_grid(fluid.lattice, fluid.now.substances[s]), 1, 0.5};
+        FlowSource result{.velocity = face_grid(fluid.lattice, fluid.state.velocity),
+                          .density = brew_density};
+        for (std::size_t s = 0; s < fluid.state.substances.size(); ++s)
+            result.substances[s] = {cell_grid(fluid.lattice, fluid.state.substances[s]), 1, 0.5};
         return result;
     }
 };
@@ -151,18 +152,18 @@ constexpr std::array stir_loads{StirLoad{"none", false}, StirLoad{"off", true, {
 haptics::HapticModel stirring_model(const StirLoad& load) {
     haptics::HapticModel model;
     if (!load.fluid) return model;
-    auto& touch = model.fluid;
-    touch.number = 1;
-    touch.modes = load.modes;
-    touch.frame = {.metres_per_metre = 20, .newtons_per_newton = 0.00375};
-    touch.drag = {.viscous = 10, .form = 1, .stirred_mass = 10, .height = 0.1};
-    touch.surface = {
+    auto& fluid = model.fluid;
+    fluid.number = 1;
+    fluid.modes = load.modes;
+    fluid.frame = {.metres_per_metre = 20, .newtons_per_newton = 0.00375};
+    fluid.drag = {.viscous = 10, .form = 1, .stirred_mass = 10, .height = 0.1};
+    fluid.surface = {
         .height = 0.01, .stiffness = 4000, .pop_through = 200, .cling = 40, .inside = 1, .present = 1};
-    touch.wall = round_bowl(0.02, 0.11);
-    touch.wall.centre = {0.01, 0.1, 0.01};
-    touch.wall.stiffness = 4000;
-    touch.wall.damping = 10;
-    touch.ladle = {.mass = 1.5, .stiffness = 4000, .damping = 20};
+    fluid.wall = round_bowl(0.02, 0.11);
+    fluid.wall.centre = {0.01, 0.1, 0.01};
+    fluid.wall.stiffness = 4000;
+    fluid.wall.damping = 10;
+    fluid.ladle = {.mass = 1.5, .stiffness = 4000, .damping = 20};
     return model;
 }
 
@@ -247,17 +248,17 @@ struct StrokingHand {
 
     StrokingHand(vec3 start, vec3 speed)
         : servo(haptics::servo_of(reference_device(0.5, 0), 1)), from(start), velocity(speed) {
-        auto& touch = model.fluid;
-        touch.number = 1;
-        touch.modes = {1, 1, 1, 0, 0, 0, 0};
-        touch.frame = {.origin = vec3(0.5), .metres_per_metre = 20, .newtons_per_newton = 0.00375};
-        touch.drag = {.viscous = 0.4, .form = 0.15, .stirred_mass = 0.01 * brew_density};
+        auto& fluid = model.fluid;
+        fluid.number = 1;
+        fluid.modes = {1, 1, 1, 0, 0, 0, 0};
+        fluid.frame = {.origin = vec3(0.5), .metres_per_metre = 20, .newtons_per_newton = 0.00375};
+        fluid.drag = {.viscous = 0.4, .form = 0.15, .stirred_mass = 0.01 * brew_density};
     }
 
     vec3 place() const { return from + velocity * (tick * tick_seconds); }
 
     void take_flow(const fluid::Fluid& fluid) {
-        const FlowSource source{.velocity = face_grid(fluid.lattice, fluid.now.velocity),
+        const FlowSource source{.velocity = face_grid(fluid.lattice, fluid.state.velocity),
                                 .viscosity = fluid.settings.viscosity * brew_density,
                                 .density = brew_density};
         add_fluid_step(model.fluid, patch_of(source, haptics::to_bowl(model.fluid.frame, place())));

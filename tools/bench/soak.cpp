@@ -111,13 +111,13 @@ void count_kills(const game::Simulation& match, Soaked& soaked) {
 }
 
 void look_at_memory(const Course& course, Tick tick, Soaked& soaked) {
-    const double now = rss_mib();
-    if (tick <= course.ticks / 10) soaked.first_mib = now;
-    soaked.max_mib = std::max(soaked.max_mib, now);
+    const double current = rss_mib();
+    if (tick <= course.ticks / 10) soaked.first_mib = current;
+    soaked.max_mib = std::max(soaked.max_mib, current);
     if (course.name != nullptr) {
         std::fprintf(stderr, "soak %s: %llu of %llu ticks, %llu matches, %.1f MiB\n", course.name,
                      static_cast<unsigned long long>(tick), static_cast<unsigned long long>(course.ticks),
-                     static_cast<unsigned long long>(soaked.matches), now);
+                     static_cast<unsigned long long>(soaked.matches), current);
     }
 }
 

@@ -22,10 +22,10 @@ struct Span {
 Span span_of(const Canvas& canvas, const Envelope& envelope, double decay) {
     if (decay == 0 && canvas.loops()) return {0, canvas.size(), true};
     const auto start = static_cast<std::size_t>(envelope.start * sample_rate);
-    const auto rest = canvas.size() - std::min(start, canvas.size());
-    if (decay == 0) return {start, rest, false};
+    const auto remaining = canvas.size() - std::min(start, canvas.size());
+    if (decay == 0) return {start, remaining, false};
     const auto whole = static_cast<std::size_t>(length_of(envelope, decay) * sample_rate);
-    return {start, canvas.loops() ? whole : std::min(whole, rest), false};
+    return {start, canvas.loops() ? whole : std::min(whole, remaining), false};
 }
 
 /// The envelope or pitch with tremolo and vibrato rates that fit a whole number of periods into a lasting

@@ -123,12 +123,12 @@ std::string hint_of_characters(std::string_view line) {
 }
 
 /// Hint about the text that follows a number at the beginning of a value.
-std::string hint_after_number(std::string_view number, std::string_view rest) {
-    if (rest.find('=') != rest.npos) return "a line has one KEY = VALUE";
-    if (begins_other_comment(rest)) return std::string(comment_words);
-    if (begins_with_one_of(rest, {"*", "/", "+", "-"})) return "a value is no sum: write its result";
-    if (digits_of(rest) == rest.size() && is_digit(rest[0]))
-        return text("a number has no blanks: write ", shown(text(number, rest)));
+std::string hint_after_number(std::string_view number, std::string_view remaining) {
+    if (remaining.find('=') != remaining.npos) return "a line has one KEY = VALUE";
+    if (begins_other_comment(remaining)) return std::string(comment_words);
+    if (begins_with_one_of(remaining, {"*", "/", "+", "-"})) return "a value is no sum: write its result";
+    if (digits_of(remaining) == remaining.size() && is_digit(remaining[0]))
+        return text("a number has no blanks: write ", shown(text(number, remaining)));
     return text("after the number only a comment may stand, which begins with '#'; a number has no unit");
 }
 
@@ -180,9 +180,10 @@ std::string hint_of_numbers(std::string_view value) {
     if (value.ends_with(',') || value.ends_with(';'))
         return text("leave out the '", value.substr(value.size() - 1), "' at the end");
     const auto end = std::min(value.find_first_of(" \t,;"), value.size());
-    const auto rest = trimmed(value.substr(end));
+    const auto remaining = trimmed(value.substr(end));
     const auto number = value.substr(0, end);
-    return rest.empty() || rest[0] == '#' ? hint_of_number(number) : hint_after_number(number, rest);
+    return remaining.empty() || remaining[0] == '#' ? hint_of_number(number)
+                                                    : hint_after_number(number, remaining);
 }
 
 /// Hint for a value that begins with a quote.
@@ -192,10 +193,10 @@ std::string hint_of_text(std::string_view value, std::string_view parsers_words)
     const bool is_escape = parsers_words.find("escape sequence") != parsers_words.npos ||
                            parsers_words.find("unicode scalar") != parsers_words.npos;
     if (is_escape) return "a text in \"...\" has \\\\ for each backslash; in '...' it stands as it is";
-    const auto rest = trimmed(value.substr(end + 1));
-    if (rest.empty()) return "";
-    if (rest == "," || rest == ";") return text("leave out the '", rest, "' at the end");
-    if (begins_other_comment(rest)) return std::string(comment_words);
+    const auto remaining = trimmed(value.substr(end + 1));
+    if (remaining.empty()) return "";
+    if (remaining == "," || remaining == ";") return text("leave out the '", remaining, "' at the end");
+    if (begins_other_comment(remaining)) return std::string(comment_words);
     return "after a text only a comment may stand, which begins with '#'; a quote within \"...\" is written "
            "\\\"";
 }
@@ -203,10 +204,10 @@ std::string hint_of_text(std::string_view value, std::string_view parsers_words)
 std::string hint_of_list(std::string_view value) {
     const auto words = bare(value);
     const auto letter = std::ranges::find_if(words, is_letter);
-    const auto rest = std::string_view(words).substr(static_cast<std::size_t>(letter - words.begin()));
+    const auto remaining = std::string_view(words).substr(static_cast<std::size_t>(letter - words.begin()));
     const bool in_number = letter != words.end() && letter != words.begin() && is_digit(*(letter - 1));
     if (in_number) return "a number in a list has no unit";
-    if (!rest.empty() && !begins_with_one_of(rest, {"true", "false", "inf", "nan"}))
+    if (!remaining.empty() && !begins_with_one_of(remaining, {"true", "false", "inf", "nan"}))
         return "a text in a list stands in quotes";
     return std::string(list_words);
 }
@@ -390,13 +391,13 @@ std::string number_hint(std::string_view words) {
     if (const auto number = with_point(plain); !number.empty()) return text("; write ", shown(number));
     const auto whole = digits_of(plain);
     if (whole == 0) return "";
-    auto rest = plain.substr(whole);
-    if (rest.starts_with('.')) rest = rest.substr(1 + digits_of(rest.substr(1)));
-    if (rest.empty()) return text("; write ", shown(plain), " without quotes");
-    const auto number = plain.substr(0, plain.size() - rest.size());
+    auto remaining = plain.substr(whole);
+    if (remaining.starts_with('.')) remaining = remaining.substr(1 + digits_of(remaining.substr(1)));
+    if (remaining.empty()) return text("; write ", shown(plain), " without quotes");
+    const auto number = plain.substr(0, plain.size() - remaining.size());
     constexpr std::size_t longest_unit = 8;
-    const bool is_unit =
-        trimmed(rest).size() <= longest_unit && rest.find_first_of("0123456789.,") == rest.npos;
+    const bool is_unit = trimmed(remaining).size() <= longest_unit &&
+                         remaining.find_first_of("0123456789.,") == remaining.npos;
     return is_unit ? text("; write ", shown(number), " without quotes and unit") : "";
 }
 

@@ -277,13 +277,13 @@ std::vector<std::optional<double>> NrrdFields::numbers(std::string_view field, s
 
 std::vector<std::string> NrrdFields::quoted(std::string_view field, std::size_t count) {
     std::vector<std::string> result;
-    std::string_view rest = text_of(field);
-    while (!(rest = trimmed(rest)).empty()) {
-        const bool in_quotes = rest.starts_with('"');
-        if (in_quotes) rest.remove_prefix(1);
-        const std::size_t end = std::min(rest.find_first_of(in_quotes ? "\"" : " \t"), rest.size());
-        result.emplace_back(rest.substr(0, end));
-        rest.remove_prefix(std::min(rest.size(), end + 1));
+    std::string_view remaining = text_of(field);
+    while (!(remaining = trimmed(remaining)).empty()) {
+        const bool in_quotes = remaining.starts_with('"');
+        if (in_quotes) remaining.remove_prefix(1);
+        const std::size_t end = std::min(remaining.find_first_of(in_quotes ? "\"" : " \t"), remaining.size());
+        result.emplace_back(remaining.substr(0, end));
+        remaining.remove_prefix(std::min(remaining.size(), end + 1));
     }
     if (result.size() != count)
         report(field, text(result.size(), " units for ", count, " axes; give one in quotes for each"));
@@ -293,10 +293,10 @@ std::vector<std::string> NrrdFields::quoted(std::string_view field, std::size_t 
 
 std::vector<std::optional<vec3>> NrrdFields::vectors(std::string_view field, std::size_t count) {
     std::vector<std::optional<vec3>> result;
-    std::string_view rest = text_of(field);
-    while (!(rest = trimmed(rest)).empty() && result.size() <= count) {
+    std::string_view remaining = text_of(field);
+    while (!(remaining = trimmed(remaining)).empty() && result.size() <= count) {
         result.emplace_back();
-        if (!take_vector(rest, result.back())) {
+        if (!take_vector(remaining, result.back())) {
             report(field, text("'", printable(text_of(field), shown),
                                "' does not consist of vectors of three numbers, such as (1,0,0)"));
             break;

@@ -218,7 +218,7 @@ double whole_number(double value, SampleType type) {
 Expected<void> append_numbers(const NrrdHeader& header, const FileOfSamples& file, Bytes& out,
                               std::vector<std::string>& notes) {
     const auto skipped = std::min(file.bytes.size(), static_cast<std::size_t>(header.skipped_bytes));
-    std::string_view rest = characters_of(file.bytes.subspan(skipped));
+    std::string_view remaining = characters_of(file.bytes.subspan(skipped));
     const auto fault = [&](Error other) {
         const auto encoding = other_encoding(header, file);
         return encoding.empty() ? std::move(other) : fail_field(header, "encoding", encoding);
@@ -226,8 +226,8 @@ Expected<void> append_numbers(const NrrdHeader& header, const FileOfSamples& fil
     constexpr std::string_view between = " \t\r\n,";
     std::size_t changed = 0;
     for (std::size_t n = 0; n < file.samples; ++n) {
-        rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of(between)));
-        const auto word = rest.substr(0, rest.find_first_of(between));
+        remaining.remove_prefix(std::min(remaining.size(), remaining.find_first_not_of(between)));
+        const auto word = remaining.substr(0, remaining.find_first_of(between));
         if (word.empty()) return fault(too_few(header, file, "numbers", file.samples, n));
         double value = number_of(word);
         if (std::isnan(value) && in_lower_case(word).find("nan") == std::string::npos)
@@ -244,10 +244,10 @@ Expected<void> append_numbers(const NrrdHeader& header, const FileOfSamples& fil
         }
         const auto bytes = std::as_bytes(std::span(&value, 1));
         out.insert(out.end(), bytes.begin(), bytes.end());
-        rest.remove_prefix(word.size());
+        remaining.remove_prefix(word.size());
     }
-    const auto more = rest.find_first_not_of(between);
-    if (more != std::string_view::npos && rest.find(',') != std::string_view::npos)
+    const auto more = remaining.find_first_not_of(between);
+    if (more != std::string_view::npos && remaining.find(',') != std::string_view::npos)
         return fail_field(header, "sizes",
                           text("there are more than the ", file.samples,
                                " numbers that the header promises; numbers have points, not commas"));

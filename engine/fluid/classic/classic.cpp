@@ -107,9 +107,9 @@ void write_divergence(const Fluid& fluid, Samples& result) {
     const int n = fluid.lattice.cells[0];
     const auto scale = static_cast<float>(-0.5 * fluid.lattice.h);
     each_row(fluid.lattice, [&, sy = sy, sz = sz](std::ptrdiff_t first) {
-        const float* const u = fluid.now.velocity[0].data() + first;
-        const float* const v = fluid.now.velocity[1].data() + first;
-        const float* const w = fluid.now.velocity[2].data() + first;
+        const float* const u = fluid.state.velocity[0].data() + first;
+        const float* const v = fluid.state.velocity[1].data() + first;
+        const float* const w = fluid.state.velocity[2].data() + first;
         float* const to = result.data() + first;
         for (int i = 0; i < n; ++i)
             to[i] = scale * (u[i + 1] - u[i - 1] + v[i + sy] - v[i - sy] + w[i + sz] - w[i - sz]);
@@ -123,7 +123,7 @@ void subtract_gradient(Fluid& fluid, const Samples& pressure) {
         const auto next = fluid.lattice.stride[axis];
         each_row(fluid.lattice, [&](std::ptrdiff_t first) {
             const float* const p = pressure.data() + first;
-            float* const u = fluid.now.velocity[axis].data() + first;
+            float* const u = fluid.state.velocity[axis].data() + first;
             for (int i = 0; i < n; ++i) u[i] -= scale * (p[i + next] - p[i - next]);
         });
     }
@@ -134,9 +134,10 @@ void subtract_gradient(Fluid& fluid, const Samples& pressure) {
 /// see the shortest waves.
 void project(Fluid& fluid, ClassicScratch& scratch) {
     write_divergence(fluid, scratch.source);
-    std::ranges::fill(fluid.now.pressure, 0.0F);
-    relax(fluid.lattice, border_of_scalar(), fluid.settings.sweeps, 0, 1, scratch.source, fluid.now.pressure);
-    subtract_gradient(fluid, fluid.now.pressure);
+    std::ranges::fill(fluid.state.pressure, 0.0F);
+    relax(fluid.lattice, border_of_scalar(), fluid.settings.sweeps, 0, 1, scratch.source,
+          fluid.state.pressure);
+    subtract_gradient(fluid, fluid.state.pressure);
     classic_fill(fluid);
 }
 
@@ -216,8 +217,8 @@ void trace_back(const Tracer& tracer, F&& f) {
 }
 
 void carry_velocity(Fluid& fluid, ClassicScratch& scratch, double dt) {
-    std::swap(fluid.now.velocity, scratch.before);
-    auto& to = fluid.now.velocity;
+    std::swap(fluid.state.velocity, scratch.before);
+    auto& to = fluid.state.velocity;
     trace_back(tracer_of(fluid, scratch.before, dt), [&](std::size_t cell, const TracedPlace& from) {
         for (std::size_t axis = 0; axis < 3; ++axis)
             to[axis][cell] = sample(fluid.lattice, from, scratch.before[axis]);
@@ -228,7 +229,7 @@ void carry_velocity(Fluid& fluid, ClassicScratch& scratch, double dt) {
 void carry_substance(Fluid& fluid, Samples& substance, ClassicScratch& scratch, double dt) {
     Samples& before = scratch.before[0];
     std::swap(substance, before);
-    trace_back(tracer_of(fluid, fluid.now.velocity, dt), [&](std::size_t cell, const TracedPlace& from) {
+    trace_back(tracer_of(fluid, fluid.state.velocity, dt), [&](std::size_t cell, const TracedPlace& from) {
         substance[cell] = sample(fluid.lattice, from, before);
     });
     fill_border(fluid.lattice, border_of_scalar(), substance);
@@ -243,35 +244,36 @@ double viscosity_of(const Fluid& fluid) {
     for (std::size_t s = 0; s < fluid.settings.substances.size(); ++s) {
         const double added = fluid.settings.substances[s].viscosity;
         if (added > 0)
-            result += added * total(fluid.lattice, fluid.now.substances[s]) / cells_of(fluid.lattice);
+            result += added * total(fluid.lattice, fluid.state.substances[s]) / cells_of(fluid.lattice);
     }
     return result;
 }
 
-void add_pushes(State& now) {
-    if (!now.pushed) return;
+void add_pushes(State& state) {
+    if (!state.pushed) return;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        for (std::size_t i = 0; i < now.push[axis].size(); ++i) now.velocity[axis][i] += now.push[axis][i];
-        std::ranges::fill(now.push[axis], 0.0F);
+        for (std::size_t i = 0; i < state.push[axis].size(); ++i)
+            state.velocity[axis][i] += state.push[axis][i];
+        std::ranges::fill(state.push[axis], 0.0F);
     }
-    now.pushed = false;
+    state.pushed = false;
 }
 
 void add_buoyancy(Fluid& fluid, double dt) {
     for (std::size_t s = 0; s < fluid.settings.substances.size(); ++s) {
         const vec3 change = fluid.settings.gravity * (fluid.settings.substances[s].weight * dt);
-        const Samples& density = fluid.now.substances[s];
+        const Samples& density = fluid.state.substances[s];
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const auto along_axis = static_cast<float>(change[static_cast<int>(axis)]);
             if (along_axis == 0) continue;
-            Samples& velocity = fluid.now.velocity[axis];
+            Samples& velocity = fluid.state.velocity[axis];
             for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] += along_axis * density[i];
         }
     }
 }
 
 void add_forces(Fluid& fluid, double dt) {
-    add_pushes(fluid.now);
+    add_pushes(fluid.state);
     add_buoyancy(fluid, dt);
     classic_fill(fluid);
 }
@@ -280,12 +282,12 @@ void diffuse_velocity(Fluid& fluid, ClassicScratch& scratch, double dt) {
     const double viscosity = viscosity_of(fluid);
     for (std::size_t axis = 0; axis < 3; ++axis)
         diffuse(fluid, border_of_velocity(fluid.settings, axis), viscosity, dt, scratch,
-                fluid.now.velocity[axis]);
+                fluid.state.velocity[axis]);
 }
 
 StepReport report_of(const Fluid& fluid, Samples& divergence) {
     StepReport result{.substeps = 1, .pressure_iterations = 2 * fluid.settings.sweeps};
-    for (const Samples& component : fluid.now.velocity)
+    for (const Samples& component : fluid.state.velocity)
         result.speed = std::max(result.speed, largest(fluid.lattice, component));
     write_divergence(fluid, divergence);
     // write_divergence gives the divergence times -h^2; the report has it times h and divided by the speed.
@@ -305,13 +307,13 @@ void prepare(const Lattice& lattice, ClassicScratch& scratch) {
 
 void classic_fill(Fluid& fluid) {
     for (std::size_t axis = 0; axis < 3; ++axis)
-        fill_border(fluid.lattice, border_of_velocity(fluid.settings, axis), fluid.now.velocity[axis]);
+        fill_border(fluid.lattice, border_of_velocity(fluid.settings, axis), fluid.state.velocity[axis]);
 }
 
 void classic_carry_substances(Fluid& fluid, ClassicScratch& scratch, double dt) {
     prepare(fluid.lattice, scratch);
     for (std::size_t s = 0; s < fluid.settings.substances.size(); ++s) {
-        Samples& substance = fluid.now.substances[s];
+        Samples& substance = fluid.state.substances[s];
         fill_border(fluid.lattice, border_of_scalar(), substance);
         diffuse(fluid, border_of_scalar(), fluid.settings.substances[s].diffusion, dt, scratch, substance);
         carry_substance(fluid, substance, scratch, dt);

@@ -146,32 +146,32 @@ double StaggeredSolver::substeps_wanted(const Settings& settings, const Velocity
 }
 
 /// Sums all forces. `share` converts the queued velocity changes to an acceleration (1/s).
-void StaggeredSolver::gather_forces(const Settings& settings, const State& now, double share) {
-    has_force_ = now.pushed || solids_ != nullptr;
+void StaggeredSolver::gather_forces(const Settings& settings, const State& state, double share) {
+    has_force_ = state.pushed || solids_ != nullptr;
     const auto factor = static_cast<float>(share);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         clear(rows_, force_[axis]);
-        if (!now.pushed) continue;
-        const float* push = now.push[axis].data();
+        if (!state.pushed) continue;
+        const float* push = state.push[axis].data();
         each_row(pushed_rows_[axis], [&](Row row) {
             for (std::ptrdiff_t i = row.at; i < row.at + row.count; ++i)
                 force_[axis][static_cast<std::size_t>(i)] = factor * push[i];
         });
     }
-    add_buoyancy(settings, now);
-    if (solids_) subtract_gradient(rows_, 2, now.pressure, force_);
+    add_buoyancy(settings, state);
+    if (solids_) subtract_gradient(rows_, 2, state.pressure, force_);
 }
 
 /// Sets mixed_property_ to base plus, for each substance, density times its property `part`.
 /// Fills the rows and their ghosts.
-void StaggeredSolver::mix_property(const Settings& settings, const State& now, double base,
+void StaggeredSolver::mix_property(const Settings& settings, const State& state, double base,
                                    double Substance::*part) {
     each_row(rows_, [&](Row row) {
         float* to = mixed_property_.data() + row.at;
         std::fill_n(to, row.count, static_cast<float>(base));
-        for (std::size_t s = 0; s < now.substances.size(); ++s) {
+        for (std::size_t s = 0; s < state.substances.size(); ++s) {
             const auto factor = static_cast<float>(settings.substances[s].*part);
-            const float* density = now.substances[s].data() + row.at;
+            const float* density = state.substances[s].data() + row.at;
             THAUM_INDEPENDENT_ITERATIONS
             for (std::ptrdiff_t i = 0; i < row.count; ++i) to[i] += factor * density[i];
         }
@@ -181,18 +181,18 @@ void StaggeredSolver::mix_property(const Settings& settings, const State& now, d
 
 /// Adds the weight of the substances to the forces. The mean of every level is left out, because
 /// pressure balances it. Layered fluid therefore stays at rest exactly.
-void StaggeredSolver::add_buoyancy(const Settings& settings, const State& now) {
+void StaggeredSolver::add_buoyancy(const Settings& settings, const State& state) {
     if (!has_weight(settings)) return;
-    mix_property(settings, now, 0, &Substance::weight);
+    mix_property(settings, state, 0, &Substance::weight);
     has_force_ = true;
     add_gravity(settings);
 }
 
 /// Replaces the buoyancy at the start of a sub-step by the buoyancy half a sub-step later. gather_forces left
 /// the initial weight in mixed_property_.
-void StaggeredSolver::predict_buoyancy(const Settings& settings, const State& now, double dt) {
+void StaggeredSolver::predict_buoyancy(const Settings& settings, const State& state, double dt) {
     if (!has_weight(settings)) return;
-    predict_weight(rows_, now.velocity, solids_ ? &solids_->open() : nullptr, 0.5 * dt, mixed_property_,
+    predict_weight(rows_, state.velocity, solids_ ? &solids_->open() : nullptr, 0.5 * dt, mixed_property_,
                    potential_);
     each_row(rows_, [&](Row row) {
         for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8)
@@ -240,29 +240,31 @@ const StaggeredSolver::Velocity& StaggeredSolver::carrying_velocity(const Settin
     return second_stage_;
 }
 
-/// Ends a sub-step: makes sum_ the new velocity, after a projection if there are solids.
-void StaggeredSolver::end_step(const Settings& settings, State& now, double dt, StepReport& report) {
+/// Makes sum_ the new velocity.
+void StaggeredSolver::end_step(const Settings& settings, State& state, double dt, StepReport& report) {
     if (solids_) {
-        const auto found = solids_->project(sum_, now.projected, max_divergence_with_solids, max_iterations);
+        const auto found =
+            solids_->project(sum_, state.projected, max_divergence_with_solids, max_iterations);
         report.pressure_iterations += found.iterations;
         report.divergence = found.divergence;
         const auto per_dt = static_cast<float>(1 / dt);
-        for (std::size_t i = 0; i < now.pressure.size(); ++i) now.pressure[i] += per_dt * now.projected[i];
+        for (std::size_t i = 0; i < state.pressure.size(); ++i)
+            state.pressure[i] += per_dt * state.projected[i];
         fill_sides(settings, sum_);
     } else {
         end_stage(settings, sum_);
         ++report.pressure_iterations;
     }
-    std::swap(now.velocity, sum_);
+    std::swap(state.velocity, sum_);
 }
 
 /// Finds the rows of fluid in which a push is not 0.
-void StaggeredSolver::find_pushed_rows(const State& now) {
+void StaggeredSolver::find_pushed_rows(const State& state) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const float* push = now.push[axis].data();
+        const float* push = state.push[axis].data();
         for (std::size_t r = 0; r < rows_.rows.size(); ++r) {
             const Row row = rows_.rows[r];
-            const bool pushed = now.pushed && row.count > 0 && any_in(row, push);
+            const bool pushed = state.pushed && row.count > 0 && any_in(row, push);
             pushed_rows_[axis].rows[r] = {row.at, pushed ? row.count : 0};
         }
     }
@@ -270,19 +272,20 @@ void StaggeredSolver::find_pushed_rows(const State& now) {
 
 /// Clears the pushes after a step. They lie only in the rows found by find_pushed_rows, because `push` adds
 /// none to a solid.
-void StaggeredSolver::clear_pushes(State& now) const {
-    if (!now.pushed) return;
-    for (std::size_t axis = 0; axis < 3; ++axis) clear(pushed_rows_[axis], now.push[axis]);
-    now.pushed = false;
+void StaggeredSolver::clear_pushes(State& state) const {
+    if (!state.pushed) return;
+    for (std::size_t axis = 0; axis < 3; ++axis) clear(pushed_rows_[axis], state.push[axis]);
+    state.pushed = false;
 }
 
 /// Work of the pushes over a whole step at the given velocity (m^2/s^2, summed over cells).
-double StaggeredSolver::work_of_pushes(const State& now, const Velocity& velocity) const {
-    if (!now.pushed) return 0;
+double StaggeredSolver::work_of_pushes(const State& state, const Velocity& velocity) const {
+    if (!state.pushed) return 0;
     double work = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
-        work += continuation_ ? dot(pushed_rows_[axis], now.push[axis], velocity[axis], solids_->open()[axis])
-                              : dot(pushed_rows_[axis], now.push[axis], velocity[axis]);
+        work += continuation_
+                    ? dot(pushed_rows_[axis], state.push[axis], velocity[axis], solids_->open()[axis])
+                    : dot(pushed_rows_[axis], state.push[axis], velocity[axis]);
     return work;
 }
 
@@ -293,15 +296,15 @@ double StaggeredSolver::work_of_pushes(const State& now, const Velocity& velocit
 ///
 /// `share` is this sub-step's share of the pushes. `sunk` is the released potential energy (m^2/s^2,
 /// summed over cells).
-void StaggeredSolver::limit_energy(const Settings& settings, State& now, double share, double sunk,
+void StaggeredSolver::limit_energy(const Settings& settings, State& state, double share, double sunk,
                                    StepReport& report) {
     current_norms_.reset();
     if (settings.lid != 0 || (!solids_ && !has_weight(settings))) return;
-    const VelocityNorms found = velocity_norms(rows_, now.velocity, energy_shares());
+    const VelocityNorms found = velocity_norms(rows_, state.velocity, energy_shares());
     const double is = found.half_square;
     const double most =
-        std::max(0.0, start_norms_.half_square + sunk + 0.5 * share * work_of_pushes(now, sum_));
-    const double by_pushes = 0.5 * share * work_of_pushes(now, now.velocity);
+        std::max(0.0, start_norms_.half_square + sunk + 0.5 * share * work_of_pushes(state, sum_));
+    const double by_pushes = 0.5 * share * work_of_pushes(state, state.velocity);
     if (is <= most + by_pushes) {
         current_norms_ = found;
         return;
@@ -311,7 +314,7 @@ void StaggeredSolver::limit_energy(const Settings& settings, State& now, double 
     // shall have just the available energy: f^2 * is == most + f * by_pushes.
     const double root = std::sqrt(std::max(0.0, by_pushes * by_pushes + 4 * is * most));
     const double factor = std::clamp((by_pushes + root) / (2 * is), 0.0, 1.0);
-    for (Samples& u : now.velocity)
+    for (Samples& u : state.velocity)
         for (float& value : u) value *= static_cast<float>(factor);
     report.divergence *= factor;
     report.rescaled += (1 - factor * factor) * is * lattice_.h * lattice_.h * lattice_.h;
@@ -322,12 +325,12 @@ void StaggeredSolver::run_stage(const RungeKuttaStage& stage, double viscosity) 
     if (continuation_) continuation_->correct(stage);
 }
 
-void StaggeredSolver::substep(const Settings& settings, State& now, double dt, double whole,
+void StaggeredSolver::substep(const Settings& settings, State& state, double dt, double whole,
                               StepReport& report) {
-    predict_buoyancy(settings, now, dt);
+    predict_buoyancy(settings, state, dt);
     const double nu = viscosity_in_stages_ ? settings.viscosity : 0;
     const auto* force = has_force_ ? &force_ : nullptr;
-    const auto& start = now.velocity;
+    const auto& start = state.velocity;
     const auto part = [dt](double share) { return static_cast<float>(share * dt); };
     run_stage({carrying_velocity(settings, start), start, force, &stage_, sum_, part(place_1), part(weight_1),
                true},
@@ -338,22 +341,22 @@ void StaggeredSolver::substep(const Settings& settings, State& now, double dt, d
     run_stage({second_stage_, start, force, &stage_, sum_, part(1), part(weight_3), false}, nu);
     end_stage(settings, stage_);
     run_stage({stage_, start, force, nullptr, sum_, 0, part(weight_4), false}, nu);
-    if (!viscosity_in_stages_) diffuse_velocity(settings, now, dt);
-    end_step(settings, now, dt, report);
-    const double sunk = transport_after_substep(settings, now, dt);
-    limit_energy(settings, now, dt / whole, sunk, report);
+    if (!viscosity_in_stages_) diffuse_velocity(settings, state, dt);
+    end_step(settings, state, dt, report);
+    const double sunk = transport_after_substep(settings, state, dt);
+    limit_energy(settings, state, dt / whole, sunk, report);
     ++report.substeps;
 }
 
 /// Applies implicit viscosity to sum_.
-void StaggeredSolver::diffuse_velocity(const Settings& settings, const State& now, double dt) {
+void StaggeredSolver::diffuse_velocity(const Settings& settings, const State& state, double dt) {
     if (settings.viscosity <= 0 && !viscosity_varies(settings)) return;
     const bool lid_alone = lattice_.edges[0] != Edge::no_slip && lattice_.edges[2] != Edge::no_slip;
     if (!solids_ && !viscosity_varies(settings) && (settings.lid == 0 || lid_alone)) {
         diffusion_.diffuse(settings.viscosity * dt / (lattice_.h * lattice_.h), settings.lid, sum_);
         return;
     }
-    mix_property(settings, now, settings.viscosity, &Substance::viscosity);
+    mix_property(settings, state, settings.viscosity, &Substance::viscosity);
     const double thickest = rigid * lattice_.h * lattice_.h / dt;
     const bool varies = viscosity_varies(settings);
     if (!varies)
@@ -374,15 +377,15 @@ void StaggeredSolver::diffuse_velocity(const Settings& settings, const State& no
 /// Transports the substances. Returns the potential energy that they released by sinking, without the
 /// energy that diffusion added (m^2/s^2, summed over cells).
 double StaggeredSolver::transport_substances(const Velocity& before, const Velocity& after,
-                                             const Settings& settings, State& now, double dt,
+                                             const Settings& settings, State& state, double dt,
                                              int max_substeps) {
-    if (now.substances.empty()) return 0;
+    if (state.substances.empty()) return 0;
     const auto* open = solids_ ? &solids_->open() : nullptr;
     set_face_flow(lattice_, before, after, solids_ ? &face_apertures_ : nullptr, dt, face_flow_, order_);
     double sunk = 0;
-    for (std::size_t s = 0; s < now.substances.size(); ++s) {
+    for (std::size_t s = 0; s < state.substances.size(); ++s) {
         const Substance& substance = settings.substances[s];
-        Samples& density = now.substances[s];
+        Samples& density = state.substances[s];
         const vec3 pull = substance.weight * settings.gravity;
         const double lifted = substance.diffusion > 0 ? lifted_by_diffusion(rows_, open, pull, density) : 0;
         const TransportReport did =
@@ -394,23 +397,23 @@ double StaggeredSolver::transport_substances(const Velocity& before, const Veloc
     return sunk;
 }
 
-void StaggeredSolver::carry_substances(const Settings& settings, State& now, double dt) {
-    transport_substances(now.velocity, now.velocity, settings, now, dt);
+void StaggeredSolver::carry_substances(const Settings& settings, State& state, double dt) {
+    transport_substances(state.velocity, state.velocity, settings, state, dt);
 }
 
 /// Transports the substances by the velocities before a sub-step (in sum_) and after it. Returns the
 /// result of transport_substances.
-double StaggeredSolver::transport_after_substep(const Settings& settings, State& now, double dt,
+double StaggeredSolver::transport_after_substep(const Settings& settings, State& state, double dt,
                                                 int max_substeps) {
-    return transport_substances(sum_, now.velocity, settings, now, dt, max_substeps);
+    return transport_substances(sum_, state.velocity, settings, state, dt, max_substeps);
 }
 
 /// A semi-Lagrangian step of any length: each sample takes the value from the place where its fluid was
 /// before. Energy that the interpolation adds is removed.
-void StaggeredSolver::semi_lagrangian(const Settings& settings, State& now, double dt, double whole,
+void StaggeredSolver::semi_lagrangian(const Settings& settings, State& state, double dt, double whole,
                                       StepReport& report) {
     const double before = start_norms_.half_square;
-    for (std::size_t axis = 0; axis < 3; ++axis) carry_back(lattice_, now.velocity, axis, dt, sum_[axis]);
+    for (std::size_t axis = 0; axis < 3; ++axis) carry_back(lattice_, state.velocity, axis, dt, sum_[axis]);
     if (solids_) solids_->clear_closed_faces(sum_);
     const double after = velocity_norms(rows_, sum_, energy_shares()).half_square;
     const auto factor = static_cast<float>(after > before ? std::sqrt(before / after) : 1);
@@ -424,93 +427,94 @@ void StaggeredSolver::semi_lagrangian(const Settings& settings, State& now, doub
         });
     }
     if (solids_) solids_->clear_closed_faces(sum_);
-    diffuse_velocity(settings, now, dt);
-    end_step(settings, now, dt, report);
-    const double sunk = transport_after_substep(settings, now, dt, transports_of_fall_back);
-    limit_energy(settings, now, dt / whole, sunk, report);
+    diffuse_velocity(settings, state, dt);
+    end_step(settings, state, dt, report);
+    const double sunk = transport_after_substep(settings, state, dt, transports_of_fall_back);
+    limit_energy(settings, state, dt / whole, sunk, report);
     report.fell_back = true;
 }
 
 /// Stops a flow slower than rest_speed if no force drives it. The fluid falls asleep unless a substance still
 /// diffuses.
-void StaggeredSolver::come_to_rest(const Settings& settings, State& now, double dt, double speed) const {
+void StaggeredSolver::come_to_rest(const Settings& settings, State& state, double dt, double speed) const {
     if (settings.lid != 0) return;
     bool spreads = false;
-    for (std::size_t s = 0; s < now.substances.size(); ++s)
-        spreads = spreads || (settings.substances[s].diffusion > 0 && largest(rows_, now.substances[s]) > 0);
+    for (std::size_t s = 0; s < state.substances.size(); ++s)
+        spreads =
+            spreads || (settings.substances[s].diffusion > 0 && largest(rows_, state.substances[s]) > 0);
     if (has_force_ && dt * sum_of_largest(rows_, force_) >= rest_speed) {
         // A force counts only if it makes the flow faster; strong viscosity may cancel its effect. sum_ holds
         // the velocity before the last sub-step.
         const double before = largest(rows_, sum_);
         if (spreads || before >= rest_speed || speed > before) return;
     }
-    for (Samples& u : now.velocity) std::fill(u.begin(), u.end(), 0.0F);
+    for (Samples& u : state.velocity) std::fill(u.begin(), u.end(), 0.0F);
     if (spreads) return;
-    for (Samples* pressure : {&now.pressure, &now.projected})
+    for (Samples* pressure : {&state.pressure, &state.projected})
         std::fill(pressure->begin(), pressure->end(), 0.0F);
-    now.asleep = true;
+    state.asleep = true;
 }
 
 /// Reduces the divergence that remains in a box without solids (1/s).
-void StaggeredSolver::clear_divergence(const Settings& settings, State& now, StepReport& report) {
+void StaggeredSolver::clear_divergence(const Settings& settings, State& state, StepReport& report) {
     const double most = max_divergence_without_solids * report.speed / lattice_.h;
     for (int more = 0;; ++more) {
-        divergence(lattice_, order_, now.velocity, packed_);
+        divergence(lattice_, order_, state.velocity, packed_);
         report.divergence = 0;
         for (const float d : packed_)
             report.divergence = std::max(report.divergence, static_cast<double>(std::abs(d)));
         if (report.divergence <= most || more == solves_more) return;
-        end_stage(settings, now.velocity);
+        end_stage(settings, state.velocity);
         ++report.pressure_iterations;
     }
 }
 
 /// Gathers the forces and returns how many sub-steps the remaining time needs, at least 1.
-double StaggeredSolver::plan_substeps(const Settings& settings, State& now, double left, double whole,
+double StaggeredSolver::plan_substeps(const Settings& settings, State& state, double left, double whole,
                                       int allowed) {
-    start_norms_ = current_norms_ ? *current_norms_ : velocity_norms(rows_, now.velocity, energy_shares());
-    gather_forces(settings, now, 1 / whole);
-    const double wanted = std::max(1.0, substeps_wanted(settings, now.velocity, left));
+    start_norms_ = current_norms_ ? *current_norms_ : velocity_norms(rows_, state.velocity, energy_shares());
+    gather_forces(settings, state, 1 / whole);
+    const double wanted = std::max(1.0, substeps_wanted(settings, state.velocity, left));
     if (!solids_ || wanted <= allowed) return wanted;
     // After a collision within a shorter step, the stored pressure would push much too hard over a longer
     // step, so it is dropped. The step is then of first order, and stable.
-    std::fill(now.pressure.begin(), now.pressure.end(), 0.0F);
-    gather_forces(settings, now, 1 / whole);
-    return std::max(1.0, substeps_wanted(settings, now.velocity, left));
+    std::fill(state.pressure.begin(), state.pressure.end(), 0.0F);
+    gather_forces(settings, state, 1 / whole);
+    return std::max(1.0, substeps_wanted(settings, state.velocity, left));
 }
 
-StepReport StaggeredSolver::step(const Settings& settings, State& now, double dt) {
+StepReport StaggeredSolver::step(const Settings& settings, State& state, double dt) {
     StepReport report;
     double left = dt;
     current_norms_.reset();
-    find_pushed_rows(now);
+    find_pushed_rows(state);
     while (left > 0) {
         const int allowed = max_substeps - report.substeps;
-        const double wanted = plan_substeps(settings, now, left, dt, allowed);
+        const double wanted = plan_substeps(settings, state, left, dt, allowed);
         if (wanted > allowed) {
             // The semi-Lagrangian step covers all remaining time at once, because doing some sub-steps first
             // gains little. Relative error after twenty steps that follow a push, compared with fine steps:
             // where four sub-steps would be needed, 0.021 (0.015 with those four); where five would be
             // needed, 0.053 (0.059 with four sub-steps first); where ten would be needed, no difference.
             viscosity_in_stages_ = false;
-            semi_lagrangian(settings, now, left, dt, report);
+            semi_lagrangian(settings, state, left, dt, report);
             break;
         }
         const double sub = left / wanted;
         viscosity_in_stages_ = !solids_ && !viscosity_varies(settings) &&
                                settings.viscosity * sub <= max_explicit * lattice_.h * lattice_.h;
-        substep(settings, now, sub, dt, report);
+        substep(settings, state, sub, dt, report);
         left = wanted > 1 ? left - sub : 0;
     }
-    clear_pushes(now);
+    clear_pushes(state);
     report.cells = static_cast<std::int64_t>(packed_.size()) * (report.substeps + (report.fell_back ? 1 : 0));
     const VelocityNorms is =
-        current_norms_ ? *current_norms_ : velocity_norms(rows_, now.velocity, energy_shares());
+        current_norms_ ? *current_norms_ : velocity_norms(rows_, state.velocity, energy_shares());
     report.energy = is.half_square * lattice_.h * lattice_.h * lattice_.h;
     report.speed = is.largest;
-    if (!solids_) clear_divergence(settings, now, report);
+    if (!solids_) clear_divergence(settings, state, report);
     if (report.speed > 0) report.divergence *= lattice_.h / report.speed;
-    if (report.speed < rest_speed) come_to_rest(settings, now, dt, report.speed);
+    if (report.speed < rest_speed) come_to_rest(settings, state, dt, report.speed);
     return report;
 }
 

@@ -27,9 +27,9 @@ class StaggeredSolver {
 public:
     StaggeredSolver(const Settings& settings, const Lattice& lattice);
 
-    StepReport step(const Settings& settings, State& now, double dt);
+    StepReport step(const Settings& settings, State& state, double dt);
     /// Advances only the substances by dt (s), carried by the current velocity.
-    void carry_substances(const Settings& settings, State& now, double dt);
+    void carry_substances(const Settings& settings, State& state, double dt);
     /// Null if there are no solids inside the box.
     const Solids* solids() const { return solids_.get(); }
     /// Weights of the faces in the energy: their open shares (parts that no solid covers) if the fluid slips
@@ -45,29 +45,29 @@ private:
     bool viscosity_varies(const Settings& settings) const;
     static bool has_weight(const Settings& settings);
     double substeps_wanted(const Settings& settings, const Velocity& velocity, double dt) const;
-    double plan_substeps(const Settings& settings, State& now, double left, double whole, int allowed);
-    void come_to_rest(const Settings& settings, State& now, double dt, double speed) const;
-    void gather_forces(const Settings& settings, const State& now, double share);
-    void mix_property(const Settings& settings, const State& now, double base, double Substance::*part);
-    void add_buoyancy(const Settings& settings, const State& now);
-    void predict_buoyancy(const Settings& settings, const State& now, double dt);
+    double plan_substeps(const Settings& settings, State& state, double left, double whole, int allowed);
+    void come_to_rest(const Settings& settings, State& state, double dt, double speed) const;
+    void gather_forces(const Settings& settings, const State& state, double share);
+    void mix_property(const Settings& settings, const State& state, double base, double Substance::*part);
+    void add_buoyancy(const Settings& settings, const State& state);
+    void predict_buoyancy(const Settings& settings, const State& state, double dt);
     void add_gravity(const Settings& settings);
-    void substep(const Settings& settings, State& now, double dt, double whole, StepReport& report);
+    void substep(const Settings& settings, State& state, double dt, double whole, StepReport& report);
     void end_stage(const Settings& settings, Velocity& velocity);
     void run_stage(const RungeKuttaStage& stage, double viscosity);
     const Velocity& carrying_velocity(const Settings& settings, const Velocity& velocity);
-    void clear_divergence(const Settings& settings, State& now, StepReport& report);
-    void end_step(const Settings& settings, State& now, double dt, StepReport& report);
-    void find_pushed_rows(const State& now);
-    void clear_pushes(State& now) const;
-    double work_of_pushes(const State& now, const Velocity& velocity) const;
-    void limit_energy(const Settings& settings, State& now, double share, double sunk, StepReport& report);
-    void diffuse_velocity(const Settings& settings, const State& now, double dt);
-    double transport_after_substep(const Settings& settings, State& now, double dt,
+    void clear_divergence(const Settings& settings, State& state, StepReport& report);
+    void end_step(const Settings& settings, State& state, double dt, StepReport& report);
+    void find_pushed_rows(const State& state);
+    void clear_pushes(State& state) const;
+    double work_of_pushes(const State& state, const Velocity& velocity) const;
+    void limit_energy(const Settings& settings, State& state, double share, double sunk, StepReport& report);
+    void diffuse_velocity(const Settings& settings, const State& state, double dt);
+    double transport_after_substep(const Settings& settings, State& state, double dt,
                                    int max_substeps = TransportSettings{}.max_substeps);
     double transport_substances(const Velocity& before, const Velocity& after, const Settings& settings,
-                                State& now, double dt, int max_substeps = TransportSettings{}.max_substeps);
-    void semi_lagrangian(const Settings& settings, State& now, double dt, double whole, StepReport& report);
+                                State& state, double dt, int max_substeps = TransportSettings{}.max_substeps);
+    void semi_lagrangian(const Settings& settings, State& state, double dt, double whole, StepReport& report);
 
     Lattice lattice_;
     int order_;

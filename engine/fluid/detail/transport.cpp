@@ -214,12 +214,12 @@ inline float limited_difference(Floats difference, Floats part, Floats room, std
     const std::ptrdiff_t sy = difference.step[1], sz = difference.step[2];
     THAUM_INDEPENDENT_ITERATIONS
     for (std::ptrdiff_t i = 0; i < count; ++i) {
-        const float now =
+        const float current =
             value[i] -
             (((limited_difference(x, part, room, i + 1, 1) - limited_difference(x, part, room, i, 1)) +
               (limited_difference(y, part, room, i + sy, sy) - limited_difference(y, part, room, i, sy))) +
              (limited_difference(z, part, room, i + sz, sz) - limited_difference(z, part, room, i, sz)));
-        result[i] = now < min_density ? 0 : now;
+        result[i] = current < min_density ? 0 : current;
     }
 }
 

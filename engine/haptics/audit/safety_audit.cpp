@@ -49,9 +49,9 @@ double distance_from_parts(vec3 point, vec3 u, vec3 v) {
     const double height = glm::dot(v, across);
     if (u != vec3(0) && height > 1e-24 * glm::dot(v, v)) {
         const double b = glm::dot(point, across) / height;
-        const vec3 rest = point - b * v;
-        const double a = glm::dot(rest, u) / glm::dot(u, u);
-        if (a >= 0 && a <= 1 && b >= 0 && b <= 1) return length_of_vector(rest - a * u);
+        const vec3 offset = point - b * v;
+        const double a = glm::dot(offset, u) / glm::dot(u, u);
+        if (a >= 0 && a <= 1 && b >= 0 && b <= 1) return length_of_vector(offset - a * u);
     }
     return std::fmin(std::fmin(distance_from_line(point, u), distance_from_line(point, v)),
                      std::fmin(distance_from_line(point - v, u), distance_from_line(point - u, v)));
@@ -112,11 +112,11 @@ void SafetyAudit::record(const SafetyLimits& limits, const SafetyInput& input, v
     follow_latches(limits, input);
     follow_hand(limits, input);
     follow_ramp(input);
-    const SafetyLimits now = follow_cap(limits);
-    if (!judge_stopped(input, output)) judge_following(now, input, output);
+    const SafetyLimits current = follow_cap(limits);
+    if (!judge_stopped(input, output)) judge_following(current, input, output);
     tip_ = input.tip;
     heat(output);
-    judge_always(now, output);
+    judge_always(current, output);
     last_output_ = output;
 }
 
@@ -135,8 +135,8 @@ void SafetyAudit::follow_latches(const SafetyLimits& limits, const SafetyInput& 
     const double size = is_finite(input.wanted) ? length_of_vector(input.wanted) : HUGE_VAL;
     if (size <= limits.cap) gate_open_ = true;
     const double spring = length_of_vector(input.spring),
-                 rest = length_of_vector(input.wanted - input.spring);
-    if (is_finite(input.wanted) && rest <= limits.excess && spring <= limits.spring_excess) return;
+                 excess = length_of_vector(input.wanted - input.spring);
+    if (is_finite(input.wanted) && excess <= limits.excess && spring <= limits.spring_excess) return;
     if (last_excess_ == 0 || now_ - last_excess_ > episodes_apart) {
         episodes_ = {episodes_[1], episodes_[2], now_};
         if (episodes_[0] != 0 && now_ - episodes_[0] <= episodes_within) shut_off_ = true;

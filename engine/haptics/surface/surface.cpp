@@ -41,12 +41,12 @@ SurfacePatch moved_on(SurfacePatch patch, double seconds) {
         Surface& surface = patch.surfaces[i];
         if (surface.body >= bodies || !motions[surface.body].moving) continue;
         const BodyMotion& motion = motions[surface.body];
-        surface.a = motion.now(surface.a);
+        surface.a = motion.moved(surface.a);
         if (surface.kind == SurfaceKind::plane)
             surface.b = motion.turning ? motion.turn * surface.b : surface.b;
         if (!is_triangle(surface.kind)) continue;
-        surface.b = motion.now(surface.b);
-        surface.c = motion.now(surface.c);
+        surface.b = motion.moved(surface.b);
+        surface.c = motion.moved(surface.c);
     }
     return patch;
 }

@@ -179,8 +179,8 @@ namespace {
 bool is_of_this_thread(const Slot& slot) { return slot.gate != 0 && slot.thread == &thread_mark; }
 
 bool is_silent(const Slot& slot) {
-    const auto now = slot.gate.load();
-    if (now == 0 || (now & 3U) == left_behind) return true;
+    const auto gate = slot.gate.load();
+    if (gate == 0 || (gate & 3U) == left_behind) return true;
     const ArmTicks& open = *slot.ticks;
     return open.silent || open.ended;
 }

@@ -12,9 +12,9 @@ void watch_for_stalls(ArmTicks& ticks, AtHang at_hang, const std::function<void(
     int looks = 0;
     while (!ticks.unwatched && !ticks.ended) {
         sleep_until_ns(monotonic_ns() + stall_look_ns);
-        const auto now = ticks.done.load();
-        looks = now == done ? looks + 1 : 0;
-        done = now;
+        const auto ticks_done = ticks.done.load();
+        looks = ticks_done == done ? looks + 1 : 0;
+        done = ticks_done;
         if (looks < stall_looks || !ticks.pushes) continue;
         if (at_hang == AtHang::write_zero) {
             ticks.stalled = true;  // set before the zero is sent, so that the next tick ramps its force up

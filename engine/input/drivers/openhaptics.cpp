@@ -240,8 +240,10 @@ void OpenHaptics::stop_scheduler() const {
     if (!s.running) return;
     for (auto* other : s.arms) other->paused_ = other != this;
     const auto until = monotonic_ns() + patience_ns;
-    const auto rest = [&](const OpenHaptics* other) { return other == this || other->is_without_force(); };
-    while (!std::all_of(s.arms.begin(), s.arms.end(), rest) && monotonic_ns() < until)
+    const auto has_stopped = [&](const OpenHaptics* other) {
+        return other == this || other->is_without_force();
+    };
+    while (!std::all_of(s.arms.begin(), s.arms.end(), has_stopped) && monotonic_ns() < until)
         sleep_until_ns(monotonic_ns() + look_ns);
     api_->hdStopScheduler();
     s.running = false;

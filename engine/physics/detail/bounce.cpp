@@ -10,8 +10,8 @@ namespace {
 
 /// Closing speed of two surfaces in contact; negative if they separate (m/s).
 struct ClosingSpeeds {
-    btScalar now;  ///< speed before the forces of this step; the solver applies restitution to it
-    btScalar end;  ///< speed after the forces of this step; decides whether the surfaces meet
+    btScalar start;  ///< speed before the forces of this step; the solver applies restitution to it
+    btScalar end;    ///< speed after the forces of this step; decides whether the surfaces meet
 };
 
 btVector3 velocity_at(const btRigidBody* body, const btVector3& point) {
@@ -28,8 +28,8 @@ ClosingSpeeds closing_at(const btManifoldPoint& point, const btRigidBody* a, con
     const btVector3 apart =
         velocity_at(a, point.getPositionWorldOnA()) - velocity_at(b, point.getPositionWorldOnB());
     const btVector3 gained = velocity_by_forces(a, dt) - velocity_by_forces(b, dt);
-    const btScalar now = -point.m_normalWorldOnB.dot(apart);
-    return {now, now - point.m_normalWorldOnB.dot(gained)};
+    const btScalar start = -point.m_normalWorldOnB.dot(apart);
+    return {start, start - point.m_normalWorldOnB.dot(gained)};
 }
 
 /// Speed at which two bodies separate at the end of the step in which they bounce (m/s). They bounce with
@@ -37,8 +37,8 @@ ClosingSpeeds closing_at(const btManifoldPoint& point, const btRigidBody* a, con
 /// other. While they move apart, their acceleration acts as in free flight. Penetration adds no speed,
 /// because it is removed from the positions alone; `taken_out` is the share of it that this step removes.
 btScalar rebound(const ClosingSpeeds& closing, btScalar gap, btScalar e, btScalar dt, btScalar taken_out) {
-    const btScalar gained = closing.end - closing.now, acceleration = gained / dt;
-    const btScalar at_contact = closing.now * closing.now + 2 * acceleration * gap;  // squared speed
+    const btScalar gained = closing.end - closing.start, acceleration = gained / dt;
+    const btScalar at_contact = closing.start * closing.start + 2 * acceleration * gap;  // squared
     const btScalar speed = e * std::sqrt(std::max(btScalar(0), at_contact));
     // Distance of the bodies after dt, except for the part `speed * dt` by which they then move apart.
     const btScalar start = gap > 0 ? -e * gap : (1 - taken_out) * gap;
@@ -61,12 +61,13 @@ void BouncingWorld::adjust_contact(btPersistentManifold& manifold, btScalar dt, 
         const btScalar gap = point.getDistance();
         point.m_combinedRestitution = e;
         const ClosingSpeeds closing = closing_at(point, a, b, dt);
-        if (closing.now < min_speed) continue;  // the solver lets this contact come to rest
+        if (closing.start < min_speed) continue;  // the solver lets this contact come to rest
         if (exact_flight && gap < closing.end * dt)
-            point.m_combinedRestitution = rebound(closing, gap, e, dt, getSolverInfo().m_erp2) / closing.now;
+            point.m_combinedRestitution =
+                rebound(closing, gap, e, dt, getSolverInfo().m_erp2) / closing.start;
         if (gap <= 0) continue;
         if (gap >= closing.end * dt) {
-            point.setDistance(std::max(gap, (e * closing.now + closing.end) * dt));
+            point.setDistance(std::max(gap, (e * closing.start + closing.end) * dt));
             continue;
         }
         point.setDistance(0);

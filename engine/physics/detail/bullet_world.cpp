@@ -132,11 +132,11 @@ btCollisionShape* Mesh::shape() const { return parts_->shape.get(); }
 std::optional<CastHit> Mesh::cast(const Path& path) const {
     struct NearestHit : btTriangleCallback {
         Path path;
-        std::optional<CastHit> touch;
+        std::optional<CastHit> contact;
         void processTriangle(btVector3* corner, int, int) override {
             const vec3 corners[3] = {from_bullet(corner[0]), from_bullet(corner[1]), from_bullet(corner[2])};
             const auto here = detail::cast(path, [&](vec3 p) { return nearest_to_triangle(corners, p); });
-            if (here && (!touch || here->travelled < touch->travelled)) touch = here;
+            if (here && (!contact || here->travelled < contact->travelled)) contact = here;
         }
     } nearest;
     nearest.path = path;
@@ -147,7 +147,7 @@ std::optional<CastHit> Mesh::cast(const Path& path) const {
     const btVector3 to = to_bullet(path.from + path.length * path.direction);
     const btVector3 half(reach, reach, reach);
     parts_->shape->performConvexcast(&nearest, from, to, -half, half);
-    return nearest.touch;
+    return nearest.contact;
 }
 
 void Mesh::gather(vec3 point, double radius, const Nearby& body, NearestSurfaces& into) const {

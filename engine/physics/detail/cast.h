@@ -45,20 +45,20 @@ template <class NearestTo>
 std::optional<CastHit> cast(const Path& path, const NearestTo& nearest) {
     // When a path grazes a curved side, each advance halves the gap, so 30 advances are enough.
     constexpr int max_advances = 100;
-    CastHit touch{0, -path.direction};
+    CastHit contact{0, -path.direction};
     for (int i = 0; i < max_advances; ++i) {
-        const NearestPoint here = nearest(path.from + touch.travelled * path.direction);
+        const NearestPoint here = nearest(path.from + contact.travelled * path.direction);
         // If the direction is undefined here, the previous one is kept. At a start inside the shape there is
-        // no previous one.
-        if (here.normal != vec3{} && (i > 0 || here.distance > 0)) touch.normal = here.normal;
+        // none.
+        if (here.normal != vec3{} && (i > 0 || here.distance > 0)) contact.normal = here.normal;
         const double gap = here.distance - path.radius;
-        if (gap <= touching) return touch;
+        if (gap <= touching) return contact;
         const double closing = -glm::dot(here.normal, path.direction);
         if (closing <= 0) return std::nullopt;
-        touch.travelled += gap / closing;
-        if (touch.travelled > path.length) return std::nullopt;
+        contact.travelled += gap / closing;
+        if (contact.travelled > path.length) return std::nullopt;
     }
-    return touch;
+    return contact;
 }
 
 }  // namespace thaum::physics::detail

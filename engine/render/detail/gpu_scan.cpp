@@ -106,9 +106,9 @@ void send_table(const Texture& texture, const std::array<fvec4, entries>& values
 }
 
 void send_colours(const Scan& scan, GpuScan& gpu) {
-    const auto now = hash_combine(hash_colours(scan), hash_value(scan.unit));
-    if (gpu.colours == now) return;
-    gpu.colours = now;
+    const auto current = hash_combine(hash_colours(scan), hash_value(scan.unit));
+    if (gpu.colours == current) return;
+    gpu.colours = current;
     std::array<fvec4, entries> values{};
     if (scan.table != nullptr) {
         for (std::size_t i = 0; i < entries; ++i) {

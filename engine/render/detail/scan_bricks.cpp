@@ -147,15 +147,15 @@ DensityRange density_range(const Scan& scan, const std::array<int, 3>& brick) {
 
 std::vector<ScanBox> changed_bricks(const Scan& scan, std::vector<std::uint32_t>& sent) {
     const auto count = bricks_of(scan.count);
-    const auto& now = scan.brick_versions;
-    if (now.size() != number(count) || sent.size() != now.size()) {
-        sent.assign(now.begin(), now.end());
+    const auto& current = scan.brick_versions;
+    if (current.size() != number(count) || sent.size() != current.size()) {
+        sent.assign(current.begin(), current.end());
         return {{{0, 0, 0}, count}};
     }
     std::vector<ScanBox> runs;
-    for (std::size_t i = 0; i < now.size(); ++i) {
-        if (now[i] == sent[i]) continue;
-        sent[i] = now[i];
+    for (std::size_t i = 0; i < current.size(); ++i) {
+        if (current[i] == sent[i]) continue;
+        sent[i] = current[i];
         const auto nx = static_cast<std::size_t>(count[0]), ny = static_cast<std::size_t>(count[1]);
         const std::array at{static_cast<int>(i % nx), static_cast<int>(i / nx % ny),
                             static_cast<int>(i / nx / ny)};

@@ -41,12 +41,12 @@ constexpr std::array actions{Action{"eval", &gesture_eval_help, run_gesture_eval
 int run_gesture(const std::vector<std::string>& words) {
     for (const auto& action : actions) {
         if (words.empty() || words[0] != action.name) continue;
-        const std::vector<std::string> rest(words.begin() + 1, words.end());
-        if (asks_for_help(rest)) {
+        const std::vector<std::string> remaining(words.begin() + 1, words.end());
+        if (asks_for_help(remaining)) {
             std::printf("%s", std::string(*action.help).c_str());
             return done;
         }
-        return action.run(rest);
+        return action.run(remaining);
     }
     if (asks_for_help(words)) {
         std::printf("%s", std::string(gesture_help).c_str());

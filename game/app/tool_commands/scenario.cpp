@@ -73,12 +73,12 @@ void print_result(const game::ScenarioResult& result) {
     std::printf("%-6s %-28s %8llu ticks  ", result.passed ? "passed" : "FAILED",
                 printable(result.name, longest).c_str(), static_cast<unsigned long long>(result.ticks));
     print_line(result.message);
-    for (std::string_view rest = result.output; !rest.empty();) {
-        const auto end = std::min(rest.find('\n'), rest.size());
-        std::string line(rest.substr(0, end));
+    for (std::string_view remaining = result.output; !remaining.empty();) {
+        const auto end = std::min(remaining.find('\n'), remaining.size());
+        std::string line(remaining.substr(0, end));
         std::ranges::replace(line, '\t', ' ');  // Lua's print separates its values by tabs
         std::printf("       %s\n", printable(line, longest).c_str());
-        rest.remove_prefix(std::min(end + 1, rest.size()));
+        remaining.remove_prefix(std::min(end + 1, remaining.size()));
     }
 }
 

@@ -48,7 +48,7 @@ bool acts(const input::DeviceSample& sample) {
 }
 
 /// Displacement of the hand in one tick by a deflected stick (um).
-std::int32_t by_stick(const HapticRules& rules, std::int32_t deflection) {
+std::int32_t stick_step(const HapticRules& rules, std::int32_t deflection) {
     return static_cast<std::int32_t>(std::lround(rules.clutch_per_tick * stick_curve(deflection)));
 }
 
@@ -57,7 +57,7 @@ void move_hand(const input::DeviceSample& sample, const HapticRules& rules, Cont
     const auto& counts = sample.counts;
     const auto moved = [&](std::size_t look, std::size_t turning) {
         return std::clamp(counts[look], -max_counts, max_counts) * rules.clutch_per_count +
-               by_stick(rules, counts[turning]);
+               stick_step(rules, counts[turning]);
     };
     controls.hand_right = moved(hand::look_right, hand::turn_right);
     controls.hand_up = moved(hand::look_up, hand::turn_up);
@@ -79,11 +79,11 @@ void move_tracing_hand(const input::DeviceSample& sample, const input::DeviceSpe
         const double way = pace * std::clamp(counts[look], -max_counts, max_counts);
         return static_cast<std::int32_t>(std::lround(std::clamp(way, -1e6, 1e6)));
     };
-    const auto by_stick = [&](std::size_t turning) {
+    const auto stick_place = [&](std::size_t turning) {
         const double deflection = std::clamp(counts[turning] / 127.0, -1.0, 1.0);
         return static_cast<std::int32_t>(std::lround(1e6 * stick_reach * deflection));
     };
-    const std::int32_t right = by_stick(hand::turn_right), up = by_stick(hand::turn_up);
+    const std::int32_t right = stick_place(hand::turn_right), up = stick_place(hand::turn_up);
     if (controls.stick_draws == 0) {
         controls.stick_right = right;
         controls.stick_up = up;
@@ -103,7 +103,7 @@ void move_tracing_hand(const input::DeviceSample& sample, const input::DeviceSpe
 void move_hand_at(StationKind station, const input::DeviceSample& sample, const HapticRules& rules,
                   Controls& controls) {
     move_hand(sample, rules, controls);
-    const auto walking = by_stick(rules, controls.forward);
+    const auto walking = stick_step(rules, controls.forward);
     if (station == StationKind::cauldron) {
         controls.hand_back = -controls.hand_up;
         controls.hand_up = walking;

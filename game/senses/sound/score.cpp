@@ -67,11 +67,11 @@ void add_score(SoundWriting& writing) {
     const auto goal = wanted(writing);
     const double share = seconds(audio::frame_ticks) / change_s;
     for (std::uint32_t i = 0; i < score_layers; ++i) {
-        auto& now = writing.memory.score.at(i);
-        now += share * (goal.at(i) - now);
-        if (now < unheard) continue;
+        auto& current = writing.memory.score.at(i);
+        current += share * (goal.at(i) - current);
+        if (current < unheard) continue;
         last(writing, writing.sounds.cues.at(static_cast<std::size_t>(layers.at(i))), lasting::score + i,
-             {.gain = now, .at_ear = true});
+             {.gain = current, .at_ear = true});
     }
 }
 

@@ -18,7 +18,7 @@ ThingSoundMemory& memory_of(SoundMemory& memory, ecs::Entity thing) {
 }
 
 /// A blow makes the thing slower; a push or a throw makes it faster.
-bool is_blow(vec3 before, vec3 now) { return glm::length(now) < glm::length(before); }
+bool is_blow(vec3 before, vec3 after) { return glm::length(after) < glm::length(before); }
 
 void add_thing(SoundWriting& writing, ecs::Entity e, const Motion& motion, const Look& look,
                const Body& body) {

@@ -120,9 +120,9 @@ void drop_in(MatchContext& context, Cauldron& cauldron, ecs::Entity e, std::uint
     const auto& rules = *context.data.cauldron;
     if (!substance_for(contents_to_come(cauldron), pouch.ingredient))
         return refuse_fourth(context, cauldron, player, tick);
-    const auto& touch = context.output.models.read()[player].fluid;
+    const auto& fluid = context.output.models.read()[player].fluid;
     const vec3 place = haptics::nearest_in_bowl(
-        touch.wall,
+        fluid.wall,
         {ladle.place.x - cauldron.middle.x, -rules.ladle.radius, ladle.place.z - cauldron.middle.z});
     const bool full = cauldron.next.count == cauldron.next.list.size();
     if (full) return;
@@ -137,7 +137,7 @@ void drop_in(MatchContext& context, Cauldron& cauldron, ecs::Entity e, std::uint
         cauldron.owner = player;
     }
     const auto length = static_cast<std::uint32_t>(rules.recoil_length);
-    kick(context, e, haptics::recoil_peak(touch, {0, rules.recoil, 0}, length), length);
+    kick(context, e, haptics::recoil_peak(fluid, {0, rules.recoil, 0}, length), length);
     record(context, {.tick = tick,
                      .kind = EventKind::dropped,
                      .subject = player,

@@ -27,7 +27,7 @@ double mean_of(const BrewWork& work, const fluid::Samples& samples) {
 }
 
 double mean_speed(const BrewWork& work) {
-    const auto& velocity = work.brew.fluid.now.velocity;
+    const auto& velocity = work.brew.fluid.state.velocity;
     double sum = 0;
     for (const auto cell : work.wet)
         sum += glm::length(vec3(velocity[0][cell], velocity[1][cell], velocity[2][cell]));
@@ -52,14 +52,14 @@ BrewFigures figures_of(const BrewWork& work, double base_viscosity, double base_
     std::optional<std::size_t> newest;
     for (std::size_t s = 0; s < work.brew.contents.size(); ++s) {
         if (work.brew.contents[s] == no_ingredient) continue;
-        const double mean = mean_of(work, fluid.now.substances[s]);
+        const double mean = mean_of(work, fluid.state.substances[s]);
         viscosity += fluid.settings.substances[s].viscosity * mean;
         figures.density += fluid.settings.substances[s].weight * mean;
         newest = s;
     }
     if (newest) {
         figures.mixing = fluid::mixing(fluid, *newest);
-        figures.reached = reached_share(work, fluid.now.substances[*newest]);
+        figures.reached = reached_share(work, fluid.state.substances[*newest]);
     }
     figures.viscosity = base_viscosity > 0 ? viscosity / base_viscosity : 1;
     figures.density *= base_density;
@@ -121,7 +121,7 @@ void end_step(ecs::World& world, BrewWork& work, Cauldron& cauldron, Tick tick) 
 /// Removes all ingredients. The flow of the pure brew is kept.
 void pour_away(Brew& brew) {
     brew.contents.fill(no_ingredient);
-    for (auto& samples : brew.fluid.now.substances) std::fill(samples.begin(), samples.end(), 0.0F);
+    for (auto& samples : brew.fluid.state.substances) std::fill(samples.begin(), samples.end(), 0.0F);
     std::fill(brew.fluid.settings.substances.begin(), brew.fluid.settings.substances.end(),
               fluid::Substance{});
 }
@@ -133,7 +133,7 @@ void step_fluid(MatchContext& context, BrewSolver& solver, Cauldron& cauldron, T
         does_something(cauldron.next) || cauldron.spoilt != 0 || cauldron.potion != cauldron.fluid_potion;
     if (cauldron.spoilt != 0) pour_away(work.brew);
     cauldron.spoilt = 0;
-    if (!stroked && work.brew.fluid.now.asleep) return;
+    if (!stroked && work.brew.fluid.state.asleep) return;
     cauldron.current = cauldron.next;
     cauldron.next = {};
     cauldron.fluid_potion = cauldron.potion;
@@ -202,7 +202,7 @@ void rebuild_brew(MatchContext& context, BrewSolver& solver) {
             assign(brew, *context.data.cauldron, s, cauldron.contents[s]);
     }
     read_fluid(context.world, cauldron.newest, brew.fluid);
-    brew.fluid.now.asleep = cauldron.step_running == 0;
+    brew.fluid.state.asleep = cauldron.step_running == 0;
     read_surface(context.world, cauldron, brew.surface);
     // Clears the haptic data of the brew, so that it is read again from the restored state.
     for (auto& model : context.output.models.write()) model.fluid = {};

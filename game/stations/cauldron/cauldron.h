@@ -3,7 +3,7 @@
 // can be rebuilt from the World.
 //
 //     tick:   16 k                        16 (k + 1)
-//     strokes ─┴─> fluid step as a job ─────┴─> stored state and figures; the next step begins
+//     strokes ─┴─> fluid step as a job ─────┴─> samples and figures; the next step begins
 //
 // A step uses the strokes queued before it began. Its result is read exactly 16 ticks later, whichever thread
 // computed it. A brew at rest without strokes costs nothing.

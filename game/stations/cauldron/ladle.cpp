@@ -77,16 +77,16 @@ haptics::FlowSource source_of(const MatchContext& context, const Brew& brew, std
 /// step, and when the ladle has left the middle of the sampled patch. The patch is centred ahead of the
 /// ladle, since the ladle moves on in the ticks that use it.
 void read_flow(const MatchContext& context, const Brew& brew, const Cauldron& cauldron, vec3 place,
-               vec3 velocity, Ladle& ladle, haptics::FluidTouch& touch) {
+               vec3 velocity, Ladle& ladle, haptics::FluidTouch& fluid) {
     const double spacing = brew.fluid.lattice.h;
     const bool stale = ladle.patched != cauldron.stepped || glm::distance(place, ladle.patch) > spacing;
     if (stale) {
         ladle.patch = place + limited(velocity * (fluid_dt / 2), spacing);
         ladle.patched = cauldron.stepped;
     }
-    if (!stale && touch.newer.spacing > 0) return;
-    touch.older = haptics::patch_of(source_of(context, brew, cauldron.newest ^ 1U), ladle.patch);
-    touch.newer = haptics::patch_of(source_of(context, brew, cauldron.newest), ladle.patch);
+    if (!stale && fluid.newer.spacing > 0) return;
+    fluid.older = haptics::patch_of(source_of(context, brew, cauldron.newest ^ 1U), ladle.patch);
+    fluid.newer = haptics::patch_of(source_of(context, brew, cauldron.newest), ladle.patch);
 }
 
 haptics::BowlWall wall_of(const LadleRules& rules, const Basin& basin) {
@@ -103,11 +103,11 @@ double stirred_mass(const MatchData& data, const Cauldron& cauldron) {
 
 /// Sets the parts of the fluid model that stay constant while a player stirs.
 void begin_touch(const MatchContext& context, const Basin& basin, const Cauldron& cauldron, double yaw,
-                 std::uint32_t player, haptics::FluidTouch& touch) {
+                 std::uint32_t player, haptics::FluidTouch& fluid) {
     const auto& data = *context.data.cauldron;
     const auto& rules = data.ladle;
     const HandFrame frame = ladle_frame(data, cauldron, yaw);
-    touch = {.number = 1,
+    fluid = {.number = 1,
              .modes = context.input.haptic_setup.brew[player],
              .frame = {.origin = frame.origin - cauldron.middle,
                        .turn = glm::mat3_cast(frame.turn),
@@ -144,31 +144,31 @@ HandFrame ladle_frame(const CauldronRules& rules, const Cauldron& cauldron, doub
 }
 
 void feel_brew(const MatchContext& context, const BrewWork& work, ecs::Entity wizard, Ladle& ladle, Tick tick,
-               haptics::FluidTouch& touch) {
+               haptics::FluidTouch& fluid) {
     const auto& hand_state = context.world.get<HandState>(wizard);
     const auto player = context.world.get<Wizard>(wizard).player;
     const double yaw = context.world.get<AtStation>(wizard).yaw;
     const auto& cauldron = context.world.single<Cauldron>();
     const auto& surface = work.brew.surface;
-    const bool begins = touch.number == 0;
-    if (begins) begin_touch(context, work.basin, cauldron, yaw, player, touch);
-    touch.drag.stirred_mass = stirred_mass(context.data, cauldron);
+    const bool begins = fluid.number == 0;
+    if (begins) begin_touch(context, work.basin, cauldron, yaw, player, fluid);
+    fluid.drag.stirred_mass = stirred_mass(context.data, cauldron);
     const HandFrame frame = ladle_frame(*context.data.cauldron, cauldron, yaw);
     const vec3 place =
-        haptics::nearest_in_bowl(touch.wall, haptics::to_bowl(touch.frame, hand_state.device.position));
-    read_flow(context, work.brew, cauldron, place, velocity_of(frame, hand_state), ladle, touch);
-    touch.step_age = static_cast<std::uint64_t>(tick - cauldron.stepped - 1);
-    touch.surface = {.height = cauldron.height[player],
+        haptics::nearest_in_bowl(fluid.wall, haptics::to_bowl(fluid.frame, hand_state.device.position));
+    read_flow(context, work.brew, cauldron, place, velocity_of(frame, hand_state), ladle, fluid);
+    fluid.step_age = static_cast<std::uint64_t>(tick - cauldron.stepped - 1);
+    fluid.surface = {.height = cauldron.height[player],
                      .velocity = cauldron.surface_speed[player],
                      .stiffness = surface.settings.contact,
                      .pop_through = surface.settings.pop_through,
                      .cling = surface.settings.cling,
                      .inside = cauldron.inside[player],
                      .present = 1};
-    // The surface knows of a new ladle only one tick later. So a ladle that starts deep below the surface is
-    // marked as having broken through already.
-    const double depth = touch.surface.height - place.y;
-    if (begins && depth * touch.surface.stiffness >= touch.surface.pop_through) touch.surface.inside = 1;
+    // The surface knows of a new ladle only one tick later. A ladle that starts below the surface counts as
+    // already inside.
+    const double depth = fluid.surface.height - place.y;
+    if (begins && depth * fluid.surface.stiffness >= fluid.surface.pop_through) fluid.surface.inside = 1;
 }
 
 bool within_reach(const MatchData& data, const Cauldron& cauldron, vec3 body) {

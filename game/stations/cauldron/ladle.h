@@ -20,7 +20,7 @@ HandFrame ladle_frame(const CauldronRules& rules, const Cauldron& cauldron, doub
 /// Prepares the fluid model of the stirring hand for one tick of play. Samples the flow around the ladle
 /// again when needed, and records that in Ladle.
 void feel_brew(const MatchContext& context, const BrewWork& work, ecs::Entity wizard, Ladle& ladle, Tick tick,
-               haptics::FluidTouch& touch);
+               haptics::FluidTouch& fluid);
 
 /// Whether a wizard can stir, given the position of the body's middle.
 bool within_reach(const MatchData& data, const Cauldron& cauldron, vec3 body);

@@ -335,13 +335,13 @@ void brew_by_stroke(MatchContext& context, ecs::Entity wizard, const BrewStroke&
 
 void lose_potions(MatchContext& context, ecs::Entity wizard, Tick tick) {
     auto& world = context.world;
-    const auto& now = std::as_const(world);
-    if (!now.has<Potions>(wizard)) return;
-    if (now.get<Potions>(wizard).work_half != 0)
+    const auto& const_world = std::as_const(world);
+    if (!const_world.has<Potions>(wizard)) return;
+    if (const_world.get<Potions>(wizard).work_half != 0)
         record(context, {.tick = tick,
                          .kind = EventKind::work_lost,
-                         .subject = now.get<Wizard>(wizard).player,
-                         .place = now.get<Motion>(wizard).position});
+                         .subject = const_world.get<Wizard>(wizard).player,
+                         .place = const_world.get<Motion>(wizard).position});
     world.get<Potions>(wizard) = {};
     for (std::uint32_t i = 0; i < context.data.recipes.size(); ++i)
         for (const auto& effect : context.data.recipes[i].effects)

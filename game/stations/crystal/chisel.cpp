@@ -302,14 +302,14 @@ void add_chisel_system(MatchContext& context, ecs::Schedule& schedule) {
 
 void lose_lens(MatchContext& context, ecs::Entity wizard, Tick tick) {
     auto& world = context.world;
-    const auto& now = std::as_const(world);
-    const auto* lens = now.find<Lens>(wizard);
+    const auto& const_world = std::as_const(world);
+    const auto* lens = const_world.find<Lens>(wizard);
     if (lens == nullptr || lens->held == 0) return;
     world.get<Lens>(wizard).held = 0;
     record(context, {.tick = tick,
                      .kind = EventKind::lens_lost,
-                     .subject = now.get<Wizard>(wizard).player,
-                     .place = now.get<Motion>(wizard).position});
+                     .subject = const_world.get<Wizard>(wizard).player,
+                     .place = const_world.get<Motion>(wizard).position});
 }
 
 }  // namespace thaum::game::inline stations

@@ -41,17 +41,17 @@ vec3 middle_of(const field::VoxelBox& box, double spacing) {
 struct Counts {
     std::size_t both{}, either{};
 
-    explicit Counts(const field::VoxelOverlap& now) : both(now.both), either(now.either) {}
+    explicit Counts(const field::VoxelOverlap& current) : both(current.both), either(current.either) {}
     void note(float before, float after, bool wanted) {
         const bool was = before >= crystal_surface, is = after >= crystal_surface;
         if (was == is) return;
         auto& count = wanted ? both : either;
         is ? ++count : --count;
     }
-    /// Compares the overlap after the trial with `now`: positive if it is greater, negative if it is less.
-    double against(const field::VoxelOverlap& now) const {
-        return static_cast<double>(both) * static_cast<double>(now.either) -
-               static_cast<double>(now.both) * static_cast<double>(either);
+    /// Positive if the overlap is greater than `current`, negative if it is less.
+    double against(const field::VoxelOverlap& current) const {
+        return static_cast<double>(both) * static_cast<double>(current.either) -
+               static_cast<double>(current.both) * static_cast<double>(either);
     }
 };
 

@@ -92,13 +92,14 @@ void draw_curve(const OrbRules& rules, const OrbMode& mode, vec2 from, vec2 to,
     field::draw_stroke(strength, from, to, mode.max_property * rules.column_share);
 }
 
-void refit_modes(const OrbRules& before, const OrbRules& now, WornModes& modes) {
+void refit_modes(const OrbRules& before, const OrbRules& current, WornModes& modes) {
     const auto worn = modes.worn;
     const auto strength = modes.strength;
-    const bool same = std::ranges::equal(before.modes, now.modes, {}, &OrbMode::name, &OrbMode::name);
+    const bool same = std::ranges::equal(before.modes, current.modes, {}, &OrbMode::name, &OrbMode::name);
     if (!same) modes.worn.fill(no_mode);
-    for (std::size_t i = 0; i < now.modes.size(); ++i)
-        if (!same || modes.strength[i] == before.modes[i].strength) modes.strength[i] = now.modes[i].strength;
+    for (std::size_t i = 0; i < current.modes.size(); ++i)
+        if (!same || modes.strength[i] == before.modes[i].strength)
+            modes.strength[i] = current.modes[i].strength;
     if (modes.worn != worn || modes.strength != strength) ++modes.version;
 }
 

@@ -31,7 +31,7 @@ void draw_curve(const OrbRules& rules, const OrbMode& mode, vec2 from, vec2 to,
 
 /// Adapts modes to edited rules: a curve that the wizard has not drawn becomes that of the new rules. If the
 /// list of modes has changed, all modes start anew.
-void refit_modes(const OrbRules& before, const OrbRules& now, WornModes& modes);
+void refit_modes(const OrbRules& before, const OrbRules& current, WornModes& modes);
 
 /// Fills in the haptic primitives of a hand that scries, for one tick of play: those of the active modes at
 /// the proxy of the last tick. The wizard must scry. A hand that draws a curve gets none. Reads Scrying,

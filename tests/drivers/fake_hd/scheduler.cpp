@@ -75,14 +75,14 @@ void run_second_thread(Library& l) {
 }  // namespace
 
 void run_tasks(Library& l, bool synchronous_only) {
-    std::vector<Task> now;
+    std::vector<Task> due;
     {
         const Lock lock(l.mutex);
-        now = l.tasks;
+        due = l.tasks;
     }
-    if (synchronous_only) std::erase_if(now, [](auto& t) { return !t.synchronous; });
-    std::stable_sort(now.begin(), now.end(), [](auto& a, auto& b) { return a.priority > b.priority; });
-    for (const auto& task : now) {
+    if (synchronous_only) std::erase_if(due, [](auto& t) { return !t.synchronous; });
+    std::stable_sort(due.begin(), due.end(), [](auto& a, auto& b) { return a.priority > b.priority; });
+    for (const auto& task : due) {
         const bool done = task.run(task.context) == 0;
         const Lock lock(l.mutex);
         close_frame(l);

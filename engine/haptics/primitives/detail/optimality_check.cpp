@@ -157,11 +157,11 @@ vec3 balance_active(Problem& problem, vec3 x) {
     }
     double before = std::numeric_limits<double>::infinity();
     for (;;) {
-        const Shortfall now = shortfall(problem, gradient);
-        const double size = glm::length(now.force);
-        if (size <= rounding || now.most == 0 || size > 0.7 * before) return now.force;
+        const Shortfall current = shortfall(problem, gradient);
+        const double size = glm::length(current.force);
+        if (size <= rounding || current.most == 0 || size > 0.7 * before) return current.force;
         before = size;
-        distribute(problem, now);
+        distribute(problem, current);
     }
 }
 

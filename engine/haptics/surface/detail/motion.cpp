@@ -80,14 +80,14 @@ bool add_walls_that_moved_over(const Scene& scene, const SurfaceState& state, co
 vec3 carried(const Scene& scene, const SurfaceState& state) {
     if (state.contacts == 0) return state.proxy;
     for (std::uint32_t i = 0; i < scene.body_count; ++i) {
-        if (scene.patch->bodies[i].key == state.touched[0].key) return scene.motions[i].now(state.proxy);
+        if (scene.patch->bodies[i].key == state.touched[0].key) return scene.motions[i].moved(state.proxy);
     }
     return state.proxy;
 }
 
 vec3 pushed_out(const Scene& scene, const SurfaceState& state, vec3 start) {
     Places from;
-    for (std::uint32_t i = 0; i < scene.body_count; ++i) from[i] = scene.motions[i].now(state.proxy);
+    for (std::uint32_t i = 0; i < scene.body_count; ++i) from[i] = scene.motions[i].moved(state.proxy);
     Walls walls;
     vec3 x = start;
     for (int round = 0; round < max_pushes; ++round) {

@@ -12,7 +12,7 @@ namespace thaum::haptics {
 
 inline constexpr double place_tolerance = 1e-13;  ///< distance below which two places are the same (m)
 
-/// Motion of a body over the last tick. `now` maps a place of the last tick to its present place.
+/// Motion of a body over the last tick. `moved` maps a place of the last tick to its present place.
 struct BodyMotion {
     mat3 turn{1.0};
     vec3 pivot_before{};
@@ -20,7 +20,7 @@ struct BodyMotion {
     bool moving{};
     bool turning{};
 
-    vec3 now(vec3 before) const {
+    vec3 moved(vec3 before) const {
         if (!moving) return before;
         const vec3 arm = before - pivot_before;
         return pivot + (turning ? turn * arm : arm);
