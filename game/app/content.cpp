@@ -74,9 +74,8 @@ private:
     /// Adds a line to the faults, with the path of the folder written in its short form.
     void add(std::string line) {
         const auto folder = assets_.string() + "/";
-        if (line.starts_with(folder)) line = game::shown_path(assets_, line.substr(folder.size()));
-        // A file that refers to a faulty file reports that file's fault again, after some words of its own.
-        // Such a line is left out.
+        if (line.starts_with(folder)) line = shown_path(assets_, line.substr(folder.size()));
+        // A file that refers to a faulty file would report the same fault again, after a prefix of its own.
         const auto is_told = [&](const std::string& other) { return line.ends_with(other); };
         if (std::ranges::none_of(faults_, is_told)) faults_.push_back(std::move(line));
     }
@@ -91,23 +90,23 @@ private:
     /// Loads each arena with the rules that most matches have, and the first arena also with the other rules.
     /// `faults_of_names`: faults of arenas' names, which are not reported a second time.
     void read_matches(std::span<const std::string> faults_of_names) {
-        std::vector<game::DataChoice> choices;
+        std::vector<DataChoice> choices;
         for (const auto& arena : files_in(assets_ / "arenas", ".toml").value_or({})) {
-            const auto shown = game::shown_path(assets_, text("arenas/", arena.filename().string(), ":"));
+            const auto shown = shown_path(assets_, text("arenas/", arena.filename().string(), ":"));
             const auto is_of_it = [&](const std::string& fault) { return fault.starts_with(shown); };
             if (std::ranges::none_of(faults_of_names, is_of_it))
                 choices.push_back({.arena = arena.stem().string()});
         }
         if (choices.empty()) choices.emplace_back();
         const auto first = choices[0];
-        for (const auto rules : game::rule_set_names())
+        for (const auto rules : rule_set_names())
             if (rules != first.rules)
                 choices.push_back({.arena = first.arena, .rules = std::string(rules), .match = first.match});
-        for (const auto& match : game::match_lengths(assets_))
+        for (const auto& match : match_lengths(assets_))
             if (match != first.match)
                 choices.push_back({.arena = first.arena, .rules = first.rules, .match = match});
         for (const auto& choice : choices) {
-            auto reading = game::read_match_data(assets_, choice);
+            auto reading = read_match_data(assets_, choice);
             if (reading.error) add(*reading.error);
             has_data_ = has_data_ || !reading.data.files.empty();
             readings_.push_back(std::move(reading.data));
@@ -117,17 +116,17 @@ private:
     }
 
     void read_practice() {
-        for (int level = game::easiest_bot; level <= game::hardest_bot; ++level)
-            add_fault_of(game::load_bot_skill(assets_, level));
-        add_fault_of(game::load_range(assets_, readings_[0].choice));
-        add_fault_of(game::load_lessons(assets_));
+        for (int level = easiest_bot; level <= hardest_bot; ++level)
+            add_fault_of(load_bot_skill(assets_, level));
+        add_fault_of(load_range(assets_, readings_[0].choice));
+        add_fault_of(load_lessons(assets_));
     }
 
     /// Reads a file and parses it as version 1. An error is added to the report.
     std::optional<Config> config_of(const std::string& name) {
         const auto words = read_text_file(assets_ / name, max_bytes);
         if (!words) return add(words.error()), std::nullopt;
-        auto config = Config::parse(*words, game::shown_path(assets_, name), 1);
+        auto config = Config::parse(*words, shown_path(assets_, name), 1);
         if (!config) return add(config.error()), std::nullopt;
         return std::move(*config);
     }
@@ -154,10 +153,10 @@ private:
     }
 
     void read_single_files() {
-        add_fault_of(game::load_felt_bands(assets_ / "tactile" / "sound.toml"));
+        add_fault_of(load_felt_bands(assets_ / "tactile" / "sound.toml"));
         const auto words = read_text_file(assets_ / "settings.toml", max_bytes);
         if (!words) return add(words.error());
-        const auto settings = read_settings(*words, game::shown_path(assets_, "settings.toml"));
+        const auto settings = read_settings(*words, shown_path(assets_, "settings.toml"));
         add_fault_of(settings);
         if (settings && settings->fault) add(*settings->fault);
         if (settings) check_last_choice(settings->settings.last);
@@ -170,13 +169,13 @@ private:
         for (const auto& file : files_in(assets_ / "arenas", ".toml").value_or({}))
             arenas.push_back(file.stem().string());
         check_choice("arena", last.arena, arenas);
-        check_choice("match", last.match, game::match_lengths(assets_));
-        if (last.bot_level > game::hardest_bot)
+        check_choice("match", last.match, match_lengths(assets_));
+        if (last.bot_level > hardest_bot)
             add_missing({{.file = "settings.toml",
                           .table = "",
                           .key = "bot_level",
-                          .words = text("is ", last.bot_level, ", and bots have the levels ",
-                                        game::easiest_bot, " to ", game::hardest_bot)}},
+                          .words = text("is ", last.bot_level, ", and bots have the levels ", easiest_bot,
+                                        " to ", hardest_bot)}},
                         "");
     }
 
@@ -197,9 +196,9 @@ private:
         for (const auto& fault : body->faults) add(fault);
     }
 
-    /// Text with the place of a name in its file: "assets/wands/bolt.toml:12: 'sound'".
-    std::string place_of(const game::MissingName& missing) {
-        auto shown = game::shown_path(assets_, missing.file);
+    /// Place of a name in a file: "assets/wands/bolt.toml:12: 'sound'".
+    std::string place_of(const MissingName& missing) {
+        auto shown = shown_path(assets_, missing.file);
         const auto words = read_text_file(assets_ / missing.file, max_bytes);
         const auto config = words ? Config::parse(*words, shown, 1) : Expected<Config>(words.error());
         if (!config) return shown;
@@ -212,12 +211,11 @@ private:
         return text(table.place(missing.key), ": '", missing.key, "'");
     }
 
-    /// Adds a line for each name that has no file. `folder`: folder of those files that the program itself
-    /// names.
-    void add_missing(const std::vector<game::MissingName>& all, std::string_view folder) {
+    /// `folder`: the folder of the files that the program itself needs.
+    void add_missing(const std::vector<MissingName>& all, std::string_view folder) {
         for (const auto& missing : all)
             add(missing.file.empty()
-                    ? text(game::shown_path(assets_, folder), ": ", missing.words, "; the program needs it")
+                    ? text(shown_path(assets_, folder), ": ", missing.words, "; the program needs it")
                     : text(place_of(missing), ": ", missing.words));
     }
 
@@ -230,7 +228,7 @@ private:
         UsedNames used;
         for (const auto name : menu_sound_names) {
             used.emplace(name);
-            if (!name.empty() && !bank->find(name) && !game::is_left_out(*bank, name))
+            if (!name.empty() && !bank->find(name) && !is_left_out(*bank, name))
                 add_missing({{.file = "",
                               .table = "",
                               .key = "",
@@ -238,7 +236,7 @@ private:
                             "sounds");
         }
         for (const auto& reading : readings_) {
-            const auto sounds = game::match_sounds(*bank, *reading.presentation);
+            const auto sounds = match_sounds(*bank, *reading.presentation);
             add_missing(sounds.missing, "sounds");
             for (const auto number : numbers_of(sounds))
                 if (number) used.insert(bank->sounds[*number].name);
@@ -247,8 +245,8 @@ private:
             if (whole && !used.contains(sound.name)) add_unused("sounds", sound.name, "event, wand or spell");
     }
 
-    static std::vector<game::SoundNumber> numbers_of(const game::MatchSounds& sounds) {
-        std::vector<game::SoundNumber> all(sounds.cues.begin(), sounds.cues.end());
+    static std::vector<SoundNumber> numbers_of(const MatchSounds& sounds) {
+        std::vector<SoundNumber> all(sounds.cues.begin(), sounds.cues.end());
         all.insert(all.end(), sounds.events.begin(), sounds.events.end());
         all.insert(all.end(), sounds.power_ups.begin(), sounds.power_ups.end());
         all.insert(all.end(), sounds.spells.begin(), sounds.spells.end());
@@ -263,7 +261,7 @@ private:
         for (const auto& effect : bank->faulty) add(effect.fault);
         UsedNames used;
         for (const auto& reading : readings_) {
-            const auto effects = game::match_effects(*bank, *reading.presentation);
+            const auto effects = match_effects(*bank, *reading.presentation);
             add_missing(effects.missing, "tactile/effects");
             for (const auto number : numbers_of(effects))
                 if (number) used.insert(bank->effects[*number].name);
@@ -274,8 +272,8 @@ private:
         find_unused_clips(*bank);
     }
 
-    static std::vector<game::EffectNumber> numbers_of(const game::MatchEffects& effects) {
-        std::vector<game::EffectNumber> all(effects.events.begin(), effects.events.end());
+    static std::vector<EffectNumber> numbers_of(const MatchEffects& effects) {
+        std::vector<EffectNumber> all(effects.events.begin(), effects.events.end());
         all.insert(all.end(), effects.spells.begin(), effects.spells.end());
         all.insert(all.end(), effects.sounds.begin(), effects.sounds.end());
         all.insert(all.end(), {effects.recoil, effects.stir, effects.heartbeat, effects.great_work,
@@ -320,7 +318,7 @@ private:
             const auto end = std::min(remaining.find('\n'), remaining.size());
             const auto found = hidden_character(without_comment(remaining.substr(0, end)));
             remaining.remove_prefix(std::min(end + 1, remaining.size()));
-            const auto place = text(game::shown_path(assets_, file), ":", line, ": ");
+            const auto place = text(shown_path(assets_, file), ":", line, ": ");
             const auto is_told = [&](const std::string& fault) {
                 return fault.starts_with(place) && fault.find("invisible character") != fault.npos;
             };
@@ -341,18 +339,18 @@ private:
         if (found == readings_.end()) return;
         for (const auto& gesture : found->gestures->gestures())
             if (!used.contains(gesture.name))
-                add(text(game::shown_path(assets_, "gestures"), ": nothing uses the gesture '", gesture.name,
+                add(text(shown_path(assets_, "gestures"), ": nothing uses the gesture '", gesture.name,
                          "': no spell and no potion names it"));
     }
 
     void add_unused(std::string_view folder, std::string_view name, std::string_view who) {
-        add(text(game::shown_path(assets_, text(folder, "/", name, ".toml")), ": nothing uses this file: no ",
-                 who, " names '", name, "'"));
+        add(text(shown_path(assets_, text(folder, "/", name, ".toml")), ": nothing uses this file: no ", who,
+                 " names '", name, "'"));
     }
 
     const fs::path& assets_;
     std::vector<std::string> faults_, notes_;
-    std::vector<game::MatchData> readings_;
+    std::vector<MatchData> readings_;
     bool has_data_ = false;
 };
 

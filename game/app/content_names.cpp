@@ -28,8 +28,7 @@ struct FolderRule {
 
 std::vector<std::string> bot_levels() {
     std::vector<std::string> names;
-    for (int level = game::easiest_bot; level <= game::hardest_bot; ++level)
-        names.push_back(text("level_", level));
+    for (int level = easiest_bot; level <= hardest_bot; ++level) names.push_back(text("level_", level));
     return names;
 }
 
@@ -59,11 +58,11 @@ std::map<std::string, FolderRule> folder_rules() {
             {"scenarios", {{".lua"}}},
             {"shaders", {{".vert", ".frag", ".glsl"}}},
             {"sounds", {{".toml", ".md"}}},
-            {"spells", {data, names_of(game::spell_kinds()), "spell of this program"}},
+            {"spells", {data, names_of(spell_kinds()), "spell of this program"}},
             {"tactile", {data, {"sound"}, "file about the body"}},
             {"tactile/effects", {{".toml", ".tact"}}},
             {"tactile/layouts", {data}},
-            {"wands", {data, names_of(game::wand_kinds()), "wand of this program"}},
+            {"wands", {data, names_of(wand_kinds()), "wand of this program"}},
             {"wizards", {data, {"wizard"}, "wizard"}}};
 }
 
@@ -88,7 +87,7 @@ public:
 
 private:
     std::string shown(const std::string& name) const {
-        return printable(game::shown_path(assets_, name), longest_shown);
+        return printable(shown_path(assets_, name), longest_shown);
     }
 
     void look_into(const std::filesystem::path& folder, const std::string& name) {

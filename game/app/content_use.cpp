@@ -8,21 +8,17 @@
 namespace thaum::game::inline app {
 namespace {
 
-using game::MatchData;
-using game::MissingName;
-
 std::string file_of(const MatchData& reading) { return text("arenas/", reading.choice.arena, ".toml"); }
 
-bool is_crystal(const game::Thing& thing) { return game::is_crystal(thing.surface, thing.body.shape); }
+bool is_crystal(const Thing& thing) { return game::is_crystal(thing.surface, thing.body.shape); }
 
-std::ptrdiff_t niches_of(const MatchData& reading, const game::RecipeIngredient& wanted) {
+std::ptrdiff_t niches_of(const MatchData& reading, const RecipeIngredient& wanted) {
     const auto& name = reading.cauldron->ingredients[wanted.ingredient].name;
-    return std::ranges::count(reading.arena.niches, name, &game::NichePlace::ingredient);
+    return std::ranges::count(reading.arena.niches, name, &NichePlace::ingredient);
 }
 
-bool can_brew(const MatchData& reading, const game::Recipe& recipe) {
-    return reading.cauldron &&
-           std::ranges::all_of(recipe.ingredients, [&](const game::RecipeIngredient& one) {
+bool can_brew(const MatchData& reading, const Recipe& recipe) {
+    return reading.cauldron && std::ranges::all_of(recipe.ingredients, [&](const RecipeIngredient& one) {
                return niches_of(reading, one) > 0;
            });
 }
@@ -51,7 +47,7 @@ void find_dear_wands(const MatchData& reading, std::vector<MissingName>& faults)
 
 void find_same_names(const MatchData& reading, std::vector<MissingName>& faults) {
     for (auto spell = reading.spells.begin(); spell != reading.spells.end(); ++spell) {
-        const auto same = std::find_if(reading.spells.begin(), spell, [&](const game::LoadedSpell& other) {
+        const auto same = std::find_if(reading.spells.begin(), spell, [&](const LoadedSpell& other) {
             return other.stats.shown == spell->stats.shown;
         });
         if (same == spell) continue;

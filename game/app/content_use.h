@@ -10,12 +10,11 @@ namespace thaum::game::inline app {
 
 /// What was found, each entry with the key that it is about.
 struct UseFindings {
-    std::vector<game::MissingName> faults;  ///< faults that the game cannot work with
-    std::vector<game::MissingName> notes;   ///< findings with which the game works, but which are probably
-                                            ///< mistakes
+    std::vector<MissingName> faults;  ///< faults that the game cannot work with
+    std::vector<MissingName> notes;   ///< the game plays without it, but it is probably not meant
 };
 
 /// Checks the data of matches, which must be free of reading errors. Every arena must appear at least once.
-UseFindings find_unusable(std::span<const game::MatchData> readings);
+UseFindings find_unusable(std::span<const MatchData> readings);
 
 }  // namespace thaum::game::inline app

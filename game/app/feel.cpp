@@ -61,7 +61,7 @@ private:
 /// The forces on one player's hand in the log's ticks of play, in order.
 class RecordedForces {
 public:
-    RecordedForces(game::Playback playback, std::uint32_t player)
+    RecordedForces(Playback playback, std::uint32_t player)
         : playback_(std::move(playback)), player_(player), felt_(playback_.match().match().played) {}
 
     /// Computes ahead until enough ticks are queued, or until about `budget_ns` ns have passed. Returns false
@@ -83,7 +83,7 @@ public:
         return true;
     }
 
-    const std::optional<game::Divergence>& divergence() const { return playback_.divergence(); }
+    const std::optional<Divergence>& divergence() const { return playback_.divergence(); }
 
 private:
     /// Queues the force of the current tick. Ticks in a pause or after a round's end had no force and are
@@ -98,10 +98,10 @@ private:
         felt_ = state.played;
         if (!played) return;
         const auto& world = match.world();
-        hand.push(world.get<game::HandState>(game::wizard_of(world, player_)).servo.safety.output, jumps);
+        hand.push(world.get<HandState>(wizard_of(world, player_)).servo.safety.output, jumps);
     }
 
-    game::Playback playback_;
+    Playback playback_;
     std::uint32_t player_;
     Tick felt_;
     std::uint32_t round_ = 0;
@@ -112,7 +112,7 @@ private:
 
 /// Largest share of the arm's peak force that the settings of this machine allow; 0: no forces.
 double wished_share() {
-    const auto settings = settings_to_play_with(settings_file(), game::find_assets()).settings;
+    const auto settings = settings_to_play_with(settings_file(), find_assets()).settings;
     const auto percent = force_choices[settings.players[0].force].percent;
     return percent ? *percent / 100.0 : haptics::gentle_share;
 }
@@ -156,7 +156,7 @@ std::optional<std::string> play(RecordedForces& forces, input::ArmPlayback& hand
 
 }  // namespace
 
-int feel(game::Playback playback, const FeelPlan& plan) {
+int feel(Playback playback, const FeelPlan& plan) {
     const double share = wished_share();
     if (!(share > 0)) return refuse({"--feel: your settings say that you want no forces (force: off)"});
     auto arm = open_named_arm("--feel", plan.device);
@@ -167,7 +167,7 @@ int feel(game::Playback playback, const FeelPlan& plan) {
     if (!forces.fill(hand) && hand.waiting() == 0) {
         if (!forces.divergence())
             return refuse({"--feel: the log has no tick of play after --at; choose an earlier second"});
-        print_line(game::described(*forces.divergence()));
+        print_line(described(*forces.divergence()));
         return does_not_hold;
     }
     print_line(text("player ", plan.player + 1, "'s forces on ", input::name_of((*arm)->facts()),
@@ -181,7 +181,7 @@ int feel(game::Playback playback, const FeelPlan& plan) {
     tell(hand, **arm);
     arm->reset();  // stops the arm's thread, which uses `hand`, before `hand` is destroyed
     if (why) print_line(*why);
-    if (forces.divergence()) print_line(game::described(*forces.divergence()));
+    if (forces.divergence()) print_line(described(*forces.divergence()));
     return fault || forces.divergence() ? does_not_hold : done;
 }
 

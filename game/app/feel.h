@@ -14,6 +14,6 @@ struct FeelPlan {
 /// Plays the forces of plan.player's hand from the playback's tick to the log's end, in real time and without
 /// pauses. A key, Ctrl-C or a fault ends it early. The force cap comes from this machine's settings, not from
 /// the log. Returns an exit code.
-int feel(game::Playback playback, const FeelPlan& plan);
+int feel(Playback playback, const FeelPlan& plan);
 
 }  // namespace thaum::game::inline app

@@ -17,29 +17,32 @@ namespace thaum::game::inline app {
 namespace {
 
 struct Played {
-    game::BotDuel duel;
+    BotDuel duel;
+    std::vector<input::InputFrame> frames;
     Highlight highlight;
     std::optional<Error> log_fault;  ///< reason why the log is not complete
 };
 
-Expected<Played> play(const OffscreenDuel& plan, const std::shared_ptr<const game::MatchData>& data,
+Expected<Played> play(const OffscreenDuel& plan, const std::shared_ptr<const MatchData>& data,
                       const std::filesystem::path& log_file) {
-    auto duel = game::make_bot_duel(plan.assets, data, plan.levels, plan.seed);
+    auto duel = make_bot_duel(plan.assets, data, plan.levels, plan.seed);
     if (!duel) return duel.error();
     Played played{std::move(*duel), {}, {}};
     auto& match = *played.duel.match;
     auto log = input::LogWriter::create(
         log_file,
-        game::log_header(*data, match.setup(), {text("bot ", plan.levels[0]), text("bot ", plan.levels[1])}),
+        log_header(*data, match.setup(), {text("bot ", plan.levels[0]), text("bot ", plan.levels[1])}),
         input::WhenBehind::wait);
     if (!log) return log.error();
     std::optional<Tick> over_at;
-    while (over_at ? match.now() < *over_at + game::log_after_end : match.now() < ticks(plan.seconds)) {
-        game::tick_and_record(match, played.duel.next_frame(), &*log);
+    while (over_at ? match.now() < *over_at + log_after_end : match.now() < ticks(plan.seconds)) {
+        const auto frame = played.duel.next_frame();
+        tick_and_record(match, frame, &*log);
+        played.frames.push_back(frame);
         if (!over_at) watch_for_highlight(match, played.highlight);
-        if (!over_at && match.match().phase == game::Phase::over) over_at = match.now();
+        if (!over_at && match.match().phase == Phase::over) over_at = match.now();
     }
-    if (auto closed = game::close_log(*log, match); !closed) played.log_fault = closed.error();
+    if (auto closed = close_log(*log, match); !closed) played.log_fault = closed.error();
     return played;
 }
 
@@ -48,21 +51,19 @@ struct Picture {
     std::optional<Error> fault;  ///< error if a drawn picture could not be saved
 };
 
-/// Draws and saves the highlight of the duel, the moment that makes the best picture. Its tick is known only
-/// at the end, so this replays the log up to it. Without a highlight, or if the log ends before it, the
-/// picture shows the end of the duel.
-Expected<void> save_highlight(Still& still, const OffscreenDuel& duel, const Played& played,
-                              const std::filesystem::path& log, const std::filesystem::path& file) {
-    if (played.highlight.tick != 0) {
-        auto again = game::Playback::open(log, duel.assets);
-        if (again && again->play_to(played.highlight.tick)) return still.save(again->match(), {}, file);
-    }
-    return still.save(*played.duel.match, {}, file);
+/// Draws and saves the highlight. The highlight is known only at the end, so this plays a second match with
+/// the same input frames up to that tick.
+Expected<void> save_highlight(Still& still, const std::shared_ptr<const MatchData>& data,
+                              const Played& played, const std::filesystem::path& file) {
+    if (played.highlight.tick == 0) return still.save(*played.duel.match, {}, file);
+    Simulation again(data, played.duel.match->setup());
+    for (Tick t = 0; t < played.highlight.tick; ++t) again.tick(played.frames[t]);
+    return still.save(again, {}, file);
 }
 
-/// Draws and saves the picture of the duel, unless this machine cannot draw.
-Picture picture(const OffscreenDuel& duel, const std::shared_ptr<const game::MatchData>& data,
-                const Played& played, const std::filesystem::path& log) {
+/// Makes the picture, unless this machine cannot draw.
+Picture picture(const OffscreenDuel& duel, const std::shared_ptr<const MatchData>& data,
+                const Played& played) {
     auto still = Still::create(*data, duel.assets, {1280, 720});
     if (!still) return {text("none: ", still.error().message), {}};
     const auto file = duel.out / "duel.png";
@@ -77,11 +78,11 @@ std::string report(const OffscreenDuel& duel, const Played& played, const std::f
     const auto& world = match.world();
     std::string lines =
         text("Thaum ", THAUM_VERSION, ", duel in ", match.data().arena.name, ", seed ", duel.seed, "\n");
-    lines += text("result   ", game::result_line(match), "\n");
+    lines += text("result   ", result_line(match), "\n");
     lines += text("bots     of level ", duel.levels[0], " and ", duel.levels[1], ", rules ", duel.data.rules,
                   ", match ", duel.data.match, "\n");
-    lines += game::result_table(match);
-    lines += text("ticks    ", match.now(), " of 1 ms\n");
+    lines += result_table(match);
+    lines += text("ticks    ", match.now(), " of 1 ms, ", played.frames.size(), " frames recorded\n");
     lines += text("state    ", hex(match.state_hash()), "\n");
     lines += text("physics  ", match.physics().counters().steps, " steps, ",
                   match.physics().counters().skipped, " skipped asleep\n");
@@ -97,9 +98,9 @@ std::string report(const OffscreenDuel& duel, const Played& played, const std::f
 }  // namespace
 
 int play_offscreen_duel(const OffscreenDuel& duel) {
-    auto loaded = game::load_match_data(duel.assets, duel.data);
+    auto loaded = load_match_data(duel.assets, duel.data);
     if (!loaded) return refuse(loaded.error());
-    const auto data = std::make_shared<const game::MatchData>(std::move(*loaded));
+    const auto data = std::make_shared<const MatchData>(std::move(*loaded));
     if (const auto made = make_folder(duel.out); !made) return refuse(made.error());
     for (const auto* file : {"duel.png", "duel.txt"}) {
         if (const auto free = check_output(duel.out / file); !free) return refuse(free.error());

@@ -12,11 +12,11 @@ struct OffscreenDuel {
     /// Folder for duel.png, duel.thaumlog and duel.txt. Existing files are replaced.
     std::filesystem::path out = "out";
     std::filesystem::path log{};  ///< path of the log, if not in `out`; the file must not exist yet
-    game::DataChoice data{};
+    DataChoice data{};
     std::uint64_t seed = 1;
-    std::array<int, game::players> levels{1, 1};
-    /// Longest simulated time (s). The duel ends earlier when the match is over; the log goes on for another
-    /// log_after_end ticks.
+    std::array<int, players> levels{1, 1};
+    /// longest simulated time (s); the duel ends earlier when the match is over, and the log goes on for
+    /// log_after_end
     double seconds = 60;
 };
 

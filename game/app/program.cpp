@@ -77,7 +77,7 @@ void protect_inputs(std::string_view command) {
         protect_input(self.parent_path() / program);
     const bool has_menu = command == "play" || command == "range" || command == "replay";
     if (const auto settings = settings_file(); !has_menu && !settings.empty()) protect_input(settings);
-    for (const auto& entry : std::filesystem::directory_iterator(game::find_assets(), unreadable)) {
+    for (const auto& entry : std::filesystem::directory_iterator(find_assets(), unreadable)) {
         const auto name = entry.path().filename();
         if (name == "gestures" && command == "gesture")
             // `gesture record` may add a new file to this folder, so only its present files are protected.

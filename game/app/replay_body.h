@@ -11,26 +11,24 @@ namespace thaum::game::inline app {
 
 class ReplayBody {
 public:
-    /// `sounds`: groups of sounds that are also felt, at full strength; std::nullopt: none. The error is one
-    /// line.
-    static Expected<ReplayBody> create(const game::MatchData& data, const std::filesystem::path& assets,
-                                       std::optional<game::FeltGroups> sounds);
+    /// `sounds`: groups of sounds that are also felt, at full strength. The error is one line.
+    static Expected<ReplayBody> create(const MatchData& data, const std::filesystem::path& assets,
+                                       std::optional<FeltGroups> sounds);
 
     /// Appends a row (felt_rows.h) for each player who feels something, at every eighth tick.
-    void follow(const game::Simulation& match, std::string& rows);
+    void follow(const Simulation& match, std::string& rows);
 
 private:
     /// Data to which scenes and mixers of tactile effects keep references, so it must not move in memory.
     struct State {
         LiveBody body;
-        game::MatchEffects effects;
-        std::array<std::optional<game::TactileScene>, game::players> scenes{};
-        game::FeltSoundWish wish{};
-        std::optional<game::FeltCourses> courses{};
+        MatchEffects effects;
+        std::array<std::optional<TactileScene>, players> scenes{};
+        FeltSoundWish wish{};
+        std::optional<FeltCourses> courses{};
         std::optional<BodySound> sound{};
     };
-    static Expected<void> add_sound(State& state, const game::MatchData& data,
-                                    const std::filesystem::path& assets);
+    static Expected<void> add_sound(State& state, const MatchData& data, const std::filesystem::path& assets);
     explicit ReplayBody(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
     std::unique_ptr<State> state_;

@@ -7,24 +7,24 @@
 namespace thaum::game::inline app {
 
 Expected<ReplaySound> ReplaySound::create(const std::filesystem::path& file,
-                                          std::optional<std::uint32_t> ears, const game::MatchData& data,
+                                          std::optional<std::uint32_t> ears, const MatchData& data,
                                           const std::filesystem::path& assets) {
     const auto bank = audio::load_sounds(assets / "sounds");
     if (!bank) return bank.error();
-    auto sounds = game::match_sounds(*bank, *data.presentation);
+    auto sounds = match_sounds(*bank, *data.presentation);
     for (const auto& sound : bank->faulty)
         tell_user(text("the sound '", sound.name, "' is silent: ", sound.fault.message));
-    for (const auto& line : sounds.missing) tell_user(text("a sound is missing: ", game::line_of(line)));
+    for (const auto& line : sounds.missing) tell_user(text("a sound is missing: ", line_of(line)));
     auto mixer = audio::Mixer::create(*bank, {});
     if (!mixer) return mixer.error();
     auto writer = audio::WavWriter::create(file, audio::WavFormat::whole_16);
     if (!writer) return writer.error();
-    return ReplaySound(std::move(*writer), std::move(*mixer), game::SoundScene(std::move(sounds)), ears);
+    return ReplaySound(std::move(*writer), std::move(*mixer), SoundScene(std::move(sounds)), ears);
 }
 
-void ReplaySound::follow(const game::Simulation& match) {
+void ReplaySound::follow(const Simulation& match) {
     if (match.now() % audio::frame_ticks != 0 || match.now() == 0) return;
-    constexpr std::array<std::uint32_t, game::players> both{0, 1};
+    constexpr std::array<std::uint32_t, players> both{0, 1};
     const std::array<std::uint32_t, 1> one{ears_.value_or(0)};
     scene_.take(match, ears_ ? std::span<const std::uint32_t>(one) : both, frame_);
     mixer_.play(frame_, block_);

@@ -20,14 +20,14 @@ std::string padded(Tick tick) {
 
 }  // namespace
 
-std::unique_ptr<game::Senses> senses_of(const game::MatchData& data, const std::filesystem::path& assets) {
-    auto loaded = game::SenseData::load(assets, audio::WithSamples::no);
-    if (loaded) return game::Senses::create(*loaded, *data.presentation);
+std::unique_ptr<Senses> senses_of(const MatchData& data, const std::filesystem::path& assets) {
+    auto loaded = SenseData::load(assets, audio::WithSamples::no);
+    if (loaded) return Senses::create(*loaded, *data.presentation);
     tell_user(text("pictures show nothing that is heard or felt: ", loaded.error().message));
     return nullptr;
 }
 
-game::HudSettings hud_of(const game::Playback& playback) {
+HudSettings hud_of(const Playback& playback) {
     const PlayerSettings usual;
     return {.names = recorded_names(playback.log().header()), .heard = {usual.heard, usual.heard}};
 }
@@ -36,8 +36,7 @@ bool ShotPlan::any() const {
     return every != 0 || !at.empty() || on_marks || std::find(on.begin(), on.end(), true) != on.end();
 }
 
-Expected<Shots> Shots::create(ShotPlan plan, const game::MatchData& data,
-                              const std::filesystem::path& assets) {
+Expected<Shots> Shots::create(ShotPlan plan, const MatchData& data, const std::filesystem::path& assets) {
     if (auto made = make_folder(plan.folder); !made) return made.error();
     if (auto free = check_output(plan.folder / "shot_00000000.png"); !free) return free.error();
     auto still = Still::create(data, assets, plan.size);
@@ -46,15 +45,15 @@ Expected<Shots> Shots::create(ShotPlan plan, const game::MatchData& data,
 }
 
 /// Ending of the file name for a picture that is due now; std::nullopt if none is due.
-std::optional<std::string> Shots::due(const game::Playback& playback) {
+std::optional<std::string> Shots::due(const Playback& playback) {
     const auto& match = playback.match();
     const auto now = match.now();
     std::optional<std::string> what;
     if (plan_.every != 0 && now % plan_.every == 0) what = "";
     for (; next_at_ < plan_.at.size() && plan_.at[next_at_] <= now; ++next_at_) what = "";
-    match.events().each_new(seen_, [&](const game::Event& event) {
+    match.events().each_new(seen_, [&](const Event& event) {
         const auto kind = static_cast<std::size_t>(event.kind);
-        if (plan_.on[kind]) what = text("_", game::name_of(event.kind));
+        if (plan_.on[kind]) what = text("_", name_of(event.kind));
     });
     const auto& marks = playback.log().marks();
     for (; next_mark_ < marks.size() && marks[next_mark_].tick <= now; ++next_mark_) {
@@ -64,7 +63,7 @@ std::optional<std::string> Shots::due(const game::Playback& playback) {
     return what;
 }
 
-Expected<void> Shots::follow(const game::Playback& playback) {
+Expected<void> Shots::follow(const Playback& playback) {
     const auto& match = playback.match();
     if (senses_) senses_->follow(match);
     const auto what = due(playback);

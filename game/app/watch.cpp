@@ -15,16 +15,15 @@ namespace thaum::game::inline app {
 
 namespace {
 
-/// Exit code of a watched replay. If the replay diverged from the recorded match, prints a message and
-/// returns does_not_hold.
-int verdict(const std::optional<game::Divergence>& divergence) {
+/// Exit code of a watched replay: does_not_hold, with a message, if the replay diverged from the record.
+int verdict(const std::optional<Divergence>& divergence) {
     if (!divergence) return done;
-    print_line(game::described(*divergence));
+    print_line(described(*divergence));
     return does_not_hold;
 }
 
 /// Starts a thread that fills the index, at lower priority than the replay itself.
-Expected<std::jthread> fill_beside(const game::Playback& playback, game::ReplayIndex& index,
+Expected<std::jthread> fill_beside(const Playback& playback, ReplayIndex& index,
                                    const std::atomic<bool>& stop) {
     auto again = playback.open_again();
     if (!again) return again.error();
@@ -34,9 +33,9 @@ Expected<std::jthread> fill_beside(const game::Playback& playback, game::ReplayI
     });
 }
 
-/// Shows the replay while another thread fills its index. If that thread cannot be started, a jump ahead must
-/// compute every tick on the way.
-int run_with_index(const LivePlan& plan, const game::Playback& playback, game::ReplayIndex& index) {
+/// Shows the replay while its index is filled. Without an index, a jump ahead must compute every tick on the
+/// way.
+int run_with_index(const LivePlan& plan, const Playback& playback, ReplayIndex& index) {
     std::atomic<bool> stop{false};
     const auto filling = fill_beside(playback, index, stop);
     if (!filling) {
@@ -48,20 +47,20 @@ int run_with_index(const LivePlan& plan, const game::Playback& playback, game::R
     return result;
 }
 
-int watch_in_window(game::Playback playback, const WatchPlan& watched) {
-    const auto assets = game::find_assets();
-    game::ReplayIndex index(playback);
+int watch_in_window(Playback playback, const WatchPlan& watched) {
+    const auto assets = find_assets();
+    ReplayIndex index(playback);
     const ShownReplay replay{playback, index, watched.start, watched.speed};
     LivePlan plan;
-    plan.data = std::make_shared<const game::MatchData>(playback.match().data());
+    plan.data = std::make_shared<const MatchData>(playback.match().data());
     plan.replay = &replay;
     plan.assets = assets;
     plan.settings = settings_to_play_with(settings_file(), assets).settings;
     const int result = run_with_index(plan, playback, index);
-    return result == done ? verdict(game::earlier(playback.divergence(), index.divergence())) : result;
+    return result == done ? verdict(earlier(playback.divergence(), index.divergence())) : result;
 }
 
-int leave_picture(game::Playback& playback, const WatchPlan& plan) {
+int leave_picture(Playback& playback, const WatchPlan& plan) {
     const auto stem = plan.out / text("replay_", plan.start);
     if (const auto made = make_folder(plan.out); !made) return refuse(made.error());
     for (const auto* ending : {".png", ".dump"}) {
@@ -69,7 +68,7 @@ int leave_picture(game::Playback& playback, const WatchPlan& plan) {
     }
     playback.play_to(plan.start);
     const auto& match = playback.match();
-    auto still = Still::create(match.data(), game::find_assets(), {1280, 720});
+    auto still = Still::create(match.data(), find_assets(), {1280, 720});
     if (!still) return refuse(still.error());
     if (const auto saved =
             still->save(match, {.names = recorded_names(playback.log().header())}, stem.string() + ".png");
@@ -85,7 +84,7 @@ int leave_picture(game::Playback& playback, const WatchPlan& plan) {
 
 }  // namespace
 
-int watch(game::Playback playback, const WatchPlan& plan) {
+int watch(Playback playback, const WatchPlan& plan) {
     if (!render::display_there()) return leave_picture(playback, plan);
     return watch_in_window(std::move(playback), plan);
 }

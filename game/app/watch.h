@@ -12,9 +12,8 @@ struct WatchPlan {
     std::filesystem::path out{};  ///< folder for the picture that is saved if there is no display
 };
 
-/// Shows the replay in a window with a time bar, until the viewer closes the window. Without a display, saves
-/// a picture and the state of the first tick in the folder, and prints a line about them. Returns an exit
-/// code.
-int watch(game::Playback playback, const WatchPlan& plan);
+/// Shows the replay in a window with a time bar, until the viewer closes it. Without a display, saves one
+/// picture of the moment and its state in the folder, and prints a line about them. Returns an exit code.
+int watch(Playback playback, const WatchPlan& plan);
 
 }  // namespace thaum::game::inline app

@@ -14,18 +14,17 @@ class Still {
 public:
     /// Prepares to draw matches with this data. The error is one line: no OpenGL, no font, or a broken
     /// shader.
-    static Expected<Still> create(const game::MatchData& data, const std::filesystem::path& assets,
+    static Expected<Still> create(const MatchData& data, const std::filesystem::path& assets,
                                   render::Size size);
     Still(Still&&) noexcept;
     Still& operator=(Still&&) noexcept;
     ~Still();
 
     /// Draws a match. `senses`: what players have heard and felt so far; null: none of it is shown.
-    render::Image draw(const game::Simulation& match, const game::HudSettings& settings,
-                       const game::Senses* senses = nullptr);
+    render::Image draw(const Simulation& match, const HudSettings& settings, const Senses* senses = nullptr);
     /// Draws the match and saves the picture as a PNG file.
-    Expected<void> save(const game::Simulation& match, const game::HudSettings& settings,
-                        const std::filesystem::path& file, const game::Senses* senses = nullptr);
+    Expected<void> save(const Simulation& match, const HudSettings& settings,
+                        const std::filesystem::path& file, const Senses* senses = nullptr);
 
 private:
     struct State;

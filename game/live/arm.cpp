@@ -168,11 +168,11 @@ Expected<LiveArms> open_arms(std::span<const Seat> seats, const haptics::DeviceS
 }
 
 void bind_arms(LiveArms& arms, const TakenSeats& seats, bool start_screen) {
-    auto with_mouse = game::no_player, other = game::no_player;
-    for (std::uint32_t p = 0; p < game::players; ++p) {
+    auto with_mouse = no_player, other = no_player;
+    for (std::uint32_t p = 0; p < players; ++p) {
         if (seats[p].hands) (seats[p].seat.kind == SeatKind::keyboard_mouse ? with_mouse : other) = p;
     }
-    if (with_mouse == game::no_player) other = game::no_player;
+    if (with_mouse == no_player) other = no_player;
     for (std::size_t i = 0; i < arms.size(); ++i)
         arms[i]->player = start_screen ? (i == 0 ? with_mouse : other) : arms[i]->seat;
 }

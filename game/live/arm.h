@@ -78,12 +78,11 @@ std::optional<std::string> update(ArmNotice& notice, const std::string& name, co
 
 /// One real arm of the session, and the player who holds it.
 struct LiveArm {
-    /// index in LivePlan::seats of the seat (place of a player) that asked for the arm
-    std::uint32_t seat{};
-    std::uint32_t player = game::no_player;  ///< player who holds the arm in this match; no_player: nobody
-    input::ArmServo servo{};                 ///< servo between the arm's thread and the simulation thread
-    std::unique_ptr<ArmKeeper> keeper{};     ///< owned by the main thread
-    ArmNotice notice{};                      ///< used by the main thread
+    std::uint32_t seat{};                 ///< seat of the plan that asked for the arm
+    std::uint32_t player = no_player;     ///< player who holds it in this match; no_player: nobody
+    input::ArmServo servo{};              ///< servo between the arm's thread and the simulation thread
+    std::unique_ptr<ArmKeeper> keeper{};  ///< owned by the main thread
+    ArmNotice notice{};                   ///< used by the main thread
 };
 using LiveArms = std::vector<std::unique_ptr<LiveArm>>;
 
@@ -103,9 +102,9 @@ void follow_arms(LiveArms& arms);
 /// devices, which begin with the hands of both players.
 template <class F>
 void each_held_arm(const LiveArms& arms, F&& f) {
-    std::size_t device = game::players;
+    std::size_t device = players;
     for (const auto& arm : arms) {
-        if (arm->player < game::players) f(*arm, device++);
+        if (arm->player < players) f(*arm, device++);
     }
 }
 

@@ -59,22 +59,22 @@ std::vector<tactile::Purpose> LiveBody::purposes() const {
     return found;
 }
 
-void MatchBody::begin(const game::Simulation& match) {
+void MatchBody::begin(const Simulation& match) {
     data_ = &match.data();
     felt_sound_.reset();
     for (auto& scene : scenes_) scene.reset();
     faders_ = {};
-    effects_ = game::match_effects(body_->effects, *match.data().presentation);
-    for (const auto& line : effects_->missing) tell_user(text("an effect is missing: ", game::line_of(line)));
-    for (std::uint32_t p = 0; p < game::players; ++p) {
+    effects_ = match_effects(body_->effects, *match.data().presentation);
+    for (const auto& line : effects_->missing) tell_user(text("an effect is missing: ", line_of(line)));
+    for (std::uint32_t p = 0; p < players; ++p) {
         scenes_.at(p).emplace(*effects_, body_->effects, p);
         const auto figure = scenes_.at(p)->add(body_->figure);
         scenes_.at(p)->add(body_->pad);
         for (const auto& jacket : body_->jackets)
             scenes_.at(p)->set_hears(scenes_.at(p)->add(jacket.layout), true);
         if (const auto& own = body_->own.at(p)) scenes_.at(p)->set_hears(scenes_.at(p)->add(*own), true);
-        // The player's faders are for motors and jackets. The picture of the body has faders of its own.
-        scenes_.at(p)->set_faders(figure, game::figure_faders());
+        // The picture of the body has faders of its own: the player's are for motors and jacket.
+        scenes_.at(p)->set_faders(figure, figure_faders());
     }
 }
 
@@ -96,11 +96,10 @@ bool MatchBody::hears(std::uint32_t player) const {
 
 /// Computes the sounds of the match for the players who feel them on a jacket. If no player does, computes
 /// nothing.
-void MatchBody::hear(const game::Simulation& match) {
+void MatchBody::hear(const Simulation& match) {
     const auto* courses = sound_ != nullptr && (hears(0) || hears(1)) ? sound_->felt_courses() : nullptr;
     if (courses == nullptr) return felt_sound_.reset();
-    if (!felt_sound_)
-        felt_sound_.emplace(game::match_sounds(sound_->bank(), *match.data().presentation), *courses);
+    if (!felt_sound_) felt_sound_.emplace(match_sounds(sound_->bank(), *match.data().presentation), *courses);
     felt_sound_->take(match);
 }
 
@@ -116,7 +115,7 @@ std::string_view MatchBody::name_of_jacket(std::size_t number) const {
 }
 
 /// Makes frames for the outputs that the player has at present, and passes them on.
-void MatchBody::feel(std::uint32_t player, const game::Simulation& match) {
+void MatchBody::feel(std::uint32_t player, const Simulation& match) {
     auto& scene = *scenes_.at(player);
     const bool pad = motors_.feels(player);
     const auto jacket = motors_.jacket_layout(player);
@@ -124,7 +123,7 @@ void MatchBody::feel(std::uint32_t player, const game::Simulation& match) {
     scene.set_used(figure_frame, motors_.shows_figure(player));
     scene.set_used(pad_frame, pad);
     scene.set_sound(felt_sound_ && hears(player) ? felt_sound_->strengths(player, motors_.felt_sound(player))
-                                                 : game::BandStrengths{});
+                                                 : BandStrengths{});
     for (std::size_t i = 0; i < jackets_of(player); ++i)
         scene.set_used(first_jacket_frame + i, jacket == name_of_jacket(i));
     scene.take(match);
@@ -133,16 +132,16 @@ void MatchBody::feel(std::uint32_t player, const game::Simulation& match) {
         if (jacket == name_of_jacket(i)) motors_.feel_jacket(player, scene.frame(first_jacket_frame + i));
 }
 
-void MatchBody::follow(const game::Simulation& match, MatchSound& sound) {
+void MatchBody::follow(const Simulation& match, MatchSound& sound) {
     if (!body_ || match.now() % tactile::frame_ticks != 0) return;
     if (data_ != &match.data()) begin(match);
     now_ = match.now();
     still_ = false;
     hear(match);
-    for (std::uint32_t p = 0; p < game::players; ++p) {
+    for (std::uint32_t p = 0; p < players; ++p) {
         if (!scenes_.at(p)) continue;
         feel(p, match);
-        game::add_body_words(*scenes_.at(p), *effects_, body_->effects, sound.told(), sound.words(p));
+        add_body_words(*scenes_.at(p), *effects_, body_->effects, sound.told(), sound.words(p));
         if (!scenes_.at(p)->frame(figure_frame).is_silent()) felt_at_.at(p) = now_;
     }
 }
@@ -152,14 +151,14 @@ void MatchBody::forget() {
     still_ = true;
 }
 
-void MatchBody::show(game::Picture& picture) const {
-    for (std::size_t p = 0; p < game::players; ++p) {
+void MatchBody::show(Picture& picture) const {
+    for (std::size_t p = 0; p < players; ++p) {
         if (!scenes_.at(p)) continue;
         auto& shown = picture.wizards.at(p);
         const auto& amplitude = scenes_.at(p)->frame(figure_frame).amplitude;
         shown.senses.felt.fill(0);
-        if (!still_) std::copy_n(amplitude.begin(), game::figure_cells, shown.senses.felt.begin());
-        shown.senses.since_felt_s = game::since_felt_s(now_, felt_at_.at(p));
+        if (!still_) std::copy_n(amplitude.begin(), figure_cells, shown.senses.felt.begin());
+        shown.senses.since_felt_s = since_felt_s(now_, felt_at_.at(p));
     }
 }
 

@@ -29,7 +29,7 @@ struct LiveBody {
     std::vector<Worn> jackets{};  ///< shipped layouts, in the order of jacket_layouts()
 
     /// Layouts that players have written for their jackets.
-    std::array<std::optional<tactile::Layout>, game::players> own{};
+    std::array<std::optional<tactile::Layout>, players> own{};
 
     /// Lines on faulty effects and layouts. A faulty effect is left out, and a faulty layout has no
     /// actuators.
@@ -53,17 +53,17 @@ public:
 
     /// Follows the match after a tick; starts anew with another match or changed data. Adds words on what is
     /// felt on the body to those of `sound`, whose follow() must have been called for this tick.
-    void follow(const game::Simulation& match, MatchSound& sound);
+    void follow(const Simulation& match, MatchSound& sound);
     /// Forgets what was felt, after a jump to another time.
     void forget();
-    /// Copies to `picture` how strongly each cell of the drawn body is lit.
-    void show(game::Picture& picture) const;
+    /// Adds the strengths of the cells of the body's picture.
+    void show(Picture& picture) const;
 
 private:
-    void begin(const game::Simulation& match);
+    void begin(const Simulation& match);
     bool hears(std::uint32_t player) const;
-    void hear(const game::Simulation& match);
-    void feel(std::uint32_t player, const game::Simulation& match);
+    void hear(const Simulation& match);
+    void feel(std::uint32_t player, const Simulation& match);
 
     void take_faders(std::uint32_t player);
     std::size_t jackets_of(std::uint32_t player) const;
@@ -73,11 +73,11 @@ private:
     LiveTactile& motors_;
     const LiveSound* sound_;
     std::optional<BodySound> felt_sound_{};
-    const game::MatchData* data_{};  ///< data for which the scenes were made
-    std::optional<game::MatchEffects> effects_{};
-    std::array<std::optional<game::TactileScene>, game::players> scenes_{};
-    std::array<std::optional<tactile::Faders>, game::players> faders_{};  ///< faders that the scenes have now
-    std::array<Tick, game::players> felt_at_{};  ///< last tick at which a cell of the body's picture was on
+    const MatchData* data_{};  ///< data for which the scenes were made
+    std::optional<MatchEffects> effects_{};
+    std::array<std::optional<TactileScene>, players> scenes_{};
+    std::array<std::optional<tactile::Faders>, players> faders_{};  ///< faders that the scenes have now
+    std::array<Tick, players> felt_at_{};  ///< last tick at which a cell of the body's picture was on
     Tick now_{};
     bool still_ = true;  ///< true: no frame was made since the last jump in time
 };

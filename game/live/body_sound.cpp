@@ -2,16 +2,15 @@
 
 namespace thaum::game::inline live {
 
-Expected<game::FeltCourses> load_felt_courses(const audio::SoundBank& bank,
-                                              const std::filesystem::path& assets) {
-    const auto bands = game::load_felt_bands(assets / "tactile" / "sound.toml");
+Expected<FeltCourses> load_felt_courses(const audio::SoundBank& bank, const std::filesystem::path& assets) {
+    const auto bands = load_felt_bands(assets / "tactile" / "sound.toml");
     if (!bands) return bands.error();
-    return game::felt_courses(bank, *bands);
+    return felt_courses(bank, *bands);
 }
 
-void BodySound::take(const game::Simulation& match) {
+void BodySound::take(const Simulation& match) {
     // Both players listen, so a listener's number is the player's.
-    constexpr std::array<std::uint32_t, game::players> both{0, 1};
+    constexpr std::array<std::uint32_t, players> both{0, 1};
     if (!follower_.goes_on(match)) felt_.stop();
     follower_.look(match);
     scene_.take(match, both, frame_);

@@ -7,27 +7,24 @@
 
 namespace thaum::game::inline live {
 
-/// Loads the frequency bands of assets/tactile/sound.toml and computes the courses (strength over time in
-/// each band) of the bank's sounds. The error is one line.
-Expected<game::FeltCourses> load_felt_courses(const audio::SoundBank& bank,
-                                              const std::filesystem::path& assets);
+/// The bands of assets/tactile/sound.toml, and the courses of a bank's sounds. The error is one line.
+Expected<FeltCourses> load_felt_courses(const audio::SoundBank& bank, const std::filesystem::path& assets);
 
 class BodySound {
 public:
-    /// `courses` must outlive this object.
-    BodySound(game::MatchSounds sounds, const game::FeltCourses& courses)
-        : scene_(std::move(sounds)), felt_(courses) {}
+    /// Keeps the reference to the courses.
+    BodySound(MatchSounds sounds, const FeltCourses& courses) : scene_(std::move(sounds)), felt_(courses) {}
 
-    /// Follows the match. Call it at every eighth tick: it takes the eight ticks that have passed.
-    void take(const game::Simulation& match);
-    game::BandStrengths strengths(std::uint32_t player, const game::FeltSoundWish& wish) const {
+    /// Takes the eight ticks that have passed, at every eighth tick.
+    void take(const Simulation& match);
+    BandStrengths strengths(std::uint32_t player, const FeltSoundWish& wish) const {
         return felt_.strengths(player, wish);
     }
 
 private:
-    game::SoundScene scene_;
-    game::FeltSound felt_;
-    game::MatchFollower follower_{};
+    SoundScene scene_;
+    FeltSound felt_;
+    MatchFollower follower_{};
     audio::AudioFrame frame_{};
 };
 

@@ -10,7 +10,7 @@ namespace thaum::game::inline live {
 
 class BodyTrial {
 public:
-    using Figure = std::array<float, game::figure_cells>;
+    using Figure = std::array<float, figure_cells>;
 
     /// `body` and `outputs` outlive this object.
     BodyTrial(const LiveBody& body, LiveTactile& outputs) : body_(body), outputs_(outputs) {}

@@ -13,7 +13,7 @@ using input::DeviceKind;
 HandNews PlayerHands::begin_match(const Settings& settings, const Pads& pads) {
     HandNews news;
     seated_ = settings;
-    for (std::uint32_t p = 0; p < game::players; ++p) {
+    for (std::uint32_t p = 0; p < players; ++p) {
         const auto place = static_cast<std::size_t>(seats_[p].seat.pad);
         const bool seen = place < pads.size() && pads[place].present;
         const bool half = holds_[p].half;
@@ -35,7 +35,7 @@ void PlayerHands::release() const {
 }
 
 void PlayerHands::rebind(const Settings& settings) const {
-    for (std::uint32_t p = 0; p < game::players; ++p) {
+    for (std::uint32_t p = 0; p < players; ++p) {
         const auto& hands = seats_[p].hands;
         if (!hands) continue;
         hands->rebind(settings.bindings_of(device_of(p)));
@@ -50,7 +50,7 @@ void PlayerHands::rebind(const Settings& settings) const {
 
 HandNews PlayerHands::look(const Pads& pads, const Settings& settings, bool menu_open) {
     HandNews news;
-    for (std::uint32_t p = 0; p < game::players; ++p) {
+    for (std::uint32_t p = 0; p < players; ++p) {
         if (const auto other = other_pad_for(p, pads)) seats_[p].seat.pad = static_cast<int>(*other);
         const auto place = static_cast<std::size_t>(seats_[p].seat.pad);
         if (!has_pad(seats_[p]) || place >= pads.size()) continue;
@@ -103,7 +103,7 @@ void PlayerHands::feed(std::uint32_t player, const input::PadState& pad, bool me
 
 HandNews PlayerHands::take_plugged_pads(const Settings& settings) {
     HandNews news;
-    for (std::uint32_t p = 0; p < game::players; ++p) {
+    for (std::uint32_t p = 0; p < players; ++p) {
         if (!is_plugged_again(p)) continue;
         holds_[p].let_go_first = true;
         rejoin(p, settings, news);
@@ -127,7 +127,7 @@ DeviceKind PlayerHands::device_of(std::uint32_t player) const {
 }
 
 bool PlayerHands::half_is_free() const {
-    for (std::uint32_t p = 0; p < game::players; ++p) {
+    for (std::uint32_t p = 0; p < players; ++p) {
         if (seats_[p].hands && device_of(p) == DeviceKind::keyboard_half) return false;
     }
     return true;
@@ -135,7 +135,7 @@ bool PlayerHands::half_is_free() const {
 
 std::optional<std::uint32_t> PlayerHands::heir_of_half() const {
     if (!half_is_free()) return {};
-    for (std::uint32_t p = 0; p < game::players; ++p)
+    for (std::uint32_t p = 0; p < players; ++p)
         if (has_pad(seats_[p]) && !holds_[p].seen && !holds_[p].half) return p;
     return {};
 }
@@ -157,7 +157,7 @@ std::optional<HandNews> PlayerHands::take_half(const Settings& settings) {
 // Questions -------------------------------------------------------------------------------------------------
 
 bool PlayerHands::pauses(int key, const Settings& settings) const {
-    for (std::uint32_t p = 0; p < game::players; ++p) {
+    for (std::uint32_t p = 0; p < players; ++p) {
         if (seats_[p].hands && is_bound(settings.bindings_of(device_of(p)).of(Action::pause), key))
             return true;
     }
@@ -165,7 +165,7 @@ bool PlayerHands::pauses(int key, const Settings& settings) const {
 }
 
 std::optional<std::uint32_t> PlayerHands::first_lost() const {
-    for (std::uint32_t p = 0; p < game::players; ++p)
+    for (std::uint32_t p = 0; p < players; ++p)
         if (is_lost(p)) return p;
     return {};
 }

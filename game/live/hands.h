@@ -89,7 +89,7 @@ private:
     void feed(std::uint32_t player, const input::PadState& pad, bool menu_open);
 
     TakenSeats& seats_;
-    std::array<PadHold, game::players> holds_{};
+    std::array<PadHold, players> holds_{};
     Settings seated_{};  ///< settings that the seats' DeviceSpecs were made from
 };
 

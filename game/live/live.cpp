@@ -74,7 +74,7 @@ Expected<void> play_match(Live& live, MatchStart start) {
     auto& shared = live.shared;
     shared.progress.ended = shared.requests.end = shared.requests.rematch = false;
     shared.progress.state = PlayState::playing;
-    shared.requests.pause = shared.requests.go_on = game::no_player;
+    shared.requests.pause = shared.requests.go_on = no_player;
     for (auto& lost : shared.pad_lost) lost = false;
     auto& window = live.window.window;
     auto simulating = start_thread([&] {
@@ -129,7 +129,7 @@ Expected<LiveArms> open_arms_of(const LivePlan& plan) {
 /// Loads the layouts that players have written for their jackets. A fault is printed; the jacket then has its
 /// usual layout.
 void load_own_layouts(const LivePlan& plan, LiveShared& shared) {
-    for (std::uint32_t p = 0; shared.body && p < game::players; ++p) {
+    for (std::uint32_t p = 0; shared.body && p < players; ++p) {
         const auto& player = plan.settings.players.at(p);
         const auto jacket = parse_jacket(player.jacket);
         if (player.jacket_layout.empty() || !jacket || !*jacket) continue;

@@ -82,24 +82,23 @@ std::string told(const input::TickReport& arm);
 
 /// A replay that a session shows instead of a match.
 struct ShownReplay {
-    game::Playback& playback;
-    const game::ReplayIndex& index;  ///< index of the same log; another thread may still fill it
-    Tick start = 0;                  ///< first tick that is shown
-    double speed = 1;                ///< speed at the start (multiple of real time)
+    Playback& playback;
+    const ReplayIndex& index;  ///< index of the same log; another thread may still fill it
+    Tick start = 0;            ///< first tick that is shown
+    double speed = 1;          ///< pace at first (multiple of real time)
 };
 
 struct LivePlan {
-    std::shared_ptr<const game::MatchData> data;
+    std::shared_ptr<const MatchData> data;
     std::uint64_t seed = 1;
     std::array<Seat, 2> seats{};
     /// true: the players choose their seats on the start screen, which replaces `seats` and returns after
     /// each match
     bool start_screen = false;
-    /// Kind of the dummy if the session is the practice range instead of a match. The player of the first
-    /// seat practises, nothing is recorded, and data files are read again when they change.
-    std::optional<game::DummyKind> practice{};
-    /// true: the range runs the Apprentice, a tutorial whose lessons choose the dummy
-    bool apprentice = false;
+    /// Kind of the dummy if the session is the range instead of a match. The first seat practises, nothing is
+    /// recorded, and data files are read again when they change.
+    std::optional<DummyKind> practice{};
+    bool apprentice = false;  ///< true: the range is the Apprentice, and its lessons choose the dummy
     bool first_start =
         false;  ///< true: nobody has started the program before, so the Apprentice is offered first
     /// true: bots play one match after another, and each result is shown for some seconds. Only the first

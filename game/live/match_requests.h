@@ -65,11 +65,11 @@ struct MatchRequests {
     /// true: players want to go on after a result. Either thread sets it. Then the next round begins, or
     /// after the last round this match ends and another one follows.
     std::atomic<bool> rematch{false};
-    /// Player for whom the session presses the pause button, to begin or to end a pause. Set by either
-    /// thread. Ignored if the match is in the wanted state already. game::no_player: none.
-    std::atomic<std::uint32_t> pause{game::no_player}, go_on{game::no_player};
-    std::atomic<game::DummyKind> dummy{game::DummyKind::still};   ///< wanted kind of the range's dummy
-    std::atomic<game::RangeChanges> range{game::RangeChanges{}};  ///< wanted changes of the range's rules
+    /// Player for whom the session presses the pause button, to pause or to go on. Set by either thread.
+    /// Ignored if the match is paused, or goes on, already. no_player: none.
+    std::atomic<std::uint32_t> pause{no_player}, go_on{no_player};
+    std::atomic<DummyKind> dummy{DummyKind::still};   ///< wanted kind of the range's dummy
+    std::atomic<RangeChanges> range{RangeChanges{}};  ///< wanted changes of the range's rules
     static_assert(decltype(range)::is_always_lock_free);
     HandOver<OwnGestures> own_gestures{};  ///< own gestures of the player of the range, after a change
 

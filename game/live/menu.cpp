@@ -147,9 +147,9 @@ void LiveMenu::character(char32_t character) {
     if (takes_text()) step({.kind = Kind::character, .device = mouse_and_keys, .typed = character});
 }
 
-std::optional<game::MenuPlace> LiveMenu::place_of_mouse(render::Size window) const {
+std::optional<MenuPlace> LiveMenu::place_of_mouse(render::Size window) const {
     if (!mouse_) return {};
-    return game::place_at(picture(), window, settings().text_scale, *mouse_);
+    return place_at(picture(), window, settings().text_scale, *mouse_);
 }
 
 void LiveMenu::cursor(fvec2 position, render::Size window) {
@@ -161,10 +161,10 @@ void LiveMenu::cursor(fvec2 position, render::Size window) {
 
 namespace {
 
-Kind click_of(const game::MenuPlace& place) {
+Kind click_of(const MenuPlace& place) {
     switch (place.part) {
-        case game::MenuPart::less: return Kind::left;
-        case game::MenuPart::more: return Kind::right;
+        case MenuPart::less: return Kind::left;
+        case MenuPart::more: return Kind::right;
         default: return Kind::confirm;
     }
 }
@@ -271,7 +271,7 @@ void LiveMenu::end_pad_setup(std::string note) {
     state_.note = std::move(note);
 }
 
-void LiveMenu::set_gestures(const game::GestureSet* gestures) {
+void LiveMenu::set_gestures(const GestureSet* gestures) {
     context_.gestures.clear();
     if (gestures == nullptr) return;
     for (const auto& gesture : gestures->gestures()) context_.gestures.push_back(gesture.name);

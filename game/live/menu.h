@@ -21,7 +21,7 @@ public:
     const MenuState& state() const { return state_; }
     const MenuContext& context() const { return context_; }
     const Settings& settings() const { return state_.settings; }
-    game::MenuPicture picture() const { return picture_of(state_, context_); }
+    MenuPicture picture() const { return picture_of(state_, context_); }
     bool is_open() const { return !state_.pages.empty(); }
     /// Whether the start screen or a page below it is open.
     bool on_start_screen() const { return is_open() && state_.pages.front().page == page_name::start; }
@@ -101,7 +101,7 @@ public:
         context_.first_start = false;
     }
     /// The gestures that the player of the range can draw anew; null: none.
-    void set_gestures(const game::GestureSet* gestures);
+    void set_gestures(const GestureSet* gestures);
     /// The gesture that the player of the range draws anew at present: its number plus 1; 0: none.
     void set_drawn_gesture(std::uint32_t number) { context_.drawn_gesture = number; }
     /// Words of the start screen on faulty data files; ignored if there are words on a faulty settings file
@@ -138,7 +138,7 @@ private:
         return !state_.pages.empty() && state_.pages.back().page == page_name::start;
     }
     bool joined_just_now(const Device& device, const input::PadState& before);
-    std::optional<game::MenuPlace> place_of_mouse(render::Size window) const;
+    std::optional<MenuPlace> place_of_mouse(render::Size window) const;
 
     MenuState state_;
     MenuContext context_;

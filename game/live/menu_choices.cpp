@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t max_data_file = 1U << 20U;
 constexpr Tick longest_shown = ticks(24 * 3600.0);  ///< rules of a longer round are shown as "no time limit"
 
-MenuContext::Named told(const std::string& name, const game::RoundRules& rules) {
+MenuContext::Named told(const std::string& name, const RoundRules& rules) {
     const auto rounds = rules.rounds > 1 ? text("best of ", rules.rounds, ", ") : std::string();
     const auto clock = rules.length < longest_shown ? clock_text(rules.length / ticks_per_second)
                                                     : std::string("no time limit");
@@ -28,13 +28,13 @@ MenuContext::Named broken(const std::string& name, const Error& error) {
 Expected<Config> config_of(const std::filesystem::path& assets, const std::string& name) {
     const auto source = read_text_file(assets / name, max_data_file);
     if (!source) return source.error();
-    return Config::parse(*source, game::shown_path(assets, name), 1);
+    return Config::parse(*source, shown_path(assets, name), 1);
 }
 
 MenuContext::Named rules_of(const std::filesystem::path& assets, const std::string& name) {
     const auto config = config_of(assets, text("rules/", name, ".toml"));
     if (!config) return broken(name, config.error());
-    const auto rules = game::read_round_rules(*config);
+    const auto rules = read_round_rules(*config);
     if (const auto checked = config->check(); !checked) return broken(name, checked.error());
     return told(name, rules);
 }
@@ -67,7 +67,7 @@ std::vector<MenuContext::Named> all_arenas(const LivePlan& plan) {
 
 std::vector<MenuContext::Named> all_rules(const LivePlan& plan) {
     std::vector<MenuContext::Named> all;
-    for (const auto& name : game::match_lengths(plan.assets)) all.push_back(rules_of(plan.assets, name));
+    for (const auto& name : match_lengths(plan.assets)) all.push_back(rules_of(plan.assets, name));
     const auto& chosen = plan.data->choice.match;
     // The rules of the command line are shown with the changes of --set.
     const auto row = std::find_if(all.begin(), all.end(), [&](const auto& r) { return r.name == chosen; });
@@ -97,15 +97,15 @@ MenuContext find_menu_context(const LivePlan& plan) {
                         .start_fault = plan.start_fault};
     for (const auto& wand : plan.data->wands)
         context.wands.at(wand.stats.slot) = capitalised(wand.kind->name);
-    for (int level = game::easiest_bot; level <= game::hardest_bot; ++level) {
-        const auto skill = game::load_bot_skill(plan.assets, level);
+    for (int level = easiest_bot; level <= hardest_bot; ++level) {
+        const auto skill = load_bot_skill(plan.assets, level);
         if (skill)
             context.levels.push_back(level);
         else if (context.level_fault.empty())
             context.level_fault = text("No level ", level, ": ", skill.error().message);
     }
     // The list must not be empty, so it gets the easiest level. The match will report the missing file.
-    if (context.levels.empty()) context.levels.push_back(game::easiest_bot);
+    if (context.levels.empty()) context.levels.push_back(easiest_bot);
     return context;
 }
 

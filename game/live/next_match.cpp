@@ -6,14 +6,14 @@ Expected<void> NextMatch::choose(const std::string& match, const std::string& ar
     auto choice = data_->choice;
     choice.match = match;
     choice.arena = arena;
-    auto data = game::load_match_data(assets_, choice);
+    auto data = load_match_data(assets_, choice);
     if (!data) return data.error();
-    data_ = std::make_shared<const game::MatchData>(std::move(*data));
+    data_ = std::make_shared<const MatchData>(std::move(*data));
     return {};
 }
 
-Expected<void> NextMatch::open_range(const game::DataChoice& choice) {
-    auto files = game::RangeFiles::open(assets_, choice);
+Expected<void> NextMatch::open_range(const DataChoice& choice) {
+    auto files = RangeFiles::open(assets_, choice);
     if (!files) return files.error();
     range_ = std::move(*files);
     return {};
@@ -22,7 +22,7 @@ Expected<void> NextMatch::open_range(const game::DataChoice& choice) {
 Expected<void> NextMatch::open_range() { return open_range(data_->choice); }
 
 Expected<void> NextMatch::open_apprentice() {
-    auto lessons = game::load_lessons(assets_);
+    auto lessons = load_lessons(assets_);
     if (!lessons) return lessons.error();
     auto choice = data_->choice;
     choice.arena = lessons->arena;

@@ -13,10 +13,10 @@ namespace thaum::game::inline live {
 
 class NextMatch {
 public:
-    NextMatch(std::filesystem::path assets, std::shared_ptr<const game::MatchData> data)
+    NextMatch(std::filesystem::path assets, std::shared_ptr<const MatchData> data)
         : assets_(std::move(assets)), data_(std::move(data)) {}
 
-    const std::shared_ptr<const game::MatchData>& data() const { return data_; }
+    const std::shared_ptr<const MatchData>& data() const { return data_; }
     /// Whether the next match is practice on the range.
     bool is_practice() const { return range_.has_value(); }
 
@@ -30,19 +30,19 @@ public:
     /// file, line and key.
     Expected<void> open_apprentice();
     /// Hands over the lessons of the Apprentice, for one match; std::nullopt: the next match has none.
-    std::optional<game::Lessons> take_lessons() { return std::exchange(lessons_, std::nullopt); }
+    std::optional<Lessons> take_lessons() { return std::exchange(lessons_, std::nullopt); }
     /// Whether the next match is the Apprentice.
     bool is_apprentice() const { return lessons_.has_value(); }
     /// Hands over the range's files, for one match; std::nullopt: the next match is no practice.
-    std::optional<game::RangeFiles> take_range() { return std::exchange(range_, std::nullopt); }
+    std::optional<RangeFiles> take_range() { return std::exchange(range_, std::nullopt); }
 
 private:
     std::filesystem::path assets_;
-    std::shared_ptr<const game::MatchData> data_;
-    Expected<void> open_range(const game::DataChoice& choice);
+    std::shared_ptr<const MatchData> data_;
+    Expected<void> open_range(const DataChoice& choice);
 
-    std::optional<game::RangeFiles> range_{};
-    std::optional<game::Lessons> lessons_{};
+    std::optional<RangeFiles> range_{};
+    std::optional<Lessons> lessons_{};
 };
 
 }  // namespace thaum::game::inline live

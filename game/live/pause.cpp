@@ -12,10 +12,10 @@ namespace {
 std::string lost_pads(const PauseFacts& facts, bool plugged_again, std::string_view end) {
     std::string pads;
     std::size_t count = 0;
-    for (std::uint32_t p = 0; p < game::players; ++p) {
+    for (std::uint32_t p = 0; p < players; ++p) {
         if (!facts.lost_pad[p] || facts.plugged_again[p] != plugged_again) continue;
         pads += text(count++ == 0 ? "pad " : " and pad ", *facts.lost_pad[p] + 1, " of ",
-                     game::name_of(facts.names, p));
+                     name_of(facts.names, p));
     }
     return count == 0 ? std::string() : text(pads, count == 1 ? " is " : " are ", end);
 }
@@ -24,7 +24,7 @@ std::string lost_pads(const PauseFacts& facts, bool plugged_again, std::string_v
 
 PauseWords pause_words(const PauseFacts& facts) {
     PauseWords words{.missing = lost_pads(facts, false, "not plugged in")};
-    if (facts.heir_of_half < game::players) words.half_for = game::name_of(facts.names, facts.heir_of_half);
+    if (facts.heir_of_half < players) words.half_for = name_of(facts.names, facts.heir_of_half);
     if (!words.missing.empty()) {
         const auto half = facts.key_for_half.empty() ? std::string() : text(", or ", facts.key_for_half);
         words.head = capitalised(words.missing);
@@ -37,8 +37,8 @@ PauseWords pause_words(const PauseFacts& facts) {
         return words;
     }
     if (facts.focus_lost) return {"Paused", "the window lost the focus"};
-    const bool known = facts.paused_by < game::players;
-    return {"Paused", known ? text("by ", game::name_of(facts.names, facts.paused_by)) : std::string()};
+    const bool known = facts.paused_by < players;
+    return {"Paused", known ? text("by ", name_of(facts.names, facts.paused_by)) : std::string()};
 }
 
 }  // namespace thaum::game::inline live

@@ -59,15 +59,13 @@ struct PauseWords {
 
 /// Reasons of a pause.
 struct PauseFacts {
-    /// player who pressed the pause button; game::no_player: nobody
-    std::uint32_t paused_by = game::no_player;
-    bool focus_lost = false;  ///< true: the session paused the match, because the window lost the focus
-    std::array<std::optional<int>, game::players> lost_pad{};  ///< number of each player's lost pad
-    /// true: the lost pad is plugged in again and only waits for a press
-    std::array<bool, game::players> plugged_again{};
-    std::uint32_t heir_of_half = game::no_player;  ///< player who can take half of the keyboard
-    game::PlayerNames names{};
-    /// key that takes half of the keyboard instead of a pad; empty: that half is not free
+    std::uint32_t paused_by = no_player;  ///< player who pressed the button; no_player: nobody
+    bool focus_lost = false;              ///< the session pressed it, because the window lost the focus
+    std::array<std::optional<int>, players> lost_pad{};  ///< number of each player's lost pad
+    std::array<bool, players> plugged_again{};           ///< lost pads that wait for a press only
+    std::uint32_t heir_of_half = no_player;              ///< player who can take half of the keyboard
+    PlayerNames names{};
+    /// key that takes half of the keyboard instead of a pad; empty: it is not free
     std::string key_for_half{};
 };
 

@@ -10,7 +10,7 @@ namespace thaum::game::inline live {
 
 /// Record of the session's match: none, a log, or the data files of the range. The range's data may change
 /// during the match, so a range is never logged: a log's header must stay true.
-using Recording = std::variant<std::monostate, input::LogWriter, game::RangeFiles>;
+using Recording = std::variant<std::monostate, input::LogWriter, RangeFiles>;
 
 /// Place of the logs of one session.
 struct LogPlace {

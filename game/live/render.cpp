@@ -7,8 +7,6 @@
 
 namespace thaum::game::inline live {
 
-using game::Picture;
-
 namespace {
 
 /// Delay of the shown picture behind the newest one (ms). With it the next picture has usually arrived, so
@@ -17,9 +15,9 @@ constexpr double delay_ms = 6;
 
 /// The last two pictures, and the picture interpolated between them for the present time.
 struct InterpolationBuffer {
-    Picture before = game::make_picture(), newest = game::make_picture(), shown = game::make_picture();
-    game::PromptUses prompt_uses{};  ///< uses of controls, counted over all pictures so far
-    std::int64_t shown_due_ns = 0;   ///< all ticks due by this time are contained in `shown` (ns)
+    Picture before = make_picture(), newest = make_picture(), shown = make_picture();
+    PromptUses prompt_uses{};       ///< uses of controls, counted over all pictures so far
+    std::int64_t shown_due_ns = 0;  ///< all ticks due by this time are contained in `shown` (ns)
     bool any = false;
 };
 
@@ -37,7 +35,7 @@ void advance(TripleBuffer<Picture>& pictures, InterpolationBuffer& buffer) {
     if (!pictures.take()) return;
     std::swap(buffer.before, buffer.newest);
     buffer.newest = pictures.newest();
-    game::count_uses(buffer.before, buffer.newest, buffer.prompt_uses);
+    count_uses(buffer.before, buffer.newest, buffer.prompt_uses);
     buffer.any = true;
 }
 
@@ -50,7 +48,7 @@ const Picture& show(InterpolationBuffer& buffer, double speed) {
     const double wanted =
         follows ? (shown_tick - static_cast<double>(a.tick)) / static_cast<double>(b.tick - a.tick) : 1;
     const double alpha = std::clamp(wanted, 0.0, 1.0);
-    game::interpolate(a, b, alpha, buffer.shown);
+    interpolate(a, b, alpha, buffer.shown);
     buffer.shown_due_ns = b.due_ns - std::llround((1 - alpha) * static_cast<double>(b.due_ns - a.due_ns));
     return buffer.shown;
 }
@@ -81,19 +79,18 @@ double camera_angle() {
 
 /// Everything that the render thread makes a picture from.
 struct RenderState {
-    std::shared_ptr<const game::MatchData> scene;  ///< data that the arena scene was made from
-    game::ArenaScene arena_scene;
+    std::shared_ptr<const MatchData> scene;  ///< data that the arena scene was made from
+    ArenaScene arena_scene;
     InterpolationBuffer buffer{};
-    game::FrameMemory memory{};
+    FrameMemory memory{};
     QualityChoice quality{};
     /// number of the qualities, from the lowest on, whose shaders were used already
     std::size_t warm_qualities = 0;
     std::int64_t next_still_ns = 0;
 };
 
-/// Picture of the open menu. A pause menu without a note shows the match's caption, which is not shown
-/// elsewhere meanwhile.
-game::MenuPicture menu_of(const Screen& screen, const Picture& shown) {
+/// Picture of the open menu. A menu without a note shows the match's caption, which has no other place then.
+MenuPicture menu_of(const Screen& screen, const Picture& shown) {
     auto menu = screen.menu;
     if (!screen.arena_scene && menu.note.empty()) menu.note = shown.caption.words;
     return menu;
@@ -105,12 +102,10 @@ const render::Frame& frame_of(RenderState& state, const Screen& screen, render::
     hud.quality = state.quality.now(screen.quality, size);
     hud.prompt_uses = state.buffer.prompt_uses;
     if (screen.arena_scene)
-        game::make_arena_frame(state.arena_scene, state.buffer.newest, camera_angle(), hud, size,
-                               state.memory);
+        make_arena_frame(state.arena_scene, state.buffer.newest, camera_angle(), hud, size, state.memory);
     else
-        game::make_frame(state.arena_scene, show(state.buffer, speed), hud, size, state.memory);
-    game::add_menu(state.memory.frame.overlay, menu_of(screen, state.buffer.shown), size,
-                   screen.hud.text_scale);
+        make_frame(state.arena_scene, show(state.buffer, speed), hud, size, state.memory);
+    add_menu(state.memory.frame.overlay, menu_of(screen, state.buffer.shown), size, screen.hud.text_scale);
     return state.memory.frame;
 }
 
@@ -125,12 +120,12 @@ bool due(RenderState& state, const Screen& screen, bool changed) {
     return true;
 }
 
-game::ArenaScene arena_scene_of(render::Renderer& renderer, const game::MatchData& data) {
-    return game::make_arena_scene(renderer, data);
+ArenaScene arena_scene_of(render::Renderer& renderer, const MatchData& data) {
+    return make_arena_scene(renderer, data);
 }
 
 /// Tests whether both data sets make the same arena scene.
-bool same_scenery(const game::MatchData& a, const game::MatchData& b) {
+bool same_scenery(const MatchData& a, const MatchData& b) {
     return a.arena.things == b.arena.things && a.arena.meshes == b.arena.meshes && a.look == b.look &&
            a.wizard.height == b.wizard.height && a.orb.has_value() == b.orb.has_value() &&
            a.crystal.has_value() == b.crystal.has_value();

@@ -8,8 +8,6 @@
 namespace thaum::game::inline live {
 namespace {
 
-using game::Playback;
-
 constexpr std::int64_t idle_ns = 8'000'000;  ///< sleep between two looks at the requests (ns)
 constexpr double publish_period_ns = 4e6;    ///< period of published pictures, at any speed (ns of real time)
 constexpr std::int64_t max_behind_ns =
@@ -51,9 +49,9 @@ std::uint32_t recent_mark(const Playback& playback) {
 }
 
 /// Words on a replay that differs from the recorded match, or that has come to its end.
-game::Caption caption_of(const ReplayThread& r) {
+Caption caption_of(const ReplayThread& r) {
     const auto& playback = r.replay.playback;
-    const auto differs = game::earlier(playback.divergence(), r.replay.index.divergence());
+    const auto differs = earlier(playback.divergence(), r.replay.index.divergence());
     if (differs && r.now() >= differs->recorded.tick)
         return {text("From ", clock_text(differs->recorded.tick / ticks_per_second),
                      " on this replay differs from the recorded match."),
@@ -69,7 +67,7 @@ game::Caption caption_of(const ReplayThread& r) {
 
 void publish(ReplayThread& r) {
     auto& picture = r.shared.pictures.to_fill();
-    game::take_picture(r.playback().match(), picture);
+    take_picture(r.playback().match(), picture);
     picture.due_ns = r.due_ns(picture.tick);
     picture.mark = recent_mark(r.playback());
     picture.practice = {};
@@ -84,7 +82,7 @@ void publish(ReplayThread& r) {
 void go_to(ReplayThread& r, Tick target) {
     const auto& index = r.replay.index;
     if (!index.covers(target) && !index.complete()) return sleep_until_ns(monotonic_ns() + idle_ns);
-    if (const auto there = game::seek(r.playback(), index, target, r.shared.stop); !there) {
+    if (const auto there = seek(r.playback(), index, target, r.shared.stop); !there) {
         r.shared.simulation_error = there.error();
         r.shared.stop = true;
         return;

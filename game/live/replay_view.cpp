@@ -10,9 +10,6 @@
 namespace thaum::game::inline live {
 namespace {
 
-using game::Kill;
-using game::Watch;
-
 constexpr std::array speeds{slowest_replay, 0.5, 1.0, 2.0, 4.0, 8.0, fastest_replay};
 
 struct ReplayKey {
@@ -68,9 +65,9 @@ Watch next_watch(Watch watch) {
     return Watch::both;
 }
 
-std::string eyes_of(Watch watch, const game::PlayerNames& names) {
+std::string eyes_of(Watch watch, const PlayerNames& names) {
     if (watch == Watch::both) return "both views";
-    return text(game::name_of(names, watch == Watch::first ? 0 : 1), "'s eyes");
+    return text(name_of(names, watch == Watch::first ? 0 : 1), "'s eyes");
 }
 
 void pause_or_go_on(ReplayView& view, Tick length) {
@@ -120,8 +117,7 @@ ReplayView after(ReplayView view, ReplayDeed deed, Tick length, std::span<const 
 
 // The viewer ------------------------------------------------------------------------------------------------
 
-ReplayViewer::ReplayViewer(const game::ReplayIndex& index, Tick length, ReplayRequests& requests,
-                           game::PlayerNames names)
+ReplayViewer::ReplayViewer(const ReplayIndex& index, Tick length, ReplayRequests& requests, PlayerNames names)
     : index_(index), length_(length), requests_(requests), names_(std::move(names)) {}
 
 void ReplayViewer::key(int key) {
@@ -141,7 +137,7 @@ void ReplayViewer::key(int key) {
 
 void ReplayViewer::mouse_button(int button, bool pressed, render::Size window, double text_scale) {
     if (button != 0) return;
-    drags_ = pressed && cursor_.y >= game::lay_out_replay_bar(text_scale, window).band.low.y;
+    drags_ = pressed && cursor_.y >= lay_out_replay_bar(text_scale, window).band.low.y;
     if (drags_) go_to_cursor(window, text_scale);
 }
 
@@ -151,10 +147,10 @@ void ReplayViewer::cursor(fvec2 place, render::Size window, double text_scale) {
 }
 
 void ReplayViewer::go_to_cursor(render::Size window, double text_scale) {
-    requests_.target = game::tick_at(game::lay_out_replay_bar(text_scale, window), cursor_.x, length_);
+    requests_.target = tick_at(lay_out_replay_bar(text_scale, window), cursor_.x, length_);
 }
 
-game::ReplayBar ReplayViewer::bar() const {
+ReplayBar ReplayViewer::bar() const {
     const auto target = requests_.target.load();
     return {.length = length_,
             .indexed = index_.complete() ? length_ : index_.reached(),

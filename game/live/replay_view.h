@@ -35,7 +35,7 @@ struct ReplayView {
     Tick at{};  ///< tick that is shown, or target of a jump that is not done yet
     double speed = 1;
     bool paused = false;
-    game::Watch watch = game::Watch::both;
+    Watch watch = Watch::both;
     bool operator==(const ReplayView&) const = default;
 };
 
@@ -47,9 +47,8 @@ inline constexpr Tick before_kill = 2000;  ///< a jump to a kill ends this long 
 /// the present tick (ticks).
 inline constexpr Tick same_kill = 1000;
 
-/// The view after a deed (one of the viewer's actions). `length`: ticks of the log; `kills`: the kills that
-/// are known, by rising tick.
-ReplayView after(ReplayView view, ReplayDeed deed, Tick length, std::span<const game::Kill> kills);
+/// The view after a deed. `length`: ticks of the log; `kills`: those known, by rising tick.
+ReplayView after(ReplayView view, ReplayDeed deed, Tick length, std::span<const Kill> kills);
 
 /// Requests of the main thread to the simulation thread that shows a replay.
 struct ReplayRequests {
@@ -65,27 +64,26 @@ struct ReplayRequests {
 class ReplayViewer {
 public:
     /// `length`: ticks of the log; `names`: the players' names on the screen.
-    ReplayViewer(const game::ReplayIndex& index, Tick length, ReplayRequests& requests,
-                 game::PlayerNames names = {});
+    ReplayViewer(const ReplayIndex& index, Tick length, ReplayRequests& requests, PlayerNames names = {});
 
-    const game::PlayerNames& names() const { return names_; }
+    const PlayerNames& names() const { return names_; }
 
     void key(int key);
     void mouse_button(int button, bool pressed, render::Size window, double text_scale);
     /// `place`: from the top left of the window (px).
     void cursor(fvec2 place, render::Size window, double text_scale);
 
-    game::Watch watch() const { return watch_; }
-    game::ReplayBar bar() const;
+    Watch watch() const { return watch_; }
+    ReplayBar bar() const;
 
 private:
     void go_to_cursor(render::Size window, double text_scale);
 
-    const game::ReplayIndex& index_;
+    const ReplayIndex& index_;
     Tick length_;
     ReplayRequests& requests_;
-    game::PlayerNames names_;
-    game::Watch watch_ = game::Watch::both;
+    PlayerNames names_;
+    Watch watch_ = Watch::both;
     fvec2 cursor_{};
     bool drags_ = false;  ///< the mouse button went down on the bar and is held
 };

@@ -39,7 +39,7 @@ Expected<std::vector<Seat>> hands_named(std::string_view words) {
         if (comma == words.size()) break;
         words.remove_prefix(comma + 1);
     }
-    if (hands.size() > game::players) return fail("--hands takes one or two devices, one a player");
+    if (hands.size() > players) return fail("--hands takes one or two devices, one a player");
     if (hands.size() < 2 || hands[0].kind != hands[1].kind || hands[0].kind == SeatKind::pad) return hands;
     // Only one player has the mouse. If both seats ask for it, the second one gives way if it has an arm,
     // else the first one if that has an arm.
@@ -97,8 +97,8 @@ void ask_for_forces(const Settings& settings, std::uint32_t player, input::Devic
 }
 
 TakenSeat take_seat(const Settings& settings, Seat seat, std::uint32_t player) {
-    if (seat.kind == SeatKind::bot) return {seat, game::bot_device(player, seat.level), nullptr, nullptr};
-    if (seat.kind == SeatKind::dummy) return {seat, game::dummy_device(), nullptr, nullptr};
+    if (seat.kind == SeatKind::bot) return {seat, bot_device(player, seat.level), nullptr, nullptr};
+    if (seat.kind == SeatKind::dummy) return {seat, dummy_device(), nullptr, nullptr};
     input::DeviceSpec spec;
     spec.player = player;
     spec.kind = device_kind(seat.kind);
@@ -131,7 +131,7 @@ Seats joined_seats(const MenuState& menu, const MenuContext& context, bool pract
         seats[p] =
             device ? seat_of(*device) : Seat{.kind = SeatKind::bot, .level = context.levels[menu.level]};
     }
-    if (practice) seats[game::dummys] = {.kind = SeatKind::dummy};
+    if (practice) seats[dummys] = {.kind = SeatKind::dummy};
     return seats;
 }
 
@@ -147,12 +147,12 @@ Seats planned_seats(Seats seats, const Pads& pads) {
 
 TakenSeats take_seats(const Settings& settings, const Seats& seats) {
     TakenSeats taken;
-    for (std::uint32_t p = 0; p < game::players; ++p) taken[p] = take_seat(settings, seats[p], p);
+    for (std::uint32_t p = 0; p < players; ++p) taken[p] = take_seat(settings, seats[p], p);
     return taken;
 }
 
 void want_faders(const Settings& settings, const TakenSeats& seats) {
-    for (std::uint32_t p = 0; p < game::players; ++p) {
+    for (std::uint32_t p = 0; p < players; ++p) {
         if (!seats[p].faders) continue;
         input::DeviceSpec wanted;
         ask_for_forces(settings, p, wanted);
@@ -163,7 +163,7 @@ void want_faders(const Settings& settings, const TakenSeats& seats) {
 bool has_pad(const TakenSeat& seat) { return seat.hands && seat.seat.kind == SeatKind::pad; }
 
 std::optional<std::uint32_t> first_person(const TakenSeats& seats) {
-    for (std::uint32_t p = 0; p < game::players; ++p) {
+    for (std::uint32_t p = 0; p < players; ++p) {
         if (seats[p].hands) return p;
     }
     return {};

@@ -11,7 +11,7 @@ namespace thaum::game::inline live {
 
 using input::Pads;
 
-using Seats = std::array<Seat, game::players>;
+using Seats = std::array<Seat, players>;
 
 /// One player's seat with its devices.
 struct TakenSeat {
@@ -20,7 +20,7 @@ struct TakenSeat {
     std::unique_ptr<input::HandsCollector> hands;  ///< collector of the player's input; null for a bot
     std::unique_ptr<FaderInput> faders;            ///< the player's faders as input; null for a bot
 };
-using TakenSeats = std::array<TakenSeat, game::players>;
+using TakenSeats = std::array<TakenSeat, players>;
 
 /// Seats of the command line; each pad goes to the first seat that wants one.
 Seats planned_seats(Seats seats, const Pads& pads);

@@ -23,7 +23,7 @@ LiveMenu make_menu(const LivePlan& plan) {
     auto context = find_menu_context(plan);
     MenuState state;
     state.settings = plan.settings;
-    state.dummy = static_cast<std::size_t>(plan.practice.value_or(game::DummyKind::still));
+    state.dummy = static_cast<std::size_t>(plan.practice.value_or(DummyKind::still));
     const auto level = std::find(context.levels.begin(), context.levels.end(), plan.settings.last.bot_level);
     if (level != context.levels.end()) state.level = static_cast<std::size_t>(level - context.levels.begin());
     state.rules = index_of(context.rules, plan.data->choice.match);
@@ -40,7 +40,7 @@ LiveSession::LiveSession(LiveShared& shared, const LivePlan& plan)
       menu_(make_menu(plan)),
       hands_(shared.seats),
       setup_(own_pads_file(plan.settings_file)) {
-    shared.requests.dummy = plan.practice.value_or(game::DummyKind::still);
+    shared.requests.dummy = plan.practice.value_or(DummyKind::still);
     if (plan.replay != nullptr) {
         shared.replay.speed = plan.replay->speed;
         if (plan.replay->start > 0) shared.replay.target = plan.replay->start;
@@ -171,7 +171,7 @@ void LiveSession::take_seats(const Pads& pads) {
 void LiveSession::load_profile() {
     profile_.clear();
     std::vector<std::string> faults;
-    for (std::uint32_t p = 0; p < game::players; ++p) {
+    for (std::uint32_t p = 0; p < players; ++p) {
         if (!shared_.seats[p].hands) continue;
         const auto folder = own_gestures_folder(plan_.settings_file, menu_.settings(), p);
         for (auto& own : load_own_gestures(folder, *next_.data(), p, faults))
@@ -181,13 +181,12 @@ void LiveSession::load_profile() {
 }
 
 input::LogHeader LiveSession::log_header(std::uint64_t seed) const {
-    std::vector<std::string> players;
+    std::vector<std::string> kinds;
     for (const auto& seat : shared_.seats)
-        players.push_back(seat.seat.kind == SeatKind::bot ? text("bot ", seat.seat.level) : "human");
-    game::MatchSetup setup{.seed = seed, .devices = devices_of(shared_.seats, shared_.arms)};
-    // The result needs no check: load_profile has reported and left out what use_profile would refuse.
-    (void)game::use_profile(*next_.data(), profile_, setup);
-    auto header = game::log_header(*next_.data(), setup, std::move(players));
+        kinds.push_back(seat.seat.kind == SeatKind::bot ? text("bot ", seat.seat.level) : "human");
+    MatchSetup setup{.seed = seed, .devices = devices_of(shared_.seats, shared_.arms)};
+    (void)use_profile(*next_.data(), profile_, setup);  // gestures that do not fit were left out
+    auto header = game::log_header(*next_.data(), setup, std::move(kinds));
     record_names(names(), header);
     return header;
 }
@@ -209,7 +208,7 @@ void LiveSession::step_match(const std::optional<Pads>& pads, std::int64_t now_n
     name_arms();
     follow_match(now_ns);
     if (const auto found = shared_.progress.found_force.exchange(0); found != 0)
-        menu_.set_own_force(game::practising, found);
+        menu_.set_own_force(practising, found);
     take_drawn_gesture();
     menu_.set_drawn_gesture(shared_.progress.drawn_number);
     menu_.repeat(now_ns);
@@ -256,12 +255,12 @@ void LiveSession::look_at_pads(const Pads& plugged, std::int64_t now_ns) {
 void LiveSession::report(const HandNews& news) {
     if (news.lost) shared_.requests.pause = *news.lost;
     if (news.all_back) shared_.requests.go_on = *news.all_back;
-    for (std::uint32_t p = 0; p < game::players; ++p) shared_.pad_lost[p] = hands_.is_lost(p);
+    for (std::uint32_t p = 0; p < players; ++p) shared_.pad_lost[p] = hands_.is_lost(p);
 }
 
 /// Gives each player the motors of the pad that the player uses now.
 void LiveSession::share_motors() {
-    for (std::uint32_t p = 0; p < game::players; ++p) {
+    for (std::uint32_t p = 0; p < players; ++p) {
         const auto& seat = shared_.seats[p];
         const auto place = static_cast<std::size_t>(seat.seat.pad);
         const bool uses_pad =
@@ -272,7 +271,7 @@ void LiveSession::share_motors() {
 
 /// Gives players who have joined with a pad its motors, so that they can feel effects on the mixer's page.
 void LiveSession::share_motors_of_start_screen() {
-    for (std::uint32_t p = 0; p < game::players; ++p) {
+    for (std::uint32_t p = 0; p < players; ++p) {
         const auto& device = menu_.state().seats[p];
         const bool pad = device && device->kind == input::DeviceKind::pad;
         shared_.tactile.use_pad(p, pad ? &pads_.at(static_cast<std::size_t>(device->pad)) : nullptr);
@@ -315,11 +314,11 @@ void LiveSession::follow_match(std::int64_t now_ns) {
 PauseFacts LiveSession::pause_facts() const {
     PauseFacts facts{
         .paused_by = shared_.progress.paused_by, .focus_lost = paused_by_focus_, .names = names()};
-    for (std::uint32_t p = 0; p < game::players; ++p) {
+    for (std::uint32_t p = 0; p < players; ++p) {
         if (hands_.is_lost(p)) facts.lost_pad[p] = shared_.seats[p].seat.pad;
         facts.plugged_again[p] = hands_.is_plugged_again(p);
     }
-    facts.heir_of_half = hands_.heir_of_half().value_or(game::no_player);
+    facts.heir_of_half = hands_.heir_of_half().value_or(no_player);
     if (hands_.half_is_free()) {
         facts.key_for_half = control_names(menu_.settings(), input::DeviceKind::keyboard_half).fire;
     }
@@ -328,14 +327,14 @@ PauseFacts LiveSession::pause_facts() const {
 
 /// Applies changed settings to the players' hands, and the menu's choices to the range.
 void LiveSession::apply_settings() {
-    shared_.requests.dummy = static_cast<game::DummyKind>(menu_.state().dummy);
+    shared_.requests.dummy = static_cast<DummyKind>(menu_.state().dummy);
     shared_.requests.range = menu_.state().range;
     const auto sound = menu_.take_sound();
     if (shared_.sound != nullptr) shared_.sound->play(sound);
     if (menu_.is_open())
         menu_.tell_sound(shared_.sound != nullptr ? shared_.sound->status()
                                                   : "no sound: the terminal says which file is wrong");
-    for (std::uint32_t p = 0; menu_.on_mixer() && p < game::players; ++p)
+    for (std::uint32_t p = 0; menu_.on_mixer() && p < players; ++p)
         menu_.tell_jacket(p, shared_.tactile.jacket_state(p));
     if (!menu_.take_settings_change()) return;
     hands_.rebind(menu_.settings());
@@ -346,7 +345,7 @@ void LiveSession::apply_settings() {
 
 /// Folder of the own gestures of the player of the range.
 std::filesystem::path LiveSession::folder_of_gestures() const {
-    return own_gestures_folder(plan_.settings_file, menu_.settings(), game::practising);
+    return own_gestures_folder(plan_.settings_file, menu_.settings(), practising);
 }
 
 /// Checks and saves a gesture that the player of the range has drawn, and lets the range go on with it.
@@ -354,14 +353,14 @@ void LiveSession::take_drawn_gesture() {
     const auto drawn = shared_.progress.drawn_gesture.take();
     if (!drawn) return;
     std::vector<std::string> words{text("saved: this is your ", capitalised(drawn->name), " from now on")};
-    const auto fits = check_own_gesture(*drawn, *next_.data(), profile_, game::practising);
+    const auto fits = check_own_gesture(*drawn, *next_.data(), profile_, practising);
     if (!fits) {
         words = {text("not saved, since ", fits.error().message)};
     } else if (const auto saved = save_own_gesture(folder_of_gestures(), *drawn); saved) {
         load_profile();
     } else {
         words = {text("only until you leave: ", saved.error().message)};
-        profile_ = with_own_gesture(std::move(profile_), *drawn, game::practising);
+        profile_ = with_own_gesture(std::move(profile_), *drawn, practising);
     }
     print_line(text("gesture wall: ", words.front()));
     std::fflush(stdout);
@@ -445,10 +444,10 @@ double LiveSession::patience_s() const {
 namespace {
 
 /// Views that are shown: those of all persons, and of the bots if no person plays.
-game::Watch watched(const TakenSeats& seats) {
+Watch watched(const TakenSeats& seats) {
     const bool first = seats[0].hands != nullptr, second = seats[1].hands != nullptr;
-    if (first == second) return game::Watch::both;
-    return first ? game::Watch::first : game::Watch::second;
+    if (first == second) return Watch::both;
+    return first ? Watch::first : Watch::second;
 }
 
 }  // namespace
@@ -456,11 +455,11 @@ game::Watch watched(const TakenSeats& seats) {
 /// Returns the players' names for the screen: those that they gave themselves, "Bot 3" for a bot
 /// against a person, and "Dummy" for the range's dummy. A replay has those of its log. An empty name
 /// stands for the name of the team.
-game::PlayerNames LiveSession::names() const {
+PlayerNames LiveSession::names() const {
     if (viewer_) return viewer_->names();
     const auto& seats = shared_.seats;
-    game::PlayerNames names;
-    for (std::size_t p = 0; p < game::players; ++p) {
+    PlayerNames names;
+    for (std::size_t p = 0; p < players; ++p) {
         const auto& seat = seats[p].seat;
         const bool against_person = seats[1 - p].hands != nullptr;
         if (seats[p].hands != nullptr)
@@ -496,12 +495,12 @@ Screen LiveSession::screen() const {
     auto& messages = screen.hud.device_messages;
     each_held_arm(shared_.arms,
                   [&](const LiveArm& arm, std::size_t) { messages[arm.player] = arm.notice.fault; });
-    for (std::uint32_t p = 0; p < game::players; ++p)
+    for (std::uint32_t p = 0; p < players; ++p)
         if (shared_.seats[p].hands) screen.hud.controls[p] = control_names(settings, hands_.device_of(p));
     // A replay names the wands by the keys that select them with keyboard and mouse.
     for (auto& controls : screen.hud.controls)
         if (viewer_) controls.wands = control_names(settings, input::DeviceKind::keyboard_mouse).wands;
-    for (std::uint32_t p = 0; p < game::players; ++p)
+    for (std::uint32_t p = 0; p < players; ++p)
         if (hands_.is_lost(p))
             messages[p] = hands_.is_plugged_again(p) ? text("pad is back: ", press_to_rejoin)
                                                      : text("pad lost: ", how_to_rejoin);
@@ -573,10 +572,10 @@ void LiveSession::follow_arena() {
 void LiveSession::show_arena() {
     shared_.scene.to_fill() = next_.data();
     shared_.scene.publish();
-    std::vector<input::DeviceSpec> devices(game::players);
-    for (std::uint32_t p = 0; p < game::players; ++p) devices[p].player = p;
-    const game::Simulation match(next_.data(), {1, std::move(devices)});
-    game::take_picture(match, shared_.pictures.to_fill());
+    std::vector<input::DeviceSpec> devices(players);
+    for (std::uint32_t p = 0; p < players; ++p) devices[p].player = p;
+    const Simulation match(next_.data(), {1, std::move(devices)});
+    take_picture(match, shared_.pictures.to_fill());
     shared_.pictures.publish();
 }
 

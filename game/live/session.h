@@ -105,7 +105,7 @@ private:
     void take_drawn_gesture();
     void forget_gesture();
     PauseFacts pause_facts() const;
-    game::PlayerNames names() const;
+    PlayerNames names() const;
     void apply_settings();
     Screen screen() const;
 

@@ -33,10 +33,9 @@ struct InputStamp {
 
 /// Everything the main thread wants shown besides the match itself.
 struct Screen {
-    game::HudSettings hud{};  ///< settings of the views; `quality` below replaces theirs
-    /// quality of the pictures; std::nullopt: chosen by device and measured times
-    std::optional<render::Quality> quality{};
-    game::MenuPicture menu{};
+    HudSettings hud{};                         ///< settings of the views; `quality` below replaces theirs
+    std::optional<render::Quality> quality{};  ///< std::nullopt: chosen by device and measured times
+    MenuPicture menu{};
     bool arena_scene = false;  ///< true: there is no match, and the arena is shown alone, from above
     double frames_per_second = 60;
     bool operator==(const Screen&) const = default;
@@ -65,7 +64,7 @@ private:
 /// State of the present match, from the simulation thread.
 struct MatchProgress {
     std::atomic<PlayState> state{PlayState::playing};
-    std::atomic<std::uint32_t> paused_by{game::no_player};
+    std::atomic<std::uint32_t> paused_by{no_player};
     std::atomic<bool> ended{false};  ///< true: the simulation thread has ended its match
     /// Largest force that a player of the range has found by feel (% of the device's peak), until the main
     /// thread takes it; 0: none.
@@ -79,7 +78,7 @@ struct MatchProgress {
 struct LiveShared {
     /// `make_motors` opens the motors of a pad; tests pass a fake.
     explicit LiveShared(LiveTactile::MakeOutput make_motors = input::rumble_output)
-        : tactile(std::move(make_motors)), pictures(game::make_picture()), screen(Screen{}) {}
+        : tactile(std::move(make_motors)), pictures(make_picture()), screen(Screen{}) {}
 
     void say_started() {
         started = true;
@@ -94,10 +93,10 @@ struct LiveShared {
     LiveTactile tactile;  ///< motors of the players' pads, and their jackets
     LiveArms arms;  ///< real arms; the list and their players change only while no simulation thread runs
     /// filled by the simulation thread, and by the main thread while no simulation runs
-    TripleBuffer<game::Picture> pictures;
+    TripleBuffer<Picture> pictures;
     TripleBuffer<Screen> screen;  ///< filled by the main thread
     /// Data of the match that the pictures show; filled by the simulation thread.
-    TripleBuffer<std::shared_ptr<const game::MatchData>> scene{nullptr};
+    TripleBuffer<std::shared_ptr<const MatchData>> scene{nullptr};
     /// arrival of the first event that no tick has taken yet; 0: none
     std::atomic<std::int64_t> input_came_ns{0};
     /// times of input events, from the simulation thread to the render thread
@@ -112,8 +111,8 @@ struct LiveShared {
     MatchRequests requests{};
     MatchProgress progress{};
     ReplayRequests replay{};  ///< requests of the viewer of a replay
-    /// true: the player's pad was unplugged and the player has not rejoined yet; set by the main thread
-    std::array<std::atomic<bool>, game::players> pad_lost{};
+    /// true: the player's pad is unplugged and the player has no other device; set by the main thread
+    std::array<std::atomic<bool>, players> pad_lost{};
 
     // Each of the following is written by one thread, and read after that thread has ended.
     std::optional<Error> simulation_error, render_error;
@@ -131,12 +130,12 @@ struct Staller {
 /// Everything the simulation thread takes over to play one match.
 struct MatchStart {
     /// data of the match; practice uses the data of `recording` instead
-    std::shared_ptr<const game::MatchData> data;
+    std::shared_ptr<const MatchData> data;
     std::uint64_t seed = 1;
     Recording recording;
     int countdown = 0;    ///< length of the countdown before the match begins (s)
     std::string fault{};  ///< text on a fault for both players, shown for the first seconds; empty: none
-    std::optional<game::Lessons> lessons{};     ///< lessons of the Apprentice, which is played on the range
+    std::optional<Lessons> lessons{};           ///< lessons of the Apprentice, which is played on the range
     std::vector<input::ProfileData> profile{};  ///< the players' own gestures (game/match/own_gestures.h)
 };
 

@@ -14,7 +14,6 @@
 
 namespace thaum::game::inline live {
 
-using game::Simulation;
 using input::Button;
 
 namespace {
@@ -37,7 +36,7 @@ constexpr std::uint64_t bot_seed_step = 0x9e3779b97f4a7c15ULL;
 struct Round {
     std::unique_ptr<Simulation> own;
     Simulation* match = nullptr;  ///< `own`, or the match of the practice
-    game::Bots bots;
+    Bots bots;
     std::variant<std::monostate, input::LogWriter, Practice> kept;  ///< record of the match, as in Recording
     std::string told_step{};               ///< text of the Apprentice's step that was printed last
     std::unique_ptr<DataWatcher> watcher;  ///< the range's files; null outside of practice
@@ -73,21 +72,21 @@ bool finds_force(Round& round) {
     return practice != nullptr && practice->finds_force();
 }
 
-void show_scene(LiveShared& shared, std::shared_ptr<const game::MatchData> data) {
+void show_scene(LiveShared& shared, std::shared_ptr<const MatchData> data) {
     shared.scene.to_fill() = std::move(data);
     shared.scene.publish();
 }
 
 /// Makes the gesture readers of all players before the first tick, so that the first stroke need not wait.
-void make_readers(const game::MatchContext& context) {
-    for (std::uint32_t player = 0; player < game::players; ++player)
-        if (const auto* gestures = game::gestures_of(context, player)) (void)gestures->recogniser();
+void make_readers(const MatchContext& context) {
+    for (std::uint32_t player = 0; player < players; ++player)
+        if (const auto* gestures = gestures_of(context, player)) (void)gestures->recogniser();
 }
 
-void start_practice(SimulationThread& s, game::RangeFiles files, MatchStart& start) {
+void start_practice(SimulationThread& s, RangeFiles files, MatchStart& start) {
     show_scene(s.shared, files.data().match);
     auto devices = arms_of(s.shared.arms);
-    devices.insert(devices.begin(), s.shared.seats[game::practising].spec);
+    devices.insert(devices.begin(), s.shared.seats[practising].spec);
     auto& practice =
         s.round.kept.emplace<Practice>(files.data(), devices, s.shared.requests.dummy, start.seed,
                                        std::move(start.lessons), std::move(start.profile));
@@ -96,10 +95,10 @@ void start_practice(SimulationThread& s, game::RangeFiles files, MatchStart& sta
 }
 
 bool add_bots(SimulationThread& s, std::uint64_t seed) {
-    for (std::uint32_t p = 0; p < game::players; ++p) {
+    for (std::uint32_t p = 0; p < players; ++p) {
         const auto& seat = s.shared.seats[p].seat;
         if (seat.kind != SeatKind::bot) continue;
-        const auto skill = game::load_bot_skill(s.plan.assets, seat.level);
+        const auto skill = load_bot_skill(s.plan.assets, seat.level);
         if (!skill) {
             s.shared.simulation_error = skill.error();
             return false;
@@ -116,14 +115,13 @@ bool start_round(SimulationThread& s, MatchStart start) {
     s.fault = std::move(start.fault);
     for (auto& seat : s.shared.seats)
         if (seat.faders) seat.faders->begin_match(seat.spec.faders());
-    if (auto* files = std::get_if<game::RangeFiles>(&start.recording)) {
+    if (auto* files = std::get_if<RangeFiles>(&start.recording)) {
         start_practice(s, std::move(*files), start);
     } else {
         show_scene(s.shared, start.data);
-        game::MatchSetup setup{
+        MatchSetup setup{
             .seed = start.seed, .devices = devices_of(s.shared.seats, s.shared.arms), .workers = 1};
-        // gives the match the same gestures as the log's header has
-        (void)game::use_profile(*start.data, std::move(start.profile), setup);
+        (void)use_profile(*start.data, std::move(start.profile), setup);  // as in the log's header
         s.round.own = std::make_unique<Simulation>(std::move(start.data), std::move(setup));
         s.round.match = s.round.own.get();
     }
@@ -156,7 +154,7 @@ void follow_lessons(Round& round) {
 }
 
 /// Number of the gesture that the player draws anew, plus 1; 0: none.
-std::uint32_t number_of_drawn(const GestureWall& wall, const game::GestureSet* gestures) {
+std::uint32_t number_of_drawn(const GestureWall& wall, const GestureSet* gestures) {
     if (!wall.records() || gestures == nullptr) return 0;
     const auto number = gestures->number(wall.recorded_name());
     return number ? *number + 1 : 0;
@@ -197,8 +195,8 @@ void follow_practice(SimulationThread& s) {
     show_scene(s.shared, reload->data->match);
 }
 
-PlayState play_state_of(const game::Match& match) {
-    if (match.phase != game::Phase::playing) return PlayState::over;
+PlayState play_state_of(const Match& match) {
+    if (match.phase != Phase::playing) return PlayState::over;
     return match.paused != 0 ? PlayState::paused : PlayState::playing;
 }
 
@@ -208,9 +206,9 @@ PlayState play_state_of(const game::Match& match) {
 void press_for_main(MatchRequests& requests, PlayState state, input::InputFrame& frame) {
     const auto press = [&](std::atomic<std::uint32_t>& request, PlayState unless) {
         const auto player = request.load();
-        if (player >= game::players) return;
+        if (player >= players) return;
         if (state == PlayState::over || state == unless)
-            request = game::no_player;
+            request = no_player;
         else
             frame.devices[player].press(Button::pause);
     };
@@ -230,7 +228,7 @@ void stamp_input(SimulationThread& s) {
 /// Lets the player of the range find the largest force by feel.
 void try_force(SimulationThread& s, Practice& practice, input::InputFrame& frame) {
     const auto found = practice.try_force(frame);
-    s.shared.seats[game::practising].faders->note(frame.devices[game::practising].change);
+    s.shared.seats[practising].faders->note(frame.devices[practising].change);
     if (!found) return;
     s.shared.progress.found_force = *found;
     s.wake();
@@ -240,7 +238,7 @@ input::InputFrame take_frame(SimulationThread& s) {
     stamp_input(s);
     input::InputFrame frame;
     s.round.bots.sample(*s.round.match, frame);
-    if (auto* practice = practice_of(s.round)) frame.devices[game::dummys] = practice->dummy_sample();
+    if (auto* practice = practice_of(s.round)) frame.devices[dummys] = practice->dummy_sample();
     for (std::size_t i = 0; i < s.shared.seats.size(); ++i) {
         if (auto& hands = s.shared.seats[i].hands) frame.devices[i] = hands->take();
         auto& faders = s.shared.seats[i].faders;
@@ -259,7 +257,7 @@ input::InputFrame take_frame(SimulationThread& s) {
         press_for_main(s.shared.requests, play_state_of(s.round.match->match()), frame);
     frame.devices[0].buttons |= std::exchange(s.next_press, 0);
     // Between two rounds of a match the rematch key starts the next round.
-    if (s.shared.requests.rematch && s.round.match->match().phase == game::Phase::between)
+    if (s.shared.requests.rematch && s.round.match->match().phase == Phase::between)
         frame.devices[0].press(Button::confirm);
     // All devices lose the same samples. Only the first device's column records the number.
     const auto skips = std::min<Tick>(s.skips_to_log, 0xffff);
@@ -283,7 +281,7 @@ void keep_pace_with_arms(SimulationThread& s, Tick behind) {
 void give_orders(SimulationThread& s) {
     const auto& match = *s.round.match;
     each_held_arm(s.shared.arms, [&](LiveArm& arm, std::size_t) {
-        if (game::fill_order(match.world(), match.haptic_setup(), arm.player, arm.servo.order()))
+        if (fill_order(match.world(), match.haptic_setup(), arm.player, arm.servo.order()))
             arm.servo.publish();
     });
 }
@@ -322,7 +320,7 @@ std::uint32_t recent_mark(const Round& round) {
 
 void publish(SimulationThread& s) {
     auto& picture = s.shared.pictures.to_fill();
-    game::take_picture(*s.round.match, picture);
+    take_picture(*s.round.match, picture);
     picture.due_ns = s.start_ns + static_cast<std::int64_t>(picture.tick) * ns_per_tick;
     picture.mark = recent_mark(s.round);
     picture.countdown = s.countdown;
@@ -342,15 +340,15 @@ void run_tick(SimulationThread& s) {
     s.shared.requests.carry_out({practice_of(round), s.next_press});
     follow_practice(s);
     const auto frame = take_frame(s);
-    game::tick_and_record(*round.match, frame, log_of(round));
+    tick_and_record(*round.match, frame, log_of(round));
     follow_lessons(round);
     follow_gestures(s);
     give_orders(s);
     const auto now = round.match->now();
     s.sound.follow(*round.match);
     s.body.follow(*round.match, s.sound);
-    if (round.match->match().phase == game::Phase::over && !round.over_at) round.over_at = now;
-    if (round.over_at && now == *round.over_at + game::log_after_end) close_log(round);
+    if (round.match->match().phase == Phase::over && !round.over_at) round.over_at = now;
+    if (round.over_at && now == *round.over_at + log_after_end) close_log(round);
     watch_buttons(s, frame);
     tell_progress(s);
     if (now % (is_idle(s) ? idle_publish_period : publish_period) == 0) publish(s);
@@ -389,7 +387,7 @@ bool is_time_up(const SimulationThread& s) {
 
 /// Drops input that came before the match. A press of the pause button is kept as a request.
 void drop_input(SimulationThread& s) {
-    for (std::uint32_t p = 0; p < game::players; ++p) {
+    for (std::uint32_t p = 0; p < players; ++p) {
         const auto& hands = s.shared.seats[p].hands;
         if (hands && hands->take().down(Button::pause)) s.shared.requests.pause = p;
     }

@@ -53,14 +53,14 @@ void LiveSound::make_courses() {
         tell_user(text("no sound on the jacket: ", courses.error().message));
         return;
     }
-    made_courses_ = std::make_unique<const game::FeltCourses>(std::move(*courses));
+    made_courses_ = std::make_unique<const FeltCourses>(std::move(*courses));
     courses_ = made_courses_.get();
 }
 
 void LiveSound::apply(const Settings& settings) {
     speakers_.set(mix_settings(settings));
     words_ = std::any_of(settings.players.begin(), settings.players.end(),
-                         [](const auto& player) { return player.heard != game::HeardWish::none; });
+                         [](const auto& player) { return player.heard != HeardWish::none; });
     if (std::any_of(settings.players.begin(), settings.players.end(),
                     [](const auto& player) { return player.jacket_sound > 0; }))
         make_courses();
@@ -88,14 +88,14 @@ void MatchSound::listen(bool first, bool second) {
 }
 
 /// Makes a scene for the match's data. Missing sounds are printed.
-void MatchSound::begin(const game::Simulation& match) {
-    auto sounds = game::match_sounds(sound_->bank(), *match.data().presentation);
-    for (const auto& line : sounds.missing) tell_user(text("a sound is missing: ", game::line_of(line)));
-    told_ = game::told_by_sounds(sounds, sound_->bank());
+void MatchSound::begin(const Simulation& match) {
+    auto sounds = match_sounds(sound_->bank(), *match.data().presentation);
+    for (const auto& line : sounds.missing) tell_user(text("a sound is missing: ", line_of(line)));
+    told_ = told_by_sounds(sounds, sound_->bank());
     scene_.emplace(std::move(sounds));
 }
 
-void MatchSound::hear(const game::Simulation& match) {
+void MatchSound::hear(const Simulation& match) {
     if (!scene_) begin(match);
     scene_->take(match, {listening_.data(), listeners_}, frame_);
     sound_->hear(frame_);
@@ -103,7 +103,7 @@ void MatchSound::hear(const game::Simulation& match) {
         heard_.at(listening_.at(i)).follow(frame_, sound_->bank(), i);
 }
 
-void MatchSound::follow(const game::Simulation& match) {
+void MatchSound::follow(const Simulation& match) {
     if (match.now() % audio::frame_ticks != 0) return;
     if (data_ != &match.data()) {
         data_ = &match.data();
@@ -113,8 +113,8 @@ void MatchSound::follow(const game::Simulation& match) {
     for (auto& lines : heard_) lines.pass_frame();
     if (sound_ != nullptr && !sound_->is_wanted()) return;
     if (sound_ != nullptr) hear(match);
-    if (match.match().phase != game::Phase::playing || match.match().paused != 0) return;
-    for (std::uint32_t p = 0; p < game::players; ++p) hands_.at(p).take(match, p, heard_.at(p));
+    if (match.match().phase != Phase::playing || match.match().paused != 0) return;
+    for (std::uint32_t p = 0; p < players; ++p) hands_.at(p).take(match, p, heard_.at(p));
 }
 
 void MatchSound::count_down() {
@@ -125,8 +125,8 @@ void MatchSound::count_down() {
     sound_->hear(frame);
 }
 
-void MatchSound::show(game::Picture& picture) const {
-    for (std::size_t p = 0; p < game::players; ++p) {
+void MatchSound::show(Picture& picture) const {
+    for (std::size_t p = 0; p < players; ++p) {
         auto& shown = picture.wizards.at(p);
         const auto lines = heard_.at(p).lines();
         shown.senses.heard_lines =

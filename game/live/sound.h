@@ -48,7 +48,7 @@ public:
     // Called by the thread of a match.
     /// Courses (strengths over time) of the sounds, for players who feel them; null while no player wants
     /// that.
-    const game::FeltCourses* felt_courses() const { return courses_; }
+    const FeltCourses* felt_courses() const { return courses_; }
     /// Whether anybody hears the match, or reads it in words. Otherwise frames need not be made.
     bool is_wanted() const { return words_ || speakers_.plays(); }
     void hear(const audio::AudioFrame& frame) { speakers_.hear(frame); }
@@ -59,8 +59,8 @@ private:
     audio::SoundBank bank_;
     audio::Speakers speakers_;
     std::filesystem::path assets_{};  ///< folder of data files; empty: no sounds are felt
-    std::unique_ptr<const game::FeltCourses> made_courses_{};
-    std::atomic<const game::FeltCourses*> courses_{};  ///< `made_courses_`, for the thread of a match
+    std::unique_ptr<const FeltCourses> made_courses_{};
+    std::atomic<const FeltCourses*> courses_{};  ///< `made_courses_`, for the thread of a match
     bool tried_courses_ = false;
     std::atomic<bool> words_{};  ///< true: a player wants to read in words what is heard
     ToldState told_{};
@@ -80,7 +80,7 @@ public:
     /// hear it.
     void listen(bool first, bool second);
     /// Follows the match after a tick; starts anew with another match or changed data.
-    void follow(const game::Simulation& match);
+    void follow(const Simulation& match);
     /// Plays the sound of one second of the countdown before the match.
     void count_down();
     /// Forgets the words, after a jump to another time.
@@ -89,25 +89,25 @@ public:
         hands_ = {};
     }
     /// Words on what one player hears. MatchBody adds what the player feels.
-    game::HeardLines& words(std::uint32_t player) { return heard_.at(player); }
+    HeardLines& words(std::uint32_t player) { return heard_.at(player); }
     /// Events and effects of this match that the captions of sounds already describe.
-    const game::ToldBySounds& told() const { return told_; }
-    /// Adds to the picture the words on what is heard and felt.
-    void show(game::Picture& picture) const;
+    const ToldBySounds& told() const { return told_; }
+    /// Adds what is heard and felt in words.
+    void show(Picture& picture) const;
 
 private:
-    void begin(const game::Simulation& match);
-    void hear(const game::Simulation& match);
+    void begin(const Simulation& match);
+    void hear(const Simulation& match);
 
     LiveSound* sound_;
-    std::optional<game::SoundScene> scene_{};
-    const game::MatchData* data_{};  ///< data of the match that is followed
-    std::array<std::uint32_t, game::players> listening_{0, 1};
+    std::optional<SoundScene> scene_{};
+    const MatchData* data_{};  ///< data of the match that is followed
+    std::array<std::uint32_t, players> listening_{0, 1};
     std::size_t listeners_ = 2;
     audio::AudioFrame frame_{};
-    game::ToldBySounds told_{};
-    std::array<game::HeardLines, game::players> heard_{};  ///< words on what each player hears
-    std::array<game::HandWords, game::players> hands_{};   ///< finds words on what each player's hand feels
+    ToldBySounds told_{};
+    std::array<HeardLines, players> heard_{};  ///< words on what each player hears
+    std::array<HandWords, players> hands_{};   ///< finds words on what each player's hand feels
 };
 
 /// The part of the settings that the sound mixer uses.

@@ -133,7 +133,7 @@ std::string_view LiveTactile::jacket_layout(std::uint32_t player) const {
     return seat.jacket.is_open() ? seat.layout.load()->name : std::string_view();
 }
 
-game::FeltSoundWish LiveTactile::felt_sound(std::uint32_t player) const {
+FeltSoundWish LiveTactile::felt_sound(std::uint32_t player) const {
     const auto& seat = seats_.at(player);
     return {seat.sound, seat.sound_of};
 }

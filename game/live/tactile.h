@@ -72,7 +72,7 @@ public:
     /// Whether a player's view shows the figure of the body.
     bool shows_figure(std::uint32_t player) const { return seats_.at(player).figure; }
     /// The player's settings for sounds on the jacket.
-    game::FeltSoundWish felt_sound(std::uint32_t player) const;
+    FeltSoundWish felt_sound(std::uint32_t player) const;
     /// Passes a frame of the jacket's layout, as `feel` does. A frame of another number of actuators is
     /// dropped: the jacket has just been changed.
     void feel_jacket(std::uint32_t player, const tactile::TactileFrame& frame);
@@ -101,14 +101,14 @@ private:
         std::size_t own_motors{};  ///< actuators of the player's own layout; 0: there is none
         std::atomic<bool> figure{};
         std::atomic<double> sound{};
-        std::atomic<game::FeltGroups> sound_of{};
+        std::atomic<FeltGroups> sound_of{};
     };
     void use_jacket(std::uint32_t player, const std::string& words);
     static std::size_t motors_of_seat(const Seat& seat);
 
     MakeOutput make_;
     MakeJacket make_jacket_;
-    std::array<Seat, game::players> seats_{};
+    std::array<Seat, players> seats_{};
 };
 
 }  // namespace thaum::game::inline live

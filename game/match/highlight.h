@@ -15,6 +15,6 @@ struct Highlight {
 inline constexpr Tick highlight_interval = 50;
 
 /// Updates `best` from the match; call this after every tick.
-void watch_for_highlight(const game::Simulation& match, Highlight& best);
+void watch_for_highlight(const Simulation& match, Highlight& best);
 
 }  // namespace thaum::game::inline match

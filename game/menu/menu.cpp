@@ -24,7 +24,7 @@ namespace {
 /// has no seat yet and another device chose the row, or none did. A row for one player needs no second press:
 /// it acts at once if nobody has joined.
 bool only_joins(const MenuState& s, const Row& row, const MenuEvent& event) {
-    return shown_page(s).seats && !event.row && s.chooser != event.device && joined(s) < game::players &&
+    return shown_page(s).seats && !event.row && s.chooser != event.device && joined(s) < players &&
            !seat_of(s, event.device) && !starts_at_once(s, row);
 }
 

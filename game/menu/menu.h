@@ -69,15 +69,15 @@ struct MenuContext {
     WandNames wands{};
     std::array<std::string, 4> pads{};  ///< names of the pads; empty: not plugged in
     /// Name and state of the real arm of the player with the mouse, then of the other player; empty: no arm.
-    std::array<std::string, game::players> arms{};
-    bool practice = false;     ///< true: the paused match is practice on the range
-    bool apprentice = false;   ///< true: the paused match is the Apprentice, which is played on the range
+    std::array<std::string, players> arms{};
+    bool practice = false;     ///< true: the pause belongs to the range
+    bool apprentice = false;   ///< true: the pause belongs to the Apprentice, which is played on the range
     bool first_start = false;  ///< true: the start screen offers the Apprentice first
     bool ends_match = false;   ///< true: leaving the pause opens the start screen; false: it ends the program
     std::string missing{};     ///< why the pause cannot end: whose pad is not plugged in; empty: it can
     std::string half_for{};    ///< player who may go on with half of the keyboard; empty: nobody
     std::string sound{};       ///< state of the loudspeakers, or why nothing is heard
-    std::array<std::string, game::players>
+    std::array<std::string, players>
         jackets{};                        ///< state of each player's jacket; empty: the player has none
     std::vector<std::string> gestures{};  ///< gestures of the match; empty: the rule set has none
     std::uint32_t drawn_gesture = 0;      ///< number of the gesture that is being drawn anew, plus 1; 0: none
@@ -126,14 +126,14 @@ struct MenuState {
         std::size_t middle = 0;  ///< row in the middle of a scrolled page; the mouse moves `cursor` only
     };
     std::vector<Open> pages;  ///< open pages, the shown page last; empty: no menu
-    std::array<std::optional<Device>, game::players> seats;
-    /// Row at which the next pause opens: the row at which a gesture was drawn or forgotten, since such a
-    /// choice is often made again.
+    std::array<std::optional<Device>, players> seats;
+    /// Row at which the next pause opens: that of a gesture which was drawn or forgotten, since
+    /// such a choice is often made again.
     std::size_t pause_row = 0;
     std::optional<Device> chooser;  ///< device that chose the row; std::nullopt: none has chosen one yet
     std::size_t level = 0, rules = 0, arena = 0;  ///< indices into the lists of MenuContext
-    std::size_t dummy = 0;                        ///< game::DummyKind of the range's dummy
-    game::RangeChanges range{};                   ///< changes of the range's rules
+    std::size_t dummy = 0;                        ///< DummyKind of the range's dummy
+    RangeChanges range{};                         ///< changes of the range's rules
     std::size_t gesture = 0;                      ///< index into MenuContext::gestures
     /// index of the sheet (the bindings of one kind of device, or of the session) on the bindings page
     std::size_t sheet = 0;
@@ -168,7 +168,7 @@ bool esc_ends_waiting(const MenuState& state);
 std::string words_of_refusal(const MenuContext& context);
 
 /// Picture of the menu.
-game::MenuPicture picture_of(const MenuState& state, const MenuContext& context);
+MenuPicture picture_of(const MenuState& state, const MenuContext& context);
 
 /// Title of the window: "Thaum", and with a menu its page and the chosen row, for screen readers and for
 /// those who look at another window: "Thaum: Settings / Split: side by side", "Thaum (paused): Go on". The

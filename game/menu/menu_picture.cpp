@@ -55,8 +55,8 @@ std::string head_of_seat(const MenuState& s, std::size_t player) {
     return s.seats[player] ? text(who, ": joined") : who;
 }
 
-std::vector<game::MenuSeat> seats_of(const MenuState& s, const MenuContext& context) {
-    std::vector<game::MenuSeat> seats;
+std::vector<MenuSeat> seats_of(const MenuState& s, const MenuContext& context) {
+    std::vector<MenuSeat> seats;
     for (std::size_t i = 0; i < s.seats.size(); ++i) {
         const auto& seat = s.seats[i];
         const bool bot = !seat && joined(s) == 1;
@@ -71,8 +71,8 @@ std::vector<game::MenuSeat> seats_of(const MenuState& s, const MenuContext& cont
 
 }  // namespace
 
-game::MenuPicture picture_of(const MenuState& s, const MenuContext& context) {
-    game::MenuPicture picture;
+MenuPicture picture_of(const MenuState& s, const MenuContext& context) {
+    MenuPicture picture;
     if (s.pages.empty()) return picture;
     const auto& page = shown_page(s);
     auto rows = rows_of(s, context);

@@ -106,7 +106,7 @@ std::size_t turned(std::size_t index, std::size_t size, int way) {
 }
 
 std::string longest(const std::vector<std::string_view>& words) {
-    const auto found = std::ranges::max_element(words, {}, [](auto one) { return game::width_of(one, 1); });
+    const auto found = std::ranges::max_element(words, {}, [](auto one) { return width_of(one, 1); });
     return found == words.end() ? std::string() : std::string(*found);
 }
 

@@ -20,7 +20,7 @@ struct RowPress {
 };
 
 struct Row {
-    game::MenuRow look{};
+    MenuRow look{};
     /// Acts on Enter, A and clicks; null: turns the value one step on.
     void (*confirm)(const RowPress&) = nullptr;
     /// Acts on left (-1) and right (1); null: the row has no value to turn.

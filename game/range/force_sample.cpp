@@ -36,20 +36,20 @@ void ForceSample::begin(HandFader fader) {
     left_ = exists_for(fader) ? length : 0;
 }
 
-void ForceSample::step(game::Simulation& match, std::uint32_t player) {
+void ForceSample::step(Simulation& match, std::uint32_t player) {
     if (left_ == 0 || match.match().paused != 0) return;
     const Tick age = length - left_--;
     auto& context = match.context_to_change();
-    const auto wizard = game::wizard_of(match.world(), player);
+    const auto wizard = wizard_of(match.world(), player);
     const auto& setup = match.haptic_setup();
     if (fader_ == HandFader::recoil && age % between_recoils == 0 && age < recoils * between_recoils)
-        game::recoil(context, wizard, bolt_recoil, recoil_length);
+        recoil(context, wizard, bolt_recoil, recoil_length);
     if (fader_ == HandFader::blows && age == 0)
-        game::kick(context, wizard, vec3(0, 0, setup.blows[player] * blow), blow_length);
+        kick(context, wizard, vec3(0, 0, setup.blows[player] * blow), blow_length);
     if (fader_ == HandFader::weight)
-        game::set_steady_force(context, wizard,
-                               vec3(0, -weight_per_kg * mass * setup.weight[player] * weight_at(age), 0));
-    if (fader_ == HandFader::weight && left_ == 0) game::set_steady_force(context, wizard, {});
+        set_steady_force(context, wizard,
+                         vec3(0, -weight_per_kg * mass * setup.weight[player] * weight_at(age), 0));
+    if (fader_ == HandFader::weight && left_ == 0) set_steady_force(context, wizard, {});
 }
 
 std::string_view ForceSample::words() const {

@@ -15,7 +15,7 @@ public:
     void begin(input::HandFader fader);
     bool runs() const { return left_ > 0; }
     /// Applies the sample's forces. Call this before each tick of play of the player's match.
-    void step(game::Simulation& match, std::uint32_t player);
+    void step(Simulation& match, std::uint32_t player);
     /// Text about the sample for the player.
     std::string_view words() const;
 

@@ -20,7 +20,7 @@ bool take_fire(const std::vector<input::DeviceSpec>& devices, std::uint32_t play
     return down;
 }
 
-std::optional<std::uint32_t> ForceTrial::step(game::Simulation& match, std::uint32_t player,
+std::optional<std::uint32_t> ForceTrial::step(Simulation& match, std::uint32_t player,
                                               input::InputFrame& frame) {
     if (!runs_ || match.match().paused != 0) return {};
     const bool down = take_fire(match.setup().devices, player, frame);
@@ -39,8 +39,8 @@ std::optional<std::uint32_t> ForceTrial::step(game::Simulation& match, std::uint
     if (age_ == 0) frame.devices.at(0).change = {static_cast<std::uint8_t>(input::HandFader::force), 100};
     if (age_ > 0 && age_ % between_kicks == 0) {
         percent_ += percent_per_kick;
-        const auto wizard = game::wizard_of(match.world(), player);
-        game::kick_at_peak(match.context_to_change(), wizard, percent_ / 100.0, kick_length);
+        const auto wizard = wizard_of(match.world(), player);
+        kick_at_peak(match.context_to_change(), wizard, percent_ / 100.0, kick_length);
     }
     ++age_;
     return {};

@@ -24,8 +24,7 @@ public:
     /// Runs the trial; call this before each tick of play of the player's match. Kicks the hand, and removes
     /// fire from the player's samples. Returns, once, the force that the player has chosen (% of the device's
     /// peak). Without a press there is no result.
-    std::optional<std::uint32_t> step(game::Simulation& match, std::uint32_t player,
-                                      input::InputFrame& frame);
+    std::optional<std::uint32_t> step(Simulation& match, std::uint32_t player, input::InputFrame& frame);
     /// Text about the trial for the player.
     std::string words() const;
 

@@ -12,25 +12,23 @@
 namespace thaum::game::inline range {
 namespace {
 
-using game::practising;
-
 constexpr Tick shown_after = ticks(8.0);
 constexpr double shortest_recorded = 0.15;  // minimum duration of a recorded stroke (s)
 
-std::string words_of_force(const game::CastingRules& rules, double force) {
-    return text(game::force_word(rules, force), " (", fixed(force, 1), " N)");
+std::string words_of_force(const CastingRules& rules, double force) {
+    return text(force_word(rules, force), " (", fixed(force, 1), " N)");
 }
 
 /// The gesture with the force limits by which the match casts spells, instead of those in the gesture's own
 /// file.
-gesture::Gesture by_bands_of(const game::CastingRules& rules, gesture::Gesture gesture) {
+gesture::Gesture by_bands_of(const CastingRules& rules, gesture::Gesture gesture) {
     gesture.options.gentle_below = rules.gentle_below;
     gesture.options.harsh_above = rules.harsh_from;
     return gesture;
 }
 
-std::string spell_shown(const game::MatchData& data, const std::string& gesture) {
-    const auto* spell = game::spell_of(data, gesture);
+std::string spell_shown(const MatchData& data, const std::string& gesture) {
+    const auto* spell = spell_of(data, gesture);
     return spell == nullptr ? std::string() : spell->stats.shown;
 }
 
@@ -43,13 +41,13 @@ double way_of(gesture::Points stroke) {
 
 }  // namespace
 
-/// Lists the player's gestures with their ghosts (pale example strokes), if the set of gestures has changed.
-void GestureWall::list(const game::Simulation& match) {
+/// Lists the ghosts of the player's gestures, if the set of gestures has changed.
+void GestureWall::list(const Simulation& match) {
     const auto& own = match.setup().gestures[practising];
     const auto& set = own ? own : match.data().gestures;
     if (set == listed_) return;
     listed_ = set;
-    std::vector<game::WallGesture> gestures;
+    std::vector<WallGesture> gestures;
     if (set != nullptr) {
         const auto& profile = match.setup().profile;
         for (const auto& g : set->gestures())
@@ -62,7 +60,7 @@ void GestureWall::list(const game::Simulation& match) {
     }
     scores_.assign(gestures.size(), -1);
     chosen_ = -1;
-    gestures_ = std::make_shared<const std::vector<game::WallGesture>>(std::move(gestures));
+    gestures_ = std::make_shared<const std::vector<WallGesture>>(std::move(gestures));
 }
 
 std::string GestureWall::words_of_haste() const {
@@ -70,13 +68,13 @@ std::string GestureWall::words_of_haste() const {
 }
 
 /// Why a stroke was not read, or is not accepted for a recorded gesture: too small or too fast.
-std::string GestureWall::words_of_slip(const game::CastingRules& rules, double shortest) const {
+std::string GestureWall::words_of_slip(const CastingRules& rules, double shortest) const {
     if (way_of(stroke_) >= rules.smallest || stroke_.back().t < shortest) return words_of_haste();
     return "too small: draw 5 to 10 cm with the hand";
 }
 
 /// Shows why a stroke was not read.
-void GestureWall::refuse(const game::Simulation& match) {
+void GestureWall::refuse(const Simulation& match) {
     lines_.clear();
     if (stroke_.empty()) return;
     const auto& rules = *match.data().casting;
@@ -87,7 +85,7 @@ void GestureWall::refuse(const game::Simulation& match) {
 /// another direction or rotation; otherwise the recogniser's nearest gesture, if it is likely at all.
 /// no_gesture: none.
 std::uint32_t GestureWall::gesture_tried(std::uint32_t nearest, int score) const {
-    std::uint32_t tried = score > 0 ? nearest : game::no_gesture;
+    std::uint32_t tried = score > 0 ? nearest : no_gesture;
     double least = 1;
     for (std::uint32_t g = 0; !chord_ && g < listed_->gestures().size(); ++g) {
         const auto& gesture = listed_->gestures()[g];
@@ -100,17 +98,17 @@ std::uint32_t GestureWall::gesture_tried(std::uint32_t nearest, int score) const
 }
 
 /// Shows the newest reading: the gesture, its score, and advice.
-void GestureWall::read(const game::Simulation& match) {
-    const auto& reading = match.world().get<game::LastReading>(game::wizard_of(match.world(), practising));
+void GestureWall::read(const Simulation& match) {
+    const auto& reading = match.world().get<LastReading>(wizard_of(match.world(), practising));
     read_at_ = reading.at;
     lines_.clear();
     const auto& rules = *match.data().casting;
     const bool meant = reading.gesture < listed_->gestures().size();
-    const int score = game::whole_percent(reading.probability);
+    const int score = whole_percent(reading.probability);
     const auto number = meant ? reading.gesture : gesture_tried(reading.nearest, score);
     if (number >= listed_->gestures().size()) {
         lines_.emplace_back("not read: it is like none of these");
-        if (!chord_ && game::is_too_fast(rules, reading.force)) lines_.push_back(words_of_haste());
+        if (!chord_ && is_too_fast(rules, reading.force)) lines_.push_back(words_of_haste());
         return;
     }
     chosen_ = static_cast<int>(number);
@@ -130,9 +128,9 @@ void GestureWall::read(const game::Simulation& match) {
 }
 
 /// Adds advice on how to draw the gesture better.
-void GestureWall::advise(const game::CastingRules& rules, const gesture::Gesture& gesture, double force,
+void GestureWall::advise(const CastingRules& rules, const gesture::Gesture& gesture, double force,
                          bool meant) {
-    if (!meant && game::is_too_fast(rules, force)) lines_.push_back(words_of_haste());
+    if (!meant && is_too_fast(rules, force)) lines_.push_back(words_of_haste());
     for (auto& line :
          gesture::advice_on(gesture::compare(stroke_, gesture), by_bands_of(rules, gesture), force, meant))
         lines_.push_back(std::move(line));
@@ -148,7 +146,7 @@ void GestureWall::tell_recording() {
 }
 
 /// Stores a stroke of the gesture that is being recorded.
-void GestureWall::keep(const game::Simulation& match) {
+void GestureWall::keep(const Simulation& match) {
     if (checked_ || stroke_.empty()) return;
     const auto& rules = *match.data().casting;
     lines_.clear();
@@ -186,7 +184,7 @@ void GestureWall::draw_again(std::vector<std::string> why) {
     lines_ = std::move(why);
 }
 
-void GestureWall::give_up(const game::Simulation& match) {
+void GestureWall::give_up(const Simulation& match) {
     if (!records()) return;
     const auto name = capitalised(recording_.name);
     recorded_.reset();
@@ -194,7 +192,7 @@ void GestureWall::give_up(const game::Simulation& match) {
     say(match, {text("given up: ", name, " is as it was before")});
 }
 
-void GestureWall::say(const game::Simulation& match, std::vector<std::string> lines) {
+void GestureWall::say(const Simulation& match, std::vector<std::string> lines) {
     lines_ = std::move(lines);
     shown_until_ = match.match().played + shown_after;
 }
@@ -206,19 +204,19 @@ void GestureWall::begin_stroke() {
     if (!records()) lines_.clear();
 }
 
-void GestureWall::follow(const game::Simulation& match) {
+void GestureWall::follow(const Simulation& match) {
     list(match);
     if (listed_ == nullptr) return;
     const auto& world = match.world();
-    const auto wizard = game::wizard_of(world, practising);
-    const auto* drawn = world.find<game::DrawnStroke>(wizard);
+    const auto wizard = wizard_of(world, practising);
+    const auto* drawn = world.find<DrawnStroke>(wizard);
     const auto now = match.match().played;
     if (drawn != nullptr) {
         // At the cauldron, a panel (hud/rim_card.h) helps with strokes instead.
         if (drawn->on_brew != 0) return;
         if (!drawing_) begin_stroke();
-        if (match.now() % game::gameplay_period == 0) stroke_ = game::points_of(*drawn);
-        chord_ = drawn->over == game::by_chord;
+        if (match.now() % gameplay_period == 0) stroke_ = points_of(*drawn);
+        chord_ = drawn->over == by_chord;
         drawing_ = true;
         shown_until_ = now + shown_after;
         return;
@@ -227,13 +225,13 @@ void GestureWall::follow(const game::Simulation& match) {
     drawing_ = false;
     if (records())
         keep(match);
-    else if (world.get<game::LastReading>(wizard).at != read_at_)
+    else if (world.get<LastReading>(wizard).at != read_at_)
         read(match);
     else
         refuse(match);
 }
 
-void GestureWall::show(const game::Simulation& match, game::GestureWallPicture& picture) const {
+void GestureWall::show(const Simulation& match, GestureWallPicture& picture) const {
     picture.on = listed_ != nullptr && (records() || drawing_ || match.match().played < shown_until_);
     if (!picture.on) return;
     picture.gestures = gestures_;

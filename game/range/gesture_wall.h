@@ -15,7 +15,7 @@ public:
     static constexpr std::size_t recorded_strokes = 3;
 
     /// Reads the match after a tick.
-    void follow(const game::Simulation& match);
+    void follow(const Simulation& match);
     /// Starts to record: the player's next three strokes become the gesture of this name. An empty name stops
     /// recording.
     void record(const std::string& name);
@@ -27,31 +27,31 @@ public:
     /// To be called if the recorded gesture was refused: shows why, and records three strokes again.
     void draw_again(std::vector<std::string> why);
     /// Cancels the recording, as the player wants.
-    void give_up(const game::Simulation& match);
+    void give_up(const Simulation& match);
     /// Returns a gesture whose strokes are complete, once. The wall stays in recording until it is told the
     /// result of the check.
     std::optional<gesture::Gesture> take_recorded() { return std::exchange(recorded_, std::nullopt); }
     /// Shows lines of text first on the wall for some seconds, such as that a gesture was saved.
-    void say(const game::Simulation& match, std::vector<std::string> lines);
+    void say(const Simulation& match, std::vector<std::string> lines);
     /// Fills in the wall's picture. The wall is shown during a stroke, for some seconds after it, and during
     /// recording.
-    void show(const game::Simulation& match, game::GestureWallPicture& picture) const;
+    void show(const Simulation& match, GestureWallPicture& picture) const;
 
 private:
-    void read(const game::Simulation& match);
-    void refuse(const game::Simulation& match);
+    void read(const Simulation& match);
+    void refuse(const Simulation& match);
     std::uint32_t gesture_tried(std::uint32_t nearest, int score) const;
-    void advise(const game::CastingRules& rules, const gesture::Gesture& gesture, double force, bool meant);
+    void advise(const CastingRules& rules, const gesture::Gesture& gesture, double force, bool meant);
     std::string words_of_haste() const;
-    std::string words_of_slip(const game::CastingRules& rules, double shortest) const;
-    void keep(const game::Simulation& match);
-    void list(const game::Simulation& match);
+    std::string words_of_slip(const CastingRules& rules, double shortest) const;
+    void keep(const Simulation& match);
+    void list(const Simulation& match);
     void tell_recording();
     void begin_stroke();
 
-    /// Set of gestures whose ghosts (pale example strokes) are in `gestures_`; null: none.
-    std::shared_ptr<const game::GestureSet> listed_{};
-    std::shared_ptr<const std::vector<game::WallGesture>> gestures_{};
+    /// The set whose ghosts are in `gestures_`; null: none.
+    std::shared_ptr<const GestureSet> listed_{};
+    std::shared_ptr<const std::vector<WallGesture>> gestures_{};
     std::vector<int> scores_{};
     std::vector<gesture::StrokePoint> stroke_{};
     bool drawing_ = false;

@@ -15,14 +15,14 @@ constexpr Tick welcome_shown = ticks(8.0), reading_shown = ticks(4.0);
 constexpr Tick until_next_reading = std::numeric_limits<Tick>::max() / 2;
 
 /// The score as text that fits on one line of the screen: "12 of 64 hit, 72 HP, 1 kill".
-std::string short_words_of(const game::RangeScore& score) {
+std::string short_words_of(const RangeScore& score) {
     return text(score.hits, " of ", score.shots, " hit, ", std::llround(score.damage), " HP, ", score.kills,
                 score.kills == 1 ? " kill" : " kills");
 }
 
 }  // namespace
 
-DataWatcher::DataWatcher(game::RangeFiles files) : files_(std::move(files)) {
+DataWatcher::DataWatcher(RangeFiles files) : files_(std::move(files)) {
     // If this thread cannot be started, data files are read only once, and practice goes on.
     if (auto started = start_thread([this] { watch(); })) thread_ = std::move(*started);
 }
@@ -45,14 +45,14 @@ void DataWatcher::watch() {
     }
 }
 
-const game::Reload* DataWatcher::take() { return reloads_.take() ? &reloads_.newest() : nullptr; }
+const Reload* DataWatcher::take() { return reloads_.take() ? &reloads_.newest() : nullptr; }
 
-Practice::Practice(const game::RangeData& data, const std::vector<input::DeviceSpec>& devices,
-                   game::DummyKind kind, std::uint64_t seed, std::optional<game::Lessons> lessons,
+Practice::Practice(const RangeData& data, const std::vector<input::DeviceSpec>& devices, DummyKind kind,
+                   std::uint64_t seed, std::optional<Lessons> lessons,
                    std::vector<input::ProfileData> profile)
     : data_(data),
-      range_(game::make_range(data, devices.front(), kind, seed, {devices.begin() + 1, devices.end()},
-                              std::move(profile))) {
+      range_(make_range(data, devices.front(), kind, seed, {devices.begin() + 1, devices.end()},
+                        std::move(profile))) {
     if (lessons) {
         apprentice_.emplace(std::move(*lessons));
         // Lessons test skills: a learner should not have to wait for energy, nor die by the brew.
@@ -72,20 +72,20 @@ void Practice::tell_found(std::uint32_t percent) {
     say(text("your largest force is now ", percent, " % of what the device can do"), reading_shown);
 }
 
-void Practice::set_dummy(game::DummyKind kind) {
+void Practice::set_dummy(DummyKind kind) {
     if (kind == range_.dummy.kind()) return;
     range_.dummy.become(kind);
     scorer_.reset(match());
 }
 
-bool Practice::set_changes(const game::RangeChanges& changes) {
+bool Practice::set_changes(const RangeChanges& changes) {
     if (changes == changes_) return false;
     changes_ = changes;
     range_.adopt(changed(data_, changes_));
     return true;
 }
 
-void Practice::adopt(const game::Reload& reload) {
+void Practice::adopt(const Reload& reload) {
     say(reload.line, reload.data ? reading_shown : until_next_reading);
     if (!reload.data) return;
     data_ = *reload.data;
@@ -97,8 +97,8 @@ void Practice::adopt(const game::Reload& reload) {
 /// and restores full health.
 void Practice::place(std::uint32_t player) {
     const auto& step = apprentice_->lessons().steps[apprentice_->at()];
-    const auto& place = player == game::practising ? step.player : step.dummy;
-    if (player == game::practising) fire_anew_ = true;
+    const auto& place = player == practising ? step.player : step.dummy;
+    if (player == practising) fire_anew_ = true;
     if (place)
         place_wizard(match(), player, *place);
     else
@@ -106,14 +106,14 @@ void Practice::place(std::uint32_t player) {
 }
 
 void Practice::hold_fire_back(input::InputFrame& frame) {
-    if (fire_anew_) fire_anew_ = take_fire(match().setup().devices, game::practising, frame);
+    if (fire_anew_) fire_anew_ = take_fire(match().setup().devices, practising, frame);
 }
 
 /// Restores some of the learner's health each gameplay tick.
 void Practice::heal() {
-    if (match().match().paused != 0 || match().match().played % game::gameplay_period != 0) return;
-    const double gain = apprentice_->lessons().healing * game::gameplay_dt;
-    heal_wizard(match(), game::practising, gain);
+    if (match().match().paused != 0 || match().match().played % gameplay_period != 0) return;
+    const double gain = apprentice_->lessons().healing * gameplay_dt;
+    heal_wizard(match(), practising, gain);
 }
 
 void Practice::follow_lessons() {
@@ -121,7 +121,7 @@ void Practice::follow_lessons() {
     apprentice_->follow(match());
     if (apprentice_->is_over()) return;
     const auto placings = apprentice_->take_placings();
-    for (std::uint32_t player = 0; player < game::players; ++player)
+    for (std::uint32_t player = 0; player < players; ++player)
         if (placings[player]) place(player);
     set_dummy(apprentice_->dummy_kind());
     heal();
@@ -130,7 +130,7 @@ void Practice::follow_lessons() {
 void Practice::follow_gestures() {
     if (apprentice_) return;
     wall_.follow(match());
-    match().leave_strokes_unread(game::practising, wall_.records());
+    match().leave_strokes_unread(practising, wall_.records());
 }
 
 void Practice::draw_gesture(std::uint32_t number) {
@@ -157,7 +157,7 @@ std::string Practice::last_words() {
     return text("apprentice: ", apprentice_->is_over() ? "" : "left at ", step_words());
 }
 
-void Practice::show_lesson(game::PracticePicture& picture) {
+void Practice::show_lesson(PracticePicture& picture) {
     const auto& lessons = apprentice_->lessons();
     picture.score = step_words();
     picture.below = "{pause}: skip or leave";
@@ -177,14 +177,14 @@ void Practice::show_lesson(game::PracticePicture& picture) {
     picture.hint = step.hint;
 }
 
-void Practice::show(game::Picture& picture) {
-    const auto& dummy = picture.wizards[game::dummys];
+void Practice::show(Picture& picture) {
+    const auto& dummy = picture.wizards[dummys];
     const auto health = dummy.vitals.dead ? std::string("comes back")
                                           : text(std::lround(std::ceil(dummy.vitals.health)), " HP");
     picture.practice.on = true;
     picture.practice.score = short_words_of(scorer_.score(match()));
     picture.practice.below =
-        text(game::dummy_names[static_cast<std::size_t>(range_.dummy.kind())], " dummy: ", health);
+        text(dummy_names[static_cast<std::size_t>(range_.dummy.kind())], " dummy: ", health);
     if (apprentice_)
         show_lesson(picture.practice);
     else

@@ -20,19 +20,19 @@ namespace thaum::game::inline range {
 /// Watches the data files in a thread of its own, so that neither match nor window waits for the disk.
 class DataWatcher {
 public:
-    explicit DataWatcher(game::RangeFiles files);
+    explicit DataWatcher(RangeFiles files);
     ~DataWatcher();
     DataWatcher(const DataWatcher&) = delete;
     DataWatcher& operator=(const DataWatcher&) = delete;
 
     /// Newest data read since the last call, or null. The data is valid until the next call. Never blocks.
-    const game::Reload* take();
+    const Reload* take();
 
 private:
     void watch();
 
-    game::RangeFiles files_;
-    TripleBuffer<game::Reload> reloads_{game::Reload{}};
+    RangeFiles files_;
+    TripleBuffer<Reload> reloads_{Reload{}};
     std::mutex mutex_;
     std::condition_variable stopped_;
     bool stop_ = false;
@@ -44,21 +44,20 @@ class Practice {
 public:
     /// `devices` are those of the practising player: the simulated hands first, then the real arm if the
     /// player holds one. With `lessons`, the Apprentice runs instead of free practice.
-    Practice(const game::RangeData& data, const std::vector<input::DeviceSpec>& devices, game::DummyKind kind,
-             std::uint64_t seed, std::optional<game::Lessons> lessons = {},
+    Practice(const RangeData& data, const std::vector<input::DeviceSpec>& devices, DummyKind kind,
+             std::uint64_t seed, std::optional<Lessons> lessons = {},
              std::vector<input::ProfileData> profile = {});
 
-    game::Simulation& match() { return *range_.match; }
-    /// At the start of a step, removes the fire button from the practising player's samples until it is
-    /// released.
+    Simulation& match() { return *range_.match; }
+    /// At the start of a step, removes fire from the practising player's samples until it is released.
     void hold_fire_back(input::InputFrame& frame);
     /// Starts the search for the largest force that the player likes.
     void find_force() { force_trial_.begin(); }
     /// Runs the search for the largest force for a tick, acting on its input. Returns the chosen force (% of
     /// the device's peak), once.
     std::optional<std::uint32_t> try_force(input::InputFrame& frame) {
-        force_sample_.step(match(), game::practising);
-        const auto found = force_trial_.step(match(), game::practising, frame);
+        force_sample_.step(match(), practising);
+        const auto found = force_trial_.step(match(), practising, frame);
         if (found) tell_found(*found);
         return found;
     }
@@ -68,20 +67,20 @@ public:
     /// apply.
     bool finds_force() const { return force_trial_.runs(); }
     input::DeviceSample dummy_sample() { return range_.dummy.sample(*range_.match); }
-    void set_dummy(game::DummyKind kind);
+    void set_dummy(DummyKind kind);
     /// Continues with changed rules; match() may then return another object. Returns whether anything
     /// changed.
-    bool set_changes(const game::RangeChanges& changes);
+    bool set_changes(const RangeChanges& changes);
     /// Continues with the data of changed files; match() may then return another object. If a file has a
     /// fault, the old data is kept, and a caption shows the fault until the next reload.
-    void adopt(const game::Reload& reload);
-    /// Updates the Apprentice after a tick: measures the step, and puts wizard and dummy in place if a step
+    void adopt(const Reload& reload);
+    /// Updates the Apprentice after a tick: measures the step, and puts wizards and dummy in place if a step
     /// begins.
     void follow_lessons();
-    /// The Apprentice; null in free practice.
-    game::Apprentice* apprentice() { return apprentice_ ? &*apprentice_ : nullptr; }
-    /// Records the player's next strokes as the gesture with this number in the match's set. An unknown
-    /// number does nothing.
+    /// The lessons; null on the range.
+    Apprentice* apprentice() { return apprentice_ ? &*apprentice_ : nullptr; }
+    /// Takes the player's next strokes for a gesture, by its number in the match's
+    /// set. Unknown numbers do nothing.
     void draw_gesture(std::uint32_t number);
     /// Looks at the strokes of the practising player after a tick.
     void follow_gestures();
@@ -90,7 +89,7 @@ public:
     /// Continues with other recorded gestures of the player; match() then returns another object. If they are
     /// refused, the old ones are kept, and the wall keeps recording.
     void use_gestures(OwnGestures own);
-    void show(game::Picture& picture);
+    void show(Picture& picture);
     std::string score() { return words_of(scorer_.score(*range_.match)); }
     /// Number and name of the Apprentice's present step: "2 of 8: Bolt".
     std::string step_words() const;
@@ -103,18 +102,18 @@ private:
     void tell_found(std::uint32_t percent);
     void place(std::uint32_t player);
     void heal();
-    void show_lesson(game::PracticePicture& picture);
+    void show_lesson(PracticePicture& picture);
 
-    game::RangeData data_;  ///< data as in the files, without `changes_`
-    game::RangeChanges changes_{};
-    game::RangeMatch range_;
-    game::RangeScorer scorer_{};
-    std::optional<game::Apprentice> apprentice_;
+    RangeData data_;  ///< data as in the files, without `changes_`
+    RangeChanges changes_{};
+    RangeMatch range_;
+    RangeScorer scorer_{};
+    std::optional<Apprentice> apprentice_;
     GestureWall wall_{};
     ForceTrial force_trial_{};
     ForceSample force_sample_{};
     bool fire_anew_ = false;  ///< true: fire does nothing until it has been released
-    game::Caption caption_{};
+    Caption caption_{};
     Tick caption_until_{};  ///< end of the caption (ticks of play, so that a pause does not use up its time)
 };
 

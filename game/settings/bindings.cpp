@@ -41,7 +41,7 @@ bool is(Slot slot, SessionKey key) {
 }
 
 /// Number of wand keys that choose something at orb and crystals, even if no wand has that key.
-constexpr std::size_t station_keys = game::max_orb_modes;
+constexpr std::size_t station_keys = max_orb_modes;
 
 /// Slot of the wand that the action selects; std::nullopt for other actions.
 std::optional<std::size_t> wand_slot_of(Slot slot) {

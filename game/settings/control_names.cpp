@@ -41,13 +41,13 @@ std::string directions(const input::Bindings& bindings, std::initializer_list<Ac
 
 }  // namespace
 
-game::ControlNames control_names(const Settings& settings, input::DeviceKind kind) {
+ControlNames control_names(const Settings& settings, input::DeviceKind kind) {
     const auto& bindings = settings.bindings_of(kind);
-    game::ControlNames names{.fire = first_label(bindings, Action::fire),
-                             .stir = first_label(bindings, Action::stir),
-                             .throw_ = first_label(bindings, Action::throw_),
-                             .next_wand = first_label(bindings, Action::next_wand),
-                             .trace = first_label(bindings, Action::trace)};
+    ControlNames names{.fire = first_label(bindings, Action::fire),
+                       .stir = first_label(bindings, Action::stir),
+                       .throw_ = first_label(bindings, Action::throw_),
+                       .next_wand = first_label(bindings, Action::next_wand),
+                       .trace = first_label(bindings, Action::trace)};
     names.move = directions(bindings,
                             {Action::move_forward, Action::move_left, Action::move_back, Action::move_right});
     names.aside = directions(bindings, {Action::move_left, Action::move_right});

@@ -20,14 +20,14 @@ std::filesystem::path file_of(const std::filesystem::path& folder, const std::st
     return folder / (file_name_of(name) + ".toml");
 }
 
-/// Why a recorded gesture does not suit the match's data or the player's other gestures; std::nullopt if the
-/// gesture suits them.
-std::optional<std::string> fault_of(const game::MatchData& data, std::vector<input::ProfileData> others,
+/// Why a recorded gesture does not suit the match's data or the player's other gestures; std::nullopt if it
+/// does.
+std::optional<std::string> fault_of(const MatchData& data, std::vector<input::ProfileData> others,
                                     const input::ProfileData& item) {
-    game::MatchSetup scratch;
-    if (const auto used = game::use_profile(data, {item}, scratch); !used) return used.error().message;
+    MatchSetup scratch;
+    if (const auto used = use_profile(data, {item}, scratch); !used) return used.error().message;
     others.push_back(item);
-    const auto used = game::use_profile(data, std::move(others), scratch);
+    const auto used = use_profile(data, std::move(others), scratch);
     if (used) return {};
     return text("it is left out, since it does not fit beside the other own gestures (", used.error().message,
                 "): record it anew with shorter strokes");
@@ -58,9 +58,8 @@ std::filesystem::path own_gestures_folder(const std::filesystem::path& settings_
     return settings_file.parent_path() / "gestures" / file_name_of(words);
 }
 
-std::vector<input::ProfileData> load_own_gestures(const std::filesystem::path& folder,
-                                                  const game::MatchData& data, std::uint32_t player,
-                                                  std::vector<std::string>& faults) {
+std::vector<input::ProfileData> load_own_gestures(const std::filesystem::path& folder, const MatchData& data,
+                                                  std::uint32_t player, std::vector<std::string>& faults) {
     std::vector<input::ProfileData> own;
     if (folder.empty() || !data.gestures) return own;
     for (const auto& shipped : data.gestures->gestures()) {
@@ -73,7 +72,7 @@ std::vector<input::ProfileData> load_own_gestures(const std::filesystem::path& f
             continue;
         }
         const auto bytes = std::as_bytes(std::span(*toml));
-        input::ProfileData item{.kind = std::string(game::gesture_kind),
+        input::ProfileData item{.kind = std::string(gesture_kind),
                                 .name = shipped.name,
                                 .player = player,
                                 .bytes = {bytes.begin(), bytes.end()}};
@@ -101,17 +100,16 @@ std::vector<input::ProfileData> with_own_gesture(std::vector<input::ProfileData>
                                                  const gesture::Gesture& gesture, std::uint32_t player) {
     std::erase_if(profile,
                   [&](const auto& item) { return item.name == gesture.name && item.player == player; });
-    profile.push_back(game::profile_of(gesture, player));
+    profile.push_back(profile_of(gesture, player));
     return profile;
 }
 
-Expected<void> check_own_gesture(const gesture::Gesture& gesture, const game::MatchData& data,
+Expected<void> check_own_gesture(const gesture::Gesture& gesture, const MatchData& data,
                                  const std::vector<input::ProfileData>& profile, std::uint32_t player) {
-    game::MatchSetup setup;
-    if (auto used = game::use_profile(data, with_own_gesture(profile, gesture, player), setup); !used)
-        return used;
+    MatchSetup setup;
+    if (auto used = use_profile(data, with_own_gesture(profile, gesture, player), setup); !used) return used;
     const auto set = setup.gestures[player]->gestures();
-    const auto pairs = gesture::compare_gestures(set, {}, game::recognise_drawn);
+    const auto pairs = gesture::compare_gestures(set, {}, recognise_drawn);
     if (!pairs) return pairs.error();
     for (const auto& pair : *pairs) {
         const auto &a = set[pair.a].name, &b = set[pair.b].name;

@@ -34,9 +34,8 @@ std::filesystem::path own_gestures_folder(const std::filesystem::path& settings_
 
 /// Recorded gestures of a player that suit the match's data and one another. Others are left out; `faults`
 /// receives a line for each.
-std::vector<input::ProfileData> load_own_gestures(const std::filesystem::path& folder,
-                                                  const game::MatchData& data, std::uint32_t player,
-                                                  std::vector<std::string>& faults);
+std::vector<input::ProfileData> load_own_gestures(const std::filesystem::path& folder, const MatchData& data,
+                                                  std::uint32_t player, std::vector<std::string>& faults);
 
 /// Writes a gesture, replacing one of the same name.
 Expected<void> save_own_gesture(const std::filesystem::path& folder, const gesture::Gesture& gesture);
@@ -49,9 +48,9 @@ std::vector<input::ProfileData> with_own_gesture(std::vector<input::ProfileData>
                                                  const gesture::Gesture& gesture, std::uint32_t player);
 
 /// Refuses a gesture that cannot be used together with the player's other gestures, or that is so similar to
-/// one of them that strokes would be mistaken (gesture/collisions.h). The error names the other gesture: "it
-/// is too like V: 12 % of such strokes are taken for it". `profile`: recorded gestures so far.
-Expected<void> check_own_gesture(const gesture::Gesture& gesture, const game::MatchData& data,
+/// one of them that strokes would be mistaken (gesture/collisions.h). The error names the other one: "it is
+/// too like V: 12 % of such strokes are taken for it". `profile`: recorded gestures so far.
+Expected<void> check_own_gesture(const gesture::Gesture& gesture, const MatchData& data,
                                  const std::vector<input::ProfileData>& profile, std::uint32_t player);
 
 }  // namespace thaum::game::inline settings

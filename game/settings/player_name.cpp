@@ -8,7 +8,7 @@
 #include "game/data/shown_words.h"
 
 namespace thaum::game::inline settings {
-bool fits_name(char32_t character) { return game::can_be_shown(character); }
+bool fits_name(char32_t character) { return can_be_shown(character); }
 
 Expected<std::string> player_name(std::string_view utf8) {
     const auto first = utf8.find_first_not_of(' ');
@@ -17,7 +17,7 @@ Expected<std::string> player_name(std::string_view utf8) {
     const auto characters = decode_utf8(bare);
     if (characters.size() > longest_name)
         return fail(text("a name has at most ", longest_name, " characters, not ", characters.size()));
-    if (auto shown = game::check_shown(bare); !shown) return shown.error();
+    if (auto shown = check_shown(bare); !shown) return shown.error();
     return std::string(bare);
 }
 

@@ -20,15 +20,15 @@ std::string_view level_of(std::string_view player) {
 
 }  // namespace
 
-void record_names(const game::PlayerNames& names, input::LogHeader& header) {
+void record_names(const PlayerNames& names, input::LogHeader& header) {
     header.names.clear();
     const bool any =
         std::any_of(names.begin(), names.end(), [](const std::string& name) { return !name.empty(); });
     if (any) header.names.assign(names.begin(), names.end());
 }
 
-game::PlayerNames recorded_names(const input::LogHeader& header) {
-    game::PlayerNames names;
+PlayerNames recorded_names(const input::LogHeader& header) {
+    PlayerNames names;
     for (std::size_t p = 0; p < std::min(names.size(), header.names.size()); ++p)
         names[p] = player_name(header.names[p]).value_or(std::string());
     if (!header.names.empty() || header.players.size() != names.size()) return names;

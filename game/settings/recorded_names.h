@@ -7,10 +7,10 @@
 namespace thaum::game::inline settings {
 
 /// Adds the shown names to a log's header. If all are empty, nothing is added.
-void record_names(const game::PlayerNames& names, input::LogHeader& header);
+void record_names(const PlayerNames& names, input::LogHeader& header);
 
 /// Names for the replay of a log. Invalid names are left out. Logs of earlier versions have no names: there,
 /// in a match of a bot against a person, the bot is "Bot 3" (its level).
-game::PlayerNames recorded_names(const input::LogHeader& header);
+PlayerNames recorded_names(const input::LogHeader& header);
 
 }  // namespace thaum::game::inline settings

@@ -33,19 +33,19 @@ ChoiceOf<Settings> quality_setting() {
 ChoiceOf<PlayerSettings> heard_setting() {
     return {{"off", "important", "all"},
             [](const PlayerSettings& p) { return static_cast<std::size_t>(p.heard); },
-            [](PlayerSettings& p, std::size_t i) { p.heard = static_cast<game::HeardWish>(i); }};
+            [](PlayerSettings& p, std::size_t i) { p.heard = static_cast<HeardWish>(i); }};
 }
 
 ChoiceOf<PlayerSettings> felt_groups_setting() {
     return {{"music", "effects", "both"},
             [](const PlayerSettings& p) { return static_cast<std::size_t>(p.jacket_sound_of); },
-            [](PlayerSettings& p, std::size_t i) { p.jacket_sound_of = static_cast<game::FeltGroups>(i); }};
+            [](PlayerSettings& p, std::size_t i) { p.jacket_sound_of = static_cast<FeltGroups>(i); }};
 }
 
 ChoiceOf<PlayerSettings> prompts_setting() {
-    return {{game::prompt_wishes.begin(), game::prompt_wishes.end()},
+    return {{prompt_wishes.begin(), prompt_wishes.end()},
             [](const PlayerSettings& p) { return static_cast<std::size_t>(p.prompts); },
-            [](PlayerSettings& p, std::size_t i) { p.prompts = static_cast<game::PromptWish>(i); }};
+            [](PlayerSettings& p, std::size_t i) { p.prompts = static_cast<PromptWish>(i); }};
 }
 
 ChoiceOf<PlayerSettings> force_setting() {

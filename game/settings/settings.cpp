@@ -228,7 +228,7 @@ std::string_view name_of(SessionKey key) { return session_names[static_cast<std:
 
 std::string player_words(const Settings& settings, std::size_t player) {
     const auto& name = settings.players[player].name;
-    return name.empty() ? std::string(game::team_name(static_cast<std::uint32_t>(player))) : name;
+    return name.empty() ? std::string(team_name(static_cast<std::uint32_t>(player))) : name;
 }
 
 std::optional<int> key_code_of(std::string_view name) {

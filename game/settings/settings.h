@@ -39,10 +39,10 @@ inline constexpr std::size_t gentle_force = 2, full_force = 4, own_force = 5;
 
 /// Settings that belong to one person. The file has a table for each player, [player_1] and [player_2].
 struct PlayerSettings {
-    std::string name{};    ///< display name (player_name.h); empty: the name of the team
-    bool captions = true;  ///< true: the view has captions of what happens to the player
-    game::HeardWish heard = game::HeardWish::important;  ///< which sounds and effects are also shown in words
-    bool figure = true;  ///< true: a figure in the view shows what the body feels
+    std::string name{};                      ///< display name (player_name.h); empty: the name of the team
+    bool captions = true;                    ///< true: the view has captions of what happens to the player
+    HeardWish heard = HeardWish::important;  ///< which sounds and effects are also shown in words
+    bool figure = true;                      ///< true: a figure in the view shows what the body feels
     double sensitivity = 1;
     double turn_deg_per_s = 200;
     /// time over which a turn by stick or keys grows to its full speed (s)
@@ -60,12 +60,12 @@ struct PlayerSettings {
     double carried_weight = 1;
     /// felt share of the blows on a carried thing, as a multiple of the data files' value (0 to 1)
     double carried_blows = 1;
-    double recoil = 1;           ///< felt share of the wands' recoil (0 to 1)
-    double roughness = 1;        ///< felt share of the friction of touched things (0 to 1)
-    game::PromptWish prompts{};  ///< when the screen shows which control does what
-    double jacket_sound = 0;     ///< strength of sounds on the jacket (0 to 1); 0: none
-    game::FeltGroups jacket_sound_of = game::FeltGroups::music;  ///< kinds of sound that the jacket plays
-    std::string jacket{};  ///< the player's jacket (jacket.h); empty: none
+    double recoil = 1;        ///< felt share of the wands' recoil (0 to 1)
+    double roughness = 1;     ///< felt share of the friction of touched things (0 to 1)
+    PromptWish prompts{};     ///< when the screen shows which control does what
+    double jacket_sound = 0;  ///< strength of sounds on the jacket (0 to 1); 0: none
+    FeltGroups jacket_sound_of = FeltGroups::music;  ///< kinds of sound that the jacket plays
+    std::string jacket{};                            ///< the player's jacket (jacket.h); empty: none
     std::string
         jacket_layout{};     ///< layout of the jacket (load_own_layout); empty: the usual layout of its kind
     tactile::Faders body{};  ///< strengths of the effects on jacket and motors, one fader for each purpose

@@ -33,7 +33,7 @@ Exit code 0: no fault; 1: there are faults; 2: wrong usage.
 
 /// Compiles the shaders if this machine has OpenGL. `thaum doctor` reports a missing OpenGL.
 void add_shaders(const std::filesystem::path& assets, ContentReport& report) {
-    const auto data = game::load_match_data(assets, {});
+    const auto data = load_match_data(assets, {});
     if (!data) return;
     const auto still = Still::create(*data, assets, {64, 64});
     const auto folder = (assets / "shaders").string();
@@ -67,7 +67,7 @@ int run_check(const std::vector<std::string>& words) {
     if (arguments->plain().size() > 1)
         return refuse({text("check takes one folder, not also '", arguments->plain()[1], "'")});
     const std::filesystem::path assets =
-        arguments->plain().empty() ? game::find_assets() : std::filesystem::path(arguments->plain()[0]);
+        arguments->plain().empty() ? find_assets() : std::filesystem::path(arguments->plain()[0]);
     const auto json = arguments->value("--json");
     if (const auto free = json && json != "-" ? check_output(*json) : Expected<void>(); !free)
         return refuse(free.error());

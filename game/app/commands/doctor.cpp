@@ -65,7 +65,7 @@ struct Finding {
     std::vector<std::pair<std::string, double>> metrics{};
 };
 
-using Data = std::shared_ptr<const game::MatchData>;
+using Data = std::shared_ptr<const MatchData>;
 
 std::string first_value(const char* file, std::string_view key) {
     std::ifstream in(file);
@@ -254,7 +254,7 @@ void add_jackets(std::vector<Finding>& findings, const std::filesystem::path& as
     std::error_code ignored;
     const auto file = settings_file();
     const auto read = std::filesystem::exists(file, ignored) ? load_settings(file, assets) : Settings{};
-    for (std::uint32_t p = 0; read && p < game::players; ++p)
+    for (std::uint32_t p = 0; read && p < players; ++p)
         if (!read->players.at(p).jacket.empty()) findings.push_back(jacket_of_player(*read, p, assets));
     for (const auto& maker : jacket_makers()) {
         if (maker.find == nullptr) continue;
@@ -349,13 +349,13 @@ Finding settings(const std::filesystem::path& assets) {
 }
 
 Expected<Data> shared_match_data(const std::filesystem::path& assets) {
-    auto loaded = game::load_match_data(assets, {});
+    auto loaded = load_match_data(assets, {});
     if (!loaded) return loaded.error();
-    return std::make_shared<const game::MatchData>(std::move(*loaded));
+    return std::make_shared<const MatchData>(std::move(*loaded));
 }
 
 std::vector<Finding> examine() {
-    const auto assets = game::find_assets();
+    const auto assets = find_assets();
     const auto data = shared_match_data(assets);
     std::vector<Finding> findings{processor(),  mathematics(),        data_files(assets, data),
                                   hands(data),  opengl(assets, data), display(),

@@ -51,7 +51,7 @@ constexpr Option play_options[] = {{"--vs"},           {"--solo", 1},  {"--demo"
 
 /// Checked options of the command line.
 struct PlayOptions {
-    game::DataChoice data;
+    DataChoice data;
     std::optional<std::uint64_t> seed;
     std::optional<double> seconds;
     std::filesystem::path record, out = "out";
@@ -61,18 +61,18 @@ struct PlayOptions {
         arena_named = false;
     std::optional<int> solo;  ///< level of the bot (--solo); std::nullopt without --solo
     std::vector<live::Seat> hands;
-    std::array<int, game::players> bots{1, 1};
+    std::array<int, players> bots{1, 1};
 
     bool mode() const { return demo || vs || solo.has_value(); }
 };
 
 /// Parses the levels of two bots, such as "2,3".
-Expected<std::array<int, game::players>> read_bots(std::string_view words) {
+Expected<std::array<int, players>> read_bots(std::string_view words) {
     const auto comma = words.find(',');
     if (comma == std::string_view::npos) return fail("--bots needs two levels, such as 2,3");
-    const auto first = parse_whole(words.substr(0, comma), "--bots", game::easiest_bot, game::hardest_bot);
+    const auto first = parse_whole(words.substr(0, comma), "--bots", easiest_bot, hardest_bot);
     if (!first) return first.error();
-    const auto second = parse_whole(words.substr(comma + 1), "--bots", game::easiest_bot, game::hardest_bot);
+    const auto second = parse_whole(words.substr(comma + 1), "--bots", easiest_bot, hardest_bot);
     if (!second) return second.error();
     return std::array{static_cast<int>(*first), static_cast<int>(*second)};
 }
@@ -81,7 +81,7 @@ Expected<std::array<int, game::players>> read_bots(std::string_view words) {
 Expected<void> read_mode(const Arguments& arguments, PlayOptions& options) {
     options.headless = arguments.has("--headless");
     options.demo = arguments.has("--demo");
-    const auto level = arguments.whole("--solo", game::easiest_bot, game::hardest_bot, 1);
+    const auto level = arguments.whole("--solo", easiest_bot, hardest_bot, 1);
     if (!level) return level.error();
     if (arguments.has("--solo")) options.solo = static_cast<int>(*level);
     options.vs = arguments.has("--vs");
@@ -142,7 +142,7 @@ int play_off_screen(const PlayOptions& options) {
     constexpr double longest_round = 600;  // longest simulated time of one round (s)
     constexpr std::uint64_t seed_with_winner = 5;
     const bool any = !options.headless && !options.mode();
-    return play_offscreen_duel({.assets = game::find_assets(),
+    return play_offscreen_duel({.assets = find_assets(),
                                 .out = options.out,
                                 .log = options.record,
                                 .data = options.data,
@@ -163,27 +163,27 @@ std::array<live::Seat, 2> seats_of(const PlayOptions& options) {
     return {first, hand(1, SeatKind::pad_or_half)};
 }
 
-/// Data for the start screen: those of the last choice there, unless an option names a match or an arena. If
-/// the last choice can no longer be loaded, the default is used.
-Expected<game::MatchData> load_last_choice(const std::filesystem::path& assets, const PlayOptions& options,
-                                           const LastChoice& last) {
+/// Data for the start screen: its last choice, unless an option names a match or an arena. If that choice can
+/// no longer be loaded, the default is used.
+Expected<MatchData> load_last_choice(const std::filesystem::path& assets, const PlayOptions& options,
+                                     const LastChoice& last) {
     auto choice = options.data;
     if (!options.match_named) choice.match = last.match;
     if (!options.arena_named) choice.arena = last.arena;
-    auto data = game::load_match_data(assets, choice);
-    return data ? std::move(data) : game::load_match_data(assets, options.data);
+    auto data = load_match_data(assets, choice);
+    return data ? std::move(data) : load_match_data(assets, options.data);
 }
 
 int play_in_window(const PlayOptions& options) {
-    const auto assets = game::find_assets();
+    const auto assets = find_assets();
     std::error_code no_file;
     const bool first_start = !std::filesystem::exists(settings_file(), no_file);
     auto [settings, start_fault] = settings_to_play_with(settings_file(), assets);
-    auto data = options.mode() ? game::load_match_data(assets, options.data)
+    auto data = options.mode() ? load_match_data(assets, options.data)
                                : load_last_choice(assets, options, settings.last);
     if (!data) return refuse(data.error());
     LivePlan plan;
-    plan.data = std::make_shared<const game::MatchData>(std::move(*data));
+    plan.data = std::make_shared<const MatchData>(std::move(*data));
     plan.seed = options.seed.value_or(std::random_device{}());
     plan.seats = seats_of(options);
     plan.start_screen = !options.mode();

@@ -43,8 +43,8 @@ constexpr Option range_options[] = {{"--apprentice"}, {"--dummy", 1},     {"--ha
                                     {"--bot", 1},     {"--seconds", 1}};
 
 struct RangeOptions {
-    game::DataChoice data;
-    game::DummyKind dummy{};
+    DataChoice data;
+    DummyKind dummy{};
     live::Seat hand{.kind = SeatKind::keyboard_mouse};
     bool headless = false, apprentice = false;
     int bot = 3;
@@ -52,12 +52,12 @@ struct RangeOptions {
     std::optional<double> seconds;
 };
 
-Expected<game::DummyKind> dummy_named(std::string_view word) {
-    const auto& names = game::dummy_names;
+Expected<DummyKind> dummy_named(std::string_view word) {
+    const auto& names = dummy_names;
     const auto found = std::find(names.begin(), names.end(), word);
     if (found == names.end())
         return fail(text("--dummy '", word, "': must be ", names[0], ", ", names[1], " or ", names[2]));
-    return static_cast<game::DummyKind>(found - names.begin());
+    return static_cast<DummyKind>(found - names.begin());
 }
 
 Expected<RangeOptions> read_range_options(const std::vector<std::string>& words) {
@@ -77,7 +77,7 @@ Expected<RangeOptions> read_range_options(const std::vector<std::string>& words)
         return fail("--apprentice has its own dummy and arena: no --dummy, --arena or --headless");
     if (options.headless && arguments->has("--hands")) return fail("--headless has no player: no --hands");
     if (!options.headless && arguments->has("--bot")) return fail("--bot is for --headless");
-    const auto bot = arguments->whole("--bot", game::easiest_bot, game::hardest_bot, 3);
+    const auto bot = arguments->whole("--bot", easiest_bot, hardest_bot, 3);
     if (!bot) return bot.error();
     options.bot = static_cast<int>(*bot);
     const auto seed = arguments->whole("--seed", 0, ~std::uint64_t{0});
@@ -92,31 +92,31 @@ Expected<RangeOptions> read_range_options(const std::vector<std::string>& words)
     return options;
 }
 
-int practise_off_screen(const RangeOptions& options, const game::RangeData& data) {
-    const auto skill = game::load_bot_skill(game::find_assets(), options.bot);
+int practise_off_screen(const RangeOptions& options, const RangeData& data) {
+    const auto skill = load_bot_skill(find_assets(), options.bot);
     if (!skill) return refuse(skill.error());
     const auto seed = options.seed.value_or(1);
-    auto range = game::make_range(data, game::bot_device(game::practising, options.bot), options.dummy, seed);
-    game::Bots bots;
-    bots.add(*range.match, game::practising, game::practising, *skill, seed);
-    game::RangeScorer scorer;
+    auto range = make_range(data, bot_device(practising, options.bot), options.dummy, seed);
+    Bots bots;
+    bots.add(*range.match, practising, practising, *skill, seed);
+    RangeScorer scorer;
     const auto end = ticks(options.seconds.value_or(60));
     for (Tick t = 0; t < end; ++t) {
         input::InputFrame frame;
         bots.sample(*range.match, frame);
-        range.tick(frame.devices[game::practising]);
+        range.tick(frame.devices[practising]);
         scorer.score(*range.match);
     }
     std::printf("range: %s\n", words_of(scorer.score(*range.match)).c_str());
     std::printf("bot of level %d on the %s dummy, %s s; nothing is recorded\n", options.bot,
-                std::string(game::dummy_names[static_cast<std::size_t>(options.dummy)]).c_str(),
+                std::string(dummy_names[static_cast<std::size_t>(options.dummy)]).c_str(),
                 fixed(seconds(end), 1).c_str());
     std::printf("state %s\n", hex(range.match->state_hash()).c_str());
     return done;
 }
 
-int practise_in_window(const RangeOptions& options, const game::RangeData& data) {
-    const auto assets = game::find_assets();
+int practise_in_window(const RangeOptions& options, const RangeData& data) {
+    const auto assets = find_assets();
     LivePlan plan;
     plan.data = data.match;
     plan.seed = options.seed.value_or(std::random_device{}());
@@ -138,7 +138,7 @@ int run_range(const std::vector<std::string>& words) {
     if (!options) return refuse(options.error());
     if (!options->headless && !render::display_there())
         return refuse({"range needs a display; without one: thaum range --headless"});
-    const auto data = game::load_range(game::find_assets(), options->data);
+    const auto data = load_range(find_assets(), options->data);
     if (!data) return refuse(data.error());
     return options->headless ? practise_off_screen(*options, *data) : practise_in_window(*options, *data);
 }

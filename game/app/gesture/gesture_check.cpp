@@ -59,8 +59,7 @@ int run_gesture_check(const std::vector<std::string>& words) {
         }
         gestures.push_back(std::move(*gesture));
     }
-    const auto pairs =
-        gesture::compare_gestures(gestures, {.channels = {depth, force}}, game::recognise_drawn);
+    const auto pairs = gesture::compare_gestures(gestures, {.channels = {depth, force}}, recognise_drawn);
     if (!pairs) return refuse(pairs.error());
     const auto collisions =
         std::count_if(pairs->begin(), pairs->end(), [](const auto& p) { return p.collides(); });

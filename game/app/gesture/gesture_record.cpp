@@ -51,14 +51,14 @@ std::optional<std::size_t> device_of(const input::LogReader& log, std::uint32_t 
 }
 
 Expected<Courses> strokes_of_log(const std::string& path, std::uint32_t player) {
-    auto playback = game::Playback::open(path, game::find_assets());
+    auto playback = Playback::open(path, find_assets());
     if (!playback) return playback.error();
     const auto device = device_of(playback->log(), player);
     if (!device) return fail(text(path, ": player ", player + 1, " has no device in this match"));
     gesture::StrokeRecorder recorder;
     while (playback->step()) {
         const auto& world = playback->match().world();
-        const auto& hand = world.get<game::HandState>(game::wizard_of(world, player));
+        const auto& hand = world.get<HandState>(wizard_of(world, player));
         const double t = static_cast<double>(playback->match().now()) / 1000;
         recorder.feed({t, hand.device.position, glm::length(hand.servo.safety.output)},
                       playback->frame().devices[*device].down(input::Button::trace));
@@ -93,7 +93,7 @@ Expected<gesture::Gesture> read_gesture_words(const Arguments& arguments) {
             "name the gesture, at most one of --device, --log and --strokes, and --out; see `thaum gesture "
             "record "
             "--help`");
-    const auto player = arguments.whole("--player", 1, game::players, 1),
+    const auto player = arguments.whole("--player", 1, players, 1),
                count = arguments.whole("--count", 1, 100, 3);
     const auto turn = arguments.number("--rotation", 0, 180, 0);
     if (!player) return player.error();

@@ -66,16 +66,16 @@ void fill(render::Frame& frame, const StrokeDesk& desk, render::Size size) {
     const fvec2 middle(0.5F * width, 0.54F * height);
     const double scale = static_cast<double>(height) / shown_m;
     for (const auto& stroke : strokes)
-        game::add_stroke(out, stroke, {stroke.front().at, middle, scale},
-                         {.colour = game::opaque(fvec3(game::paints.soft), 0.35F), .width = 3 * unit});
+        add_stroke(out, stroke, {stroke.front().at, middle, scale},
+                   {.colour = opaque(fvec3(paints.soft), 0.35F), .width = 3 * unit});
     if (const auto open = desk.recorder().open(); !open.empty())
-        game::add_stroke(out, open, {open.front().at, middle, scale}, {.width = 6 * unit, .by_force = true});
-    game::add_text(out, desk.title(), {0.5F * width, 0.05F * height}, 30 * unit, game::paints.white,
-                   render::Align::centre);
-    game::add_text(out, desk.note(), {0.5F * width, 0.14F * height}, 22 * unit, game::paints.amber,
-                   render::Align::centre);
-    game::add_text(out, desk.advice(), {0.5F * width, 0.93F * height}, 20 * unit, game::paints.soft,
-                   render::Align::centre);
+        add_stroke(out, open, {open.front().at, middle, scale}, {.width = 6 * unit, .by_force = true});
+    add_text(out, desk.title(), {0.5F * width, 0.05F * height}, 30 * unit, paints.white,
+             render::Align::centre);
+    add_text(out, desk.note(), {0.5F * width, 0.14F * height}, 22 * unit, paints.amber,
+             render::Align::centre);
+    add_text(out, desk.advice(), {0.5F * width, 0.93F * height}, 20 * unit, paints.soft,
+             render::Align::centre);
 }
 
 Expected<void> run(StrokeDesk& desk, DrawingHand& hand, double frames_per_second, render::Window& window,
@@ -105,7 +105,7 @@ Expected<void> run(StrokeDesk& desk, DrawingHand& hand, double frames_per_second
 }
 
 Expected<std::unique_ptr<DrawingHand>> hand_of(const std::string& device, const Settings& settings,
-                                               const game::MatchData& data) {
+                                               const MatchData& data) {
     if (device == "mouse") return std::make_unique<DrawingMouse>(data.device, monotonic_ns());
     const auto percent = force_choices[settings.players[0].force].percent;
     auto arm = DrawingArm::open(device, percent ? *percent / 100.0 : haptics::gentle_share);
@@ -156,9 +156,9 @@ std::string StrokeDesk::advice() const {
 Expected<std::vector<std::vector<gesture::StrokePoint>>> draw_strokes(const StrokeWish& wish) {
     if (!render::display_there())
         return fail("drawing strokes needs a display; --log and --strokes take recorded ones without it");
-    const auto assets = game::find_assets();
+    const auto assets = find_assets();
     const auto settings = settings_to_play_with(settings_file(), assets).settings;
-    const auto data = game::load_match_data(assets, {});
+    const auto data = load_match_data(assets, {});
     if (!data) return data.error();
     auto hand = hand_of(wish.device, settings, *data);
     if (!hand) return hand.error();

@@ -68,7 +68,7 @@ int compare_files(const std::string& a, const std::string& b) {
 using StateAt = std::function<Expected<Bytes>(Tick)>;
 
 Expected<Bytes> state_here(const std::string& log, Tick tick) {
-    auto playback = game::Playback::open(log, game::find_assets());
+    auto playback = Playback::open(log, find_assets());
     if (!playback) return playback.error();
     playback->play_to(tick);
     Bytes state;
@@ -166,7 +166,7 @@ int run_diff(const std::vector<std::string>& words) {
         return refuse({"diff needs two dumps, or one log and --exe or --threads; see `thaum diff --help`"});
     }
     const auto log = files[0];
-    const auto playback = game::Playback::open(log, game::find_assets());
+    const auto playback = Playback::open(log, find_assets());
     if (!playback) return refuse(playback.error());
     const Tick length = playback->log().ticks();
     if (const auto other = arguments->value("--exe")) {

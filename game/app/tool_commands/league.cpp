@@ -20,8 +20,6 @@
 namespace thaum::game::inline app {
 namespace {
 
-using game::LeagueMatch;
-
 constexpr std::string_view league_help =
     R"(usage: thaum league [OPTIONS]
 
@@ -54,7 +52,7 @@ constexpr Option league_options[] = {{"--levels", 1},  {"--matches", 1},   {"--r
 struct Plan {
     std::vector<int> levels{1, 2, 3};
     std::uint64_t matches = 20, seed = 1, jobs = 1;
-    game::DataChoice choice{};
+    DataChoice choice{};
     std::string json;
     bool check = false;
 };
@@ -63,8 +61,7 @@ Expected<std::vector<int>> read_levels(std::string_view words) {
     std::vector<int> levels;
     while (true) {
         const auto comma = words.find(',');
-        const auto level =
-            parse_whole(words.substr(0, comma), "--levels", game::easiest_bot, game::hardest_bot);
+        const auto level = parse_whole(words.substr(0, comma), "--levels", easiest_bot, hardest_bot);
         if (!level) return level.error();
         levels.push_back(static_cast<int>(*level));
         if (comma == std::string_view::npos) break;
@@ -105,7 +102,7 @@ Expected<Plan> read_plan(const std::vector<std::string>& words) {
 // Playing ---------------------------------------------------------------------------------------------------
 
 struct Fixture {
-    std::array<int, game::players> levels{};
+    std::array<int, players> levels{};
     std::uint64_t seed{};
 };
 
@@ -147,14 +144,14 @@ bool read_all(int from, LeagueMatch& match) {
     return true;
 }
 
-using Data = std::shared_ptr<const game::MatchData>;
+using Data = std::shared_ptr<const MatchData>;
 
 /// Body of a child process: plays every `jobs`-th match and sends the results to the parent.
 [[noreturn]] void work(const Plan& plan, const Data& data, const std::vector<Fixture>& fixtures,
                        std::size_t job, int to) {
-    const auto assets = game::find_assets();
+    const auto assets = find_assets();
     for (std::size_t i = job; i < fixtures.size(); i += plan.jobs) {
-        const auto match = game::play_league_match(assets, data, fixtures[i].levels, fixtures[i].seed);
+        const auto match = play_league_match(assets, data, fixtures[i].levels, fixtures[i].seed);
         if (!match || !write_all(to, *match)) ::_exit(does_not_hold);
     }
     ::_exit(done);
@@ -222,11 +219,11 @@ double ratio(double part, double whole) { return whole > 0 ? part / whole : 0; }
 
 std::string percent(double share) { return text(fixed(100 * share, 0), " %"); }
 
-double time_out_share(const game::LeagueSummary& s) {
+double time_out_share(const LeagueSummary& s) {
     return ratio(s.timed_out, static_cast<double>(s.round_s.size()));
 }
 
-std::string table(const Plan& plan, const game::LeagueSummary& s) {
+std::string table(const Plan& plan, const LeagueSummary& s) {
     std::string lines =
         text("league   rules ", plan.choice.rules, ", match ", plan.choice.match, ", arena ",
              plan.choice.arena, ", ", plan.matches, " matches of each two, seeds from ", plan.seed, "\n");
@@ -245,12 +242,12 @@ std::string table(const Plan& plan, const game::LeagueSummary& s) {
                   percent(time_out_share(s)), " ended by time\nkills    ");
     double all = s.own_deaths;
     for (const auto kills : s.kills) all += kills;
-    for (std::size_t cause = 0; cause < game::causes().size(); ++cause)
-        lines += text(game::causes()[cause], " ", percent(ratio(s.kills[cause], all)), ", ");
+    for (std::size_t cause = 0; cause < causes().size(); ++cause)
+        lines += text(causes()[cause], " ", percent(ratio(s.kills[cause], all)), ", ");
     return lines + text("own ", percent(ratio(s.own_deaths, all)), "\n");
 }
 
-Json json_of(const game::LeaguePair& p) {
+Json json_of(const LeaguePair& p) {
     return {{"low", p.low},
             {"high", p.high},
             {"matches", p.matches},
@@ -260,7 +257,7 @@ Json json_of(const game::LeaguePair& p) {
             {"high_share", p.high_share()}};
 }
 
-Json json_of(const game::LeagueLevel& l) {
+Json json_of(const LeagueLevel& l) {
     return {{"level", l.level},
             {"shots", l.shots},
             {"hits", l.hits},
@@ -270,13 +267,12 @@ Json json_of(const game::LeagueLevel& l) {
             {"dry_share", ratio(seconds(l.dry), seconds(l.alive))}};
 }
 
-Json json_of(const Plan& plan, const game::LeagueSummary& s) {
+Json json_of(const Plan& plan, const LeagueSummary& s) {
     auto pairs = Json::array(), levels = Json::array();
     for (const auto& p : s.pairs) pairs.push_back(json_of(p));
     for (const auto& l : s.levels) levels.push_back(json_of(l));
     auto kills = Json::object();
-    for (std::size_t cause = 0; cause < game::causes().size(); ++cause)
-        kills.set(game::causes()[cause], s.kills[cause]);
+    for (std::size_t cause = 0; cause < causes().size(); ++cause) kills.set(causes()[cause], s.kills[cause]);
     kills.set("own", s.own_deaths);
     return {{"league",
              {{"rules", plan.choice.rules},
@@ -295,8 +291,8 @@ Json json_of(const Plan& plan, const game::LeagueSummary& s) {
             {"kills", kills}};
 }
 
-/// What is wrong with the results of the league, in words; empty: nothing.
-std::string complaint(const Plan& plan, const game::LeagueSummary& s) {
+/// Faults of the results in words; empty: none.
+std::string complaint(const Plan& plan, const LeagueSummary& s) {
     std::string words;
     for (const auto& p : s.pairs) {
         const auto low = std::find(plan.levels.begin(), plan.levels.end(), p.low);
@@ -315,19 +311,18 @@ std::string complaint(const Plan& plan, const game::LeagueSummary& s) {
 int run_league(const std::vector<std::string>& words) {
     const auto plan = read_plan(words);
     if (!plan) return refuse(plan.error());
-    auto loaded = game::load_match_data(game::find_assets(), plan->choice);
+    auto loaded = load_match_data(find_assets(), plan->choice);
     if (!loaded) return refuse(loaded.error());
     // Loads the levels' skills once, so that a missing level is reported here and not in a child process.
     for (const int level : plan->levels) {
-        if (const auto skill = game::load_bot_skill(game::find_assets(), level); !skill)
-            return refuse(skill.error());
+        if (const auto skill = load_bot_skill(find_assets(), level); !skill) return refuse(skill.error());
     }
     const bool to_file = !plan->json.empty() && plan->json != "-";
     if (const auto free = to_file ? check_output(plan->json) : Expected<void>(); !free)
         return refuse(free.error());
-    const auto matches = play(*plan, std::make_shared<const game::MatchData>(std::move(*loaded)));
+    const auto matches = play(*plan, std::make_shared<const MatchData>(std::move(*loaded)));
     if (!matches) return refuse(matches.error());
-    const auto summary = game::summarise(*matches);
+    const auto summary = summarise(*matches);
     const auto json = dump(json_of(*plan, summary), 1) + "\n";
     std::printf("%s", plan->json == "-" ? json.c_str() : table(*plan, summary).c_str());
     if (to_file) {

@@ -55,9 +55,8 @@ with code 1. An existing FILE is replaced, but never LOG, data or a recording.
 struct Pass {
     bool verify = false;
     std::optional<std::filesystem::path> events{}, state{}, forces{}, tactile{}, wav{};
-    std::optional<game::FeltGroups> felt_sound{};  ///< groups of sounds that are also felt, for the table
-                                                   ///< `tactile`; std::nullopt: none
-    std::optional<std::uint32_t> ears{};  ///< player from whose place `wav` is heard; std::nullopt: both
+    std::optional<FeltGroups> felt_sound{};  ///< groups of sounds felt in `tactile`; std::nullopt: none
+    std::optional<std::uint32_t> ears{};     ///< player from whose place `wav` is heard; std::nullopt: both
     Tick state_every = 1;
     std::optional<ShotPlan> shots{};
 
@@ -90,37 +89,36 @@ struct Table {
 
 struct Outputs {
     Table events{}, state{}, forces{}, tactile{};
-    Tick felt = 0;  ///< ticks of play for which forces have been written
-    game::EventTable what_happened{};
+    Tick felt = 0;  ///< ticks of play whose forces have been written
+    EventTable what_happened{};
     std::optional<Shots> shots{};
     std::optional<ReplaySound> sound{};
     std::optional<ReplayBody> body{};
 };
 
-Expected<void> open_body(const Pass& pass, const game::Playback& playback, Outputs& out) {
+Expected<void> open_body(const Pass& pass, const Playback& playback, Outputs& out) {
     if (!pass.tactile) return {};
     if (auto opened = out.tactile.open(pass.tactile, felt_header()); !opened) return opened;
-    auto body = ReplayBody::create(playback.match().data(), game::find_assets(), pass.felt_sound);
+    auto body = ReplayBody::create(playback.match().data(), find_assets(), pass.felt_sound);
     if (!body) return body.error();
     out.body.emplace(std::move(*body));
     return {};
 }
 
-Expected<Outputs> open_outputs(const Pass& pass, const game::Playback& playback) {
+Expected<Outputs> open_outputs(const Pass& pass, const Playback& playback) {
     Outputs out;
-    if (auto opened = out.events.open(pass.events, game::EventTable::header()); !opened)
+    if (auto opened = out.events.open(pass.events, EventTable::header()); !opened) return opened.error();
+    if (auto opened = out.state.open(pass.state, state_header(playback.match())); !opened)
         return opened.error();
-    if (auto opened = out.state.open(pass.state, game::state_header(playback.match())); !opened)
-        return opened.error();
-    if (auto opened = out.forces.open(pass.forces, game::forces_header()); !opened) return opened.error();
+    if (auto opened = out.forces.open(pass.forces, forces_header()); !opened) return opened.error();
     if (auto opened = open_body(pass, playback, out); !opened) return opened.error();
     if (pass.shots) {
-        auto shots = Shots::create(*pass.shots, playback.match().data(), game::find_assets());
+        auto shots = Shots::create(*pass.shots, playback.match().data(), find_assets());
         if (!shots) return shots.error();
         out.shots.emplace(std::move(*shots));
     }
     if (pass.wav) {
-        auto sound = ReplaySound::create(*pass.wav, pass.ears, playback.match().data(), game::find_assets());
+        auto sound = ReplaySound::create(*pass.wav, pass.ears, playback.match().data(), find_assets());
         if (!sound) return sound.error();
         out.sound.emplace(std::move(*sound));
     }
@@ -128,14 +126,14 @@ Expected<Outputs> open_outputs(const Pass& pass, const game::Playback& playback)
 }
 
 /// Writes the rows and pictures that are due at the playback's current tick.
-Expected<void> put_outputs(const Pass& pass, const game::Playback& playback, Outputs& out) {
+Expected<void> put_outputs(const Pass& pass, const Playback& playback, Outputs& out) {
     if (out.events.file) out.what_happened.follow(playback, out.events.rows);
     out.events.put();
     if (out.state.file && playback.match().now() % pass.state_every == 0)
-        game::append_state(playback.match(), out.state.rows);
+        append_state(playback.match(), out.state.rows);
     out.state.put();
     const auto played = playback.match().match().played;
-    if (out.forces.file && out.felt != played) game::append_forces(playback.match(), out.forces.rows);
+    if (out.forces.file && out.felt != played) append_forces(playback.match(), out.forces.rows);
     out.felt = played;
     out.forces.put();
     if (out.body) out.body->follow(playback.match(), out.tactile.rows);
@@ -144,7 +142,7 @@ Expected<void> put_outputs(const Pass& pass, const game::Playback& playback, Out
     return out.shots ? out.shots->follow(playback) : Expected<void>();
 }
 
-Expected<void> close_outputs(const game::Playback& playback, Outputs& out) {
+Expected<void> close_outputs(const Playback& playback, Outputs& out) {
     if (out.events.file) out.what_happened.finish(playback, out.events.rows);
     out.events.put();
     if (auto closed = out.events.close(); !closed) return closed;
@@ -155,9 +153,9 @@ Expected<void> close_outputs(const game::Playback& playback, Outputs& out) {
 }
 
 /// Tests whether the replay has diverged from the recorded match, and prints the difference.
-bool has_diverged(const game::Playback& playback) {
+bool has_diverged(const Playback& playback) {
     if (!playback.divergence()) return false;
-    print_line(game::described(*playback.divergence()));
+    print_line(described(*playback.divergence()));
     return true;
 }
 
@@ -167,9 +165,9 @@ bool says(const std::string& line) {
     return !line.empty();
 }
 
-/// Plays the log from the first tick to the last. If the replay diverges from the recorded match, no table is
-/// written, and the pictures after the last equal hash are deleted: they would show what never happened.
-int run_pass(const Pass& pass, game::Playback& playback) {
+/// Plays the log from the first tick to the last. If the replay diverges, no table is written, and pictures
+/// after the last equal hash are deleted: they would show what never happened.
+int run_pass(const Pass& pass, Playback& playback) {
     const auto start = std::chrono::steady_clock::now();
     if (pass.verify && says(playback.missing_hashes())) return does_not_hold;
     auto out = open_outputs(pass, playback);
@@ -197,15 +195,15 @@ int run_pass(const Pass& pass, game::Playback& playback) {
         pass.verify ? text(", ", compared, " state hashes agree, the last at tick ", last_compared) : "";
     const auto drawn = out->shots ? text(", ", out->shots->taken(), " pictures") : std::string();
     print_line(text(playback.match().now(), " ticks", checked, drawn, "; ",
-                    game::result_line(playback.match(), recorded_names(playback.log().header())), " (",
+                    result_line(playback.match(), recorded_names(playback.log().header())), " (",
                     fixed(took, 2), " s, ", fixed(seconds(playback.match().now()) / took, 1),
                     " x real time)"));
     return done;
 }
 
-/// Writes the state of the match at a tick to a file. The state of a diverged replay is written, too, because
-/// `thaum diff` can show the difference.
-int dump(game::Playback& playback, const std::vector<std::string>& values) {
+/// Writes the state at a tick. The state of a diverged replay is written as well, because `thaum diff` can
+/// show the difference.
+int dump(Playback& playback, const std::vector<std::string>& values) {
     const auto tick = parse_whole(values[0], "--dump", 0, ~std::uint64_t{0});
     if (!tick) return refuse(tick.error());
     if (auto free = check_output(values[1]); !free) return refuse(free.error());
@@ -222,14 +220,14 @@ int dump(game::Playback& playback, const std::vector<std::string>& values) {
 
 Expected<void> read_kinds(const std::vector<std::string>& words, ShotPlan& plan) {
     for (const auto& word : words) {
-        const auto kind = word == "none" ? std::nullopt : game::event_kind(word);
+        const auto kind = word == "none" ? std::nullopt : event_kind(word);
         if (word == "mark") {
             plan.on_marks = true;
         } else if (kind) {
             plan.on[static_cast<std::size_t>(*kind)] = true;
         } else {
             auto names = std::string("mark");
-            for (const auto& info : game::event_kinds().kinds) {
+            for (const auto& info : event_kinds().kinds) {
                 if (!info.name.empty() && info.name != "none") names += text(", ", info.name);
             }
             return fail(text("--shot-on '", word, "': there are ", names));
@@ -291,10 +289,10 @@ Expected<Pass> read_pass(const Arguments& arguments, Tick log_ticks) {
         const auto found = std::find(names.begin(), names.end(), *groups);
         if (found == names.end())
             return fail(text("--felt-sound is music, effects or both, not '", *groups, "'"));
-        pass.felt_sound = static_cast<game::FeltGroups>(found - names.begin());
+        pass.felt_sound = static_cast<FeltGroups>(found - names.begin());
     }
     if (arguments.has("--ears")) {
-        const auto ears = arguments.whole("--ears", 1, game::players, 1);
+        const auto ears = arguments.whole("--ears", 1, players, 1);
         if (!ears) return ears.error();
         pass.ears = static_cast<std::uint32_t>(*ears - 1);
     }
@@ -310,15 +308,15 @@ Expected<Pass> read_pass(const Arguments& arguments, Tick log_ticks) {
     return pass;
 }
 
-/// The tick that --at names, checked against the length of the log.
-Expected<Tick> start_of(const Arguments& arguments, const game::Playback& playback) {
+/// Tick given by --at, checked against the length of the log.
+Expected<Tick> start_of(const Arguments& arguments, const Playback& playback) {
     const auto at = arguments.number("--at", 0, 1e6, 0);
     if (!at) return at.error();
     if (ticks(*at) <= playback.log().ticks()) return ticks(*at);
     return fail(text("--at ", *at, ": the log has ", fixed(seconds(playback.log().ticks()), 1), " s"));
 }
 
-int watch_from(const Arguments& arguments, game::Playback playback) {
+int watch_from(const Arguments& arguments, Playback playback) {
     const auto speed = arguments.number("--speed", 0.25, 16, 1);
     if (!speed) return refuse(speed.error());
     const auto start = start_of(arguments, playback);
@@ -326,15 +324,15 @@ int watch_from(const Arguments& arguments, game::Playback playback) {
     return watch(std::move(playback), {*start, *speed, arguments.value("--out").value_or("out")});
 }
 
-/// Plays the forces of a log on an arm, in real time only. At another speed a push would feel different: at a
-/// lower one, for example, it would move the hand farther.
-int feel_from(const Arguments& arguments, game::Playback playback) {
+/// Plays the forces of a log on an arm, in real time only. At another speed a push would feel different: a
+/// slower one would move the hand farther.
+int feel_from(const Arguments& arguments, Playback playback) {
     if (arguments.has("--speed"))
         return refuse(
             {"--feel plays in real time only: at another --speed each push would last longer or "
              "shorter than it was made for"});
     if (arguments.has("--out")) return refuse({"--feel writes no files; leave --out away"});
-    const auto player = arguments.whole("--player", 1, game::players, 1);
+    const auto player = arguments.whole("--player", 1, players, 1);
     if (!player) return refuse(player.error());
     const auto start = start_of(arguments, playback);
     if (!start) return refuse(start.error());
@@ -348,7 +346,7 @@ int print_header(const std::vector<std::string>& words, const std::string& path)
     if (words.size() != 2) return refuse({"--header goes with no other option"});
     const auto log = input::LogReader::open(path);
     if (!log) return refuse(log.error());
-    std::fputs(game::header_text(*log).c_str(), stdout);
+    std::fputs(header_text(*log).c_str(), stdout);
     return done;
 }
 
@@ -368,11 +366,11 @@ int run_replay(const std::vector<std::string>& words) {
     if (!arguments) return refuse(arguments.error());
     if (arguments->plain().size() != 1) return refuse({"replay needs one log; see `thaum replay --help`"});
     if (arguments->has("--header")) return print_header(words, arguments->plain()[0]);
-    auto playback = game::Playback::open(arguments->plain()[0], game::find_assets());
+    auto playback = Playback::open(arguments->plain()[0], find_assets());
     if (!playback) return refuse(playback.error());
     const auto pass = read_pass(*arguments, playback->log().ticks());
     if (!pass) return refuse(pass.error());
-    warn(game::build_warning(playback->log().header()));
+    warn(build_warning(playback->log().header()));
     if (!playback->log().ended_cleanly()) warn(playback->log().ending_reason());
     if (pass->any()) return run_pass(*pass, *playback);
     if (arguments->has("--dump") && arguments->has("--feel"))

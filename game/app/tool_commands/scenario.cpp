@@ -36,39 +36,38 @@ bit; THAUM_KEEP_FORCES=tests/replays/forces records new traces.
 Exit code 0: all passed; 1: one failed.
 )";
 
-render::Split split_of(game::Split split) {
-    return split == game::Split::side_by_side ? render::Split::side_by_side : render::Split::top_bottom;
+render::Split split_of(Split split) {
+    return split == Split::side_by_side ? render::Split::side_by_side : render::Split::top_bottom;
 }
 
 /// OpenGL context and renderer, shared by all pictures of a run. A match with other data needs a new context
 /// and renderer.
 class Painter {
 public:
-    Expected<game::Pixels> take(const game::Simulation& match, game::Split split,
-                                const std::filesystem::path& file) {
+    Expected<Pixels> take(const Simulation& match, Split split, const std::filesystem::path& file) {
         if (!still_ || painted_ != &match.data()) {
             still_.reset();  // the old context must be destroyed before the next one is created
-            auto still = Still::create(match.data(), game::find_assets(), {640, 360});
+            auto still = Still::create(match.data(), find_assets(), {640, 360});
             if (!still) return still.error();
             still_ = std::make_unique<Still>(std::move(*still));
             painted_ = &match.data();
         }
-        game::HudSettings settings;
+        HudSettings settings;
         settings.split = split_of(split);
         auto image = still_->draw(match, settings);
         if (!file.empty()) {
             if (const auto written = render::write_png(file, image); !written) return written.error();
         }
-        return game::Pixels{image.width, image.height, std::move(image.rgb)};
+        return Pixels{image.width, image.height, std::move(image.rgb)};
     }
 
 private:
     std::unique_ptr<Still> still_;
-    const game::MatchData* painted_ = nullptr;
+    const MatchData* painted_ = nullptr;
 };
 
-/// Prints the result of a scenario, and below it what the script has printed.
-void print_result(const game::ScenarioResult& result) {
+/// Prints a result, and below it what the script has printed.
+void print_result(const ScenarioResult& result) {
     constexpr std::size_t longest = 1000;
     std::printf("%-6s %-28s %8llu ticks  ", result.passed ? "passed" : "FAILED",
                 printable(result.name, longest).c_str(), static_cast<unsigned long long>(result.ticks));
@@ -82,30 +81,29 @@ void print_result(const game::ScenarioResult& result) {
     }
 }
 
-game::ScenarioOptions options_of(const Arguments& arguments, Painter& painter) {
-    game::ScenarioOptions chosen;
-    chosen.assets = game::find_assets();
-    chosen.scripts = game::scenarios_beside(chosen.assets);
+ScenarioOptions options_of(const Arguments& arguments, Painter& painter) {
+    ScenarioOptions chosen;
+    chosen.assets = find_assets();
+    chosen.scripts = scenarios_beside(chosen.assets);
     std::error_code unknown;
     if (!std::filesystem::exists(chosen.scripts, unknown))
-        chosen.scripts = game::scenarios_beside(game::shipped_assets());
+        chosen.scripts = scenarios_beside(shipped_assets());
     chosen.out = arguments.value("--out").value_or("out/scenarios");
     chosen.take_picture = [&painter](const auto& match, auto split, const auto& file) {
         return painter.take(match, split, file);
     };
-    if (arguments.has("--once")) chosen.same_again = game::SameAgain::unchecked;
-    if (arguments.has("--twice")) chosen.same_again = game::SameAgain::by_second_run;
-    chosen.read_screen = game::words_over_views;
+    if (arguments.has("--once")) chosen.same_again = SameAgain::unchecked;
+    if (arguments.has("--twice")) chosen.same_again = SameAgain::by_second_run;
+    chosen.read_screen = words_over_views;
     chosen.keep_forces = environment_value("THAUM_KEEP_FORCES").value_or("");
     return chosen;
 }
 
 /// Protects the scripts and the force traces that they are compared with from being overwritten.
-void protect_scripts(const std::vector<std::filesystem::path>& scripts, const game::ScenarioOptions& chosen) {
+void protect_scripts(const std::vector<std::filesystem::path>& scripts, const ScenarioOptions& chosen) {
     for (const auto& script : scripts) {
         protect_input(script);
-        if (const auto forces = game::forces_folder(script, chosen);
-            chosen.keep_forces.empty() && !forces.empty())
+        if (const auto forces = forces_folder(script, chosen); chosen.keep_forces.empty() && !forces.empty())
             protect_input(forces);
     }
 }
@@ -117,16 +115,15 @@ int run_scenario(const std::vector<std::string>& words) {
     const auto json = arguments->value("--json");
     Painter painter;
     const auto chosen = options_of(*arguments, painter);
-    const auto scripts = game::find_scenarios(arguments->plain(), chosen);
+    const auto scripts = find_scenarios(arguments->plain(), chosen);
     if (!scripts) return refuse(scripts.error());
     protect_scripts(*scripts, chosen);
     if (const auto made = make_folder(chosen.out); !made) return refuse(made.error());
     if (const auto free = json && json != "-" ? check_output(*json) : Expected<void>(); !free)
         return refuse(free.error());
-    const auto results =
-        game::run_scenarios(arguments->plain(), chosen, json == "-" ? nullptr : print_result);
+    const auto results = run_scenarios(arguments->plain(), chosen, json == "-" ? nullptr : print_result);
     if (!results) return refuse(results.error());
-    const auto report = game::scenario_report(*results);
+    const auto report = scenario_report(*results);
     if (json == "-") {
         std::printf("%s", report.c_str());
     } else if (json) {

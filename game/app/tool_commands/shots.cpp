@@ -19,8 +19,8 @@ Makes the README's pictures from a recorded match; needs no display.
               wizards were closest while player 1 saw the other and something flew
 )";
 
-/// Plays the replay to its end and returns its highlight, the moment that makes the best picture.
-Highlight find_highlight(game::Playback& playback) {
+/// Plays the replay to its end and returns its highlight.
+Highlight find_highlight(Playback& playback) {
     Highlight best;
     while (playback.step()) watch_for_highlight(playback.match(), best);
     return best;
@@ -37,25 +37,25 @@ int run_shots(const std::vector<std::string>& words) {
     const auto file = std::filesystem::path(*out) / "duel.png";
     if (const auto made = make_folder(*out); !made) return refuse(made.error());
     if (const auto free = check_output(file); !free) return refuse(free.error());
-    auto playback = game::Playback::open(log, game::find_assets());
+    auto playback = Playback::open(log, find_assets());
     if (!playback) return refuse(playback.error());
     const Highlight best = find_highlight(*playback);
     if (playback->divergence()) {
-        refuse({text(log, ": ", game::described(*playback->divergence()))});
+        refuse({text(log, ": ", described(*playback->divergence()))});
         return does_not_hold;
     }
     if (best.tick == 0)
         return refuse({text(log, ": the two wizards never meet in this log; take a longer match")});
-    playback = game::Playback::open(log, game::find_assets());
+    playback = Playback::open(log, find_assets());
     if (!playback) return refuse(playback.error());
     const auto& match = playback->match();
-    const auto senses = senses_of(match.data(), game::find_assets());
+    const auto senses = senses_of(match.data(), find_assets());
     while (match.now() < best.tick) {
         if (!playback->step())
             return refuse({text(log, ": the file changed while it was read; start again")});
         if (senses) senses->follow(match);
     }
-    auto still = Still::create(match.data(), game::find_assets(), {1280, 720});
+    auto still = Still::create(match.data(), find_assets(), {1280, 720});
     if (!still) return refuse(still.error());
     if (const auto saved = still->save(match, hud_of(*playback), file, senses.get()); !saved)
         return refuse(saved.error());

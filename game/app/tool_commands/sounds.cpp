@@ -100,7 +100,7 @@ int run_sounds(const std::vector<std::string>& words) {
             return refuse(made.error());
         if (const auto free = check_output(*sheet); !free) return refuse(free.error());
     }
-    const auto bank = audio::load_sounds(game::find_assets() / "sounds");
+    const auto bank = audio::load_sounds(find_assets() / "sounds");
     if (!bank) return refuse(bank.error());
     if (!bank->faulty.empty()) return refuse(bank->faulty[0].fault);
     const auto sounds = choose(*bank, arguments->plain());

@@ -20,9 +20,6 @@
 
 namespace thaum::game::inline lab {
 
-using game::LabSettings;
-using game::LabState;
-
 namespace {
 
 constexpr std::string_view lab_help =
@@ -75,10 +72,10 @@ Expected<std::size_t> one_of(const Arguments& arguments, std::string_view option
 
 // ---- settings ---------------------------------------------------------------------------------------------
 
-Expected<game::Ingredient> read_substance(const std::string& words, const game::CauldronRules& rules) {
+Expected<Ingredient> read_substance(const std::string& words, const CauldronRules& rules) {
     const auto parts = parts_of(words);
     const auto known = std::find_if(rules.ingredients.begin(), rules.ingredients.end(),
-                                    [&](const game::Ingredient& i) { return i.name == parts[0]; });
+                                    [&](const Ingredient& i) { return i.name == parts[0]; });
     if (known == rules.ingredients.end()) {
         std::string names;
         for (const auto& i : rules.ingredients) names += (names.empty() ? "" : ", ") + i.name;
@@ -99,7 +96,7 @@ Expected<game::Ingredient> read_substance(const std::string& words, const game::
     return result;
 }
 
-Expected<void> read_substances(const Arguments& arguments, const game::CauldronRules& rules,
+Expected<void> read_substances(const Arguments& arguments, const CauldronRules& rules,
                                LabSettings& settings) {
     const auto words = arguments.values("--substance");
     if (words.empty()) return {};
@@ -118,7 +115,7 @@ Expected<void> read_substances(const Arguments& arguments, const game::CauldronR
 Expected<void> read_cells(const Arguments& arguments, LabSettings& settings) {
     const auto word = arguments.value("--cells");
     if (!word) return {};
-    for (const int cells : game::lab_cells) {
+    for (const int cells : lab_cells) {
         if (*word != text(cells)) continue;
         settings.cells = cells;
         return {};
@@ -127,8 +124,8 @@ Expected<void> read_cells(const Arguments& arguments, LabSettings& settings) {
                      "': must be 15, 16, 24, 32, 48 or 64, the number from wall to wall; cells are cubes"));
 }
 
-/// The settings after the changes that the command line asks for.
-Expected<LabSettings> read_settings(const Arguments& arguments, const game::CauldronRules& rules,
+/// Settings after the changes of the command line.
+Expected<LabSettings> read_settings(const Arguments& arguments, const CauldronRules& rules,
                                     LabSettings settings) {
     const auto solver =
         one_of(arguments, "--solver", {"thaum", "classic"}, settings.solver == fluid::Solver::thaum ? 0 : 1);
@@ -154,21 +151,21 @@ Expected<LabSettings> read_settings(const Arguments& arguments, const game::Caul
     return settings;
 }
 
-/// State of a new or loaded session, after the changes that the command line asks for.
-Expected<LabState> read_lab(const Arguments& arguments, const game::LabData& data) {
+/// State of a new or loaded session after the changes of the command line.
+Expected<LabState> read_lab(const Arguments& arguments, const LabData& data) {
     const auto file = arguments.value("--load");
     if (!file) {
-        const auto settings = read_settings(arguments, data.rules, game::lab_settings(data));
+        const auto settings = read_settings(arguments, data.rules, lab_settings(data));
         if (!settings) return settings.error();
-        return game::make_lab(data.rules, *settings);
+        return make_lab(data.rules, *settings);
     }
-    auto lab = game::load_lab(*file, data.rules);
+    auto lab = load_lab(*file, data.rules);
     if (!lab || std::none_of(setting_words.begin(), setting_words.end(),
                              [&](std::string_view word) { return arguments.has(word); }))
         return lab;
     const auto settings = read_settings(arguments, data.rules, lab->settings);
     if (!settings) return settings.error();
-    if (auto changed = game::change_lab(*lab, *settings); !changed) return changed.error();
+    if (auto changed = change_lab(*lab, *settings); !changed) return changed.error();
     return lab;
 }
 
@@ -177,14 +174,14 @@ Expected<LabState> read_lab(const Arguments& arguments, const game::LabData& dat
 Expected<std::size_t> read_slot(const std::string& word, const LabSettings& settings) {
     const auto& all = settings.substances;
     const auto named =
-        std::find_if(all.begin(), all.end(), [&](const game::Ingredient& i) { return i.name == word; });
+        std::find_if(all.begin(), all.end(), [&](const Ingredient& i) { return i.name == word; });
     if (named != all.end()) return static_cast<std::size_t>(named - all.begin());
     for (std::size_t i = 0; i < all.size(); ++i)
         if (word == text(i + 1)) return i;
     return fail(text("--pour '", word, "': the brew has no such substance"));
 }
 
-Expected<game::LabScript::Pour> read_pour(const std::string& words, const LabState& lab) {
+Expected<LabScript::Pour> read_pour(const std::string& words, const LabState& lab) {
     const auto parts = parts_of(words);
     if (parts.size() != 3) return fail(text("--pour '", words, "': must be SUBSTANCE,SECOND,LITRES"));
     const auto slot = read_slot(parts[0], lab.settings);
@@ -193,12 +190,12 @@ Expected<game::LabScript::Pour> read_pour(const std::string& words, const LabSta
     if (!at) return at.error();
     const auto litres = parse_number(parts[2], "--pour", 1e-6, 1e4);
     if (!litres) return litres.error();
-    return game::LabScript::Pour{std::llround(*at / game::lab_dt), *slot, 1e-3 * *litres};
+    return LabScript::Pour{std::llround(*at / lab_dt), *slot, 1e-3 * *litres};
 }
 
-Expected<game::LabScript> read_script(const Arguments& arguments, const LabState& lab, bool headless) {
-    game::LabScript script;
-    auto path = game::stir_path(arguments.value("--stir").value_or(headless ? "circle" : "none"));
+Expected<LabScript> read_script(const Arguments& arguments, const LabState& lab, bool headless) {
+    LabScript script;
+    auto path = stir_path(arguments.value("--stir").value_or(headless ? "circle" : "none"));
     if (!path) return path.error();
     script.path = std::move(*path);
     for (const auto& words : arguments.values("--pour")) {
@@ -214,14 +211,14 @@ Expected<game::LabScript> read_script(const Arguments& arguments, const LabState
 Expected<LabPlan> read_plan(const Arguments& arguments) {
     if (!arguments.plain().empty()) return fail(text("lab --fluid takes no '", arguments.plain()[0], "'"));
     const bool headless = arguments.has("--headless");
-    const auto data = game::load_lab_data(game::find_assets());
+    const auto data = load_lab_data(find_assets());
     if (!data) return data.error();
     auto lab = read_lab(arguments, *data);
     if (!lab) return lab.error();
     auto script = read_script(arguments, *lab, headless);
     if (!script) return script.error();
     LabPlan plan{.lab = std::move(*lab), .script = std::move(*script)};
-    const auto seconds = arguments.number("--seconds", game::lab_dt, 36'000);
+    const auto seconds = arguments.number("--seconds", lab_dt, 36'000);
     if (!seconds) return seconds.error();
     plan.seconds = headless ? seconds->value_or(10) : *seconds;
     const auto threads = arguments.whole("--threads", 1, 2, 1);
@@ -237,40 +234,40 @@ Expected<LabPlan> read_plan(const Arguments& arguments) {
 
 // ---- without a window -------------------------------------------------------------------------------------
 
-void tell_end(const LabState& lab, const game::LabFigures& last, std::int64_t steps, double took_s) {
+void tell_end(const LabState& lab, const LabFigures& last, std::int64_t steps, double took_s) {
     const auto& s = lab.settings;
     std::printf("lab: %s s of the brew in %s s; %d cells across, %s, %s\n",
-                fixed(game::lab_dt * static_cast<double>(steps), 2).c_str(), fixed(took_s, 2).c_str(),
-                s.cells, s.solver == fluid::Solver::thaum ? "thaum" : "classic",
+                fixed(lab_dt * static_cast<double>(steps), 2).c_str(), fixed(took_s, 2).c_str(), s.cells,
+                s.solver == fluid::Solver::thaum ? "thaum" : "classic",
                 lab.brew.fluid.settings.solid ? "bowl" : "box");
     std::printf("energy %s m^5/s^2, fastest %s m/s, divergence %s, mixing %s\n",
                 fixed(last.fluid.energy, 4).c_str(), fixed(last.fluid.speed, 3).c_str(),
                 text(static_cast<float>(last.fluid.divergence)).c_str(), fixed(last.mixing, 3).c_str());
-    std::printf("state %s\n", hex(hash_bytes(game::save_lab(lab))).c_str());
+    std::printf("state %s\n", hex(hash_bytes(save_lab(lab))).c_str());
 }
 
 int run_headless(LabPlan plan) {
     if (const auto free = plan.out.save ? check_output(*plan.out.save) : Expected<void>(); !free)
         return refuse(free.error());
-    auto trace = LabTrace::open(plan.out.trace, game::lab_trace_header(plan.times));
+    auto trace = LabTrace::open(plan.out.trace, lab_trace_header(plan.times));
     if (!trace) return refuse(trace.error());
     auto shots = LabShots::open(plan);
     if (!shots) return refuse(shots.error());
     Jobs jobs(plan.threads - 1);
-    game::LabFigures figures;
+    LabFigures figures;
     const auto start = monotonic_ns();
-    const auto steps = std::llround(*plan.seconds / game::lab_dt);
+    const auto steps = std::llround(*plan.seconds / lab_dt);
     const EndWatch watch;
     std::int64_t i = 0;
     for (; i < steps && !EndWatch::asked(); ++i) {
-        figures = game::step_lab(plan.lab, game::scripted_input(plan.script, plan.lab), jobs);
-        trace->add([&](std::string& rows) { game::append_lab_row(plan.lab, figures, plan.times, rows); });
+        figures = step_lab(plan.lab, scripted_input(plan.script, plan.lab), jobs);
+        trace->add([&](std::string& rows) { append_lab_row(plan.lab, figures, plan.times, rows); });
         if (auto put = shots->follow(plan.lab, figures); !put) return refuse(put.error());
     }
     const double took = static_cast<double>(monotonic_ns() - start) * 1e-9;
     if (auto closed = trace->close(); !closed) return refuse(closed.error());
     if (plan.out.save) {
-        if (auto saved = game::save_lab(plan.lab, *plan.out.save); !saved) return refuse(saved.error());
+        if (auto saved = save_lab(plan.lab, *plan.out.save); !saved) return refuse(saved.error());
     }
     tell_end(plan.lab, figures, i, took);
     tell_end_by_signal();

@@ -13,9 +13,9 @@ namespace thaum::game::inline lab {
 
 /// Options of one session of the fluid lab: a new or loaded state, with the changes from the command line.
 struct LabPlan {
-    game::LabState lab;
-    game::LabScript script{};
-    /// Length of the session in simulated time (s); std::nullopt: until the window is closed.
+    LabState lab;
+    LabScript script{};
+    /// length of the session in simulated time (s); std::nullopt: until the window is closed
     std::optional<double> seconds{};
     LabOutputs out{};
     bool times = false;  ///< true: the trace has columns with computing times
@@ -32,7 +32,7 @@ public:
     ~LabShots();
 
     /// Saves a picture if one is due after this step.
-    Expected<void> follow(const game::LabState& lab, const game::LabFigures& figures);
+    Expected<void> follow(const LabState& lab, const LabFigures& figures);
 
 private:
     struct State;

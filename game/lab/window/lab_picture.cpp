@@ -14,8 +14,8 @@ constexpr double eye_middle = -0.25;  // height of the camera's target above the
 constexpr double handle = 1.3;        // length of the ladle's handle (m)
 constexpr double hand_newtons = 3.3;  // peak force of the simulated device in a match (N)
 
-/// Picture of the ladle. Its handle leans away from the middle of the bowl.
-game::LadlePicture ladle_picture(const game::LabState& lab, double newtons) {
+/// Picture of the ladle; its handle leans away from the middle of the bowl.
+LadlePicture ladle_picture(const LabState& lab, double newtons) {
     const vec3 at = *lab.ladle;
     const vec3 out =
         glm::length(at) > 1e-6 ? glm::normalize(vec3(at.x, 0, at.z) + vec3(1e-6, 0, 0)) : vec3(1, 0, 0);
@@ -47,31 +47,31 @@ render::Camera camera_of(const LabEye& eye) {
     return camera;
 }
 
-LabPicture::LabPicture(render::Renderer& renderer, const game::LabState& lab)
-    : rules_(lab.rules), look_(game::make_brew_look(renderer, {.middle = vec3(0), .basin = lab.basin})) {
+LabPicture::LabPicture(render::Renderer& renderer, const LabState& lab)
+    : rules_(lab.rules), look_(make_brew_look(renderer, {.middle = vec3(0), .basin = lab.basin})) {
     const auto& size = lab.settings.room.size;
-    vessel_ = renderer.upload(game::cauldron(game::bowl(size)).lit);
+    vessel_ = renderer.upload(cauldron(bowl(size)).lit);
     floor_ = renderer.upload(
         render::cylinder(static_cast<float>(4 * size.radius), 0.1F, 48, render::colour(0x4A4458)));
     frame_.bloom = false;
     frame_.quality = render::first_quality(renderer.device());
 }
 
-const render::Frame& LabPicture::frame(const game::LabState& lab, const game::LabFigures& figures,
-                                       const LabPage& page, render::Size size) {
+const render::Frame& LabPicture::frame(const LabState& lab, const LabFigures& figures, const LabPage& page,
+                                       render::Size size) {
     if (lab.steps != shown_) {
         shown_ = lab.steps;
         rules_.ingredients = lab.settings.substances;
-        game::take_brew(lab.brew, rules_, picture_.state + 1, picture_);
+        take_brew(lab.brew, rules_, picture_.state + 1, picture_);
     }
-    game::show_brew(picture_, {.arrows = page.hands.arrows, .streamlines = page.hands.streamlines}, look_);
+    show_brew(picture_, {.arrows = page.hands.arrows, .streamlines = page.hands.streamlines}, look_);
     const auto& room = lab.settings.room;
     const double middle = -room.size.height * (room.filled - 0.5);  // height of the bowl's middle (m)
     instances_.clear();
     instances_.push_back({.mesh = vessel_, .model = at_height(middle)});
     instances_.push_back({.mesh = floor_, .model = at_height(middle - room.size.height / 2 - 0.05)});
-    game::add_brew(look_, instances_);
-    if (lab.ladle) game::add_ladle(look_.meshes, ladle_picture(lab, figures.ladle_n), instances_);
+    add_brew(look_, instances_);
+    if (lab.ladle) add_ladle(look_.meshes, ladle_picture(lab, figures.ladle_n), instances_);
     lights_ = {{.position = {0, 1.2F, 0}, .colour = 2.5F * fvec3(lab.rules.colour), .radius = 5}};
     frame_.width = size.width;
     frame_.height = size.height;

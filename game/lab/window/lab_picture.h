@@ -22,7 +22,7 @@ render::Camera camera_of(const LabEye& eye);
 
 /// What the screen shows besides the brew: keys, figures, messages.
 struct LabPage {
-    game::LabHands hands{};
+    LabHands hands{};
     LabEye eye{};
     std::string note{};     ///< message about the last action
     double steps_per_s{};   ///< steps computed per second of wall-clock time; 0: not shown
@@ -32,19 +32,19 @@ struct LabPage {
 
 class LabPicture {
 public:
-    /// The renderer's OpenGL context must be current during the whole lifetime of the picture. The picture
-    /// shows the bowl that `lab` has at this call.
-    LabPicture(render::Renderer& renderer, const game::LabState& lab);
+    /// The renderer's OpenGL context must be current during the whole lifetime of the picture. The bowl is
+    /// that of `lab` at this call.
+    LabPicture(render::Renderer& renderer, const LabState& lab);
 
     /// Builds the frame. The reference stays valid until the next call.
-    const render::Frame& frame(const game::LabState& lab, const game::LabFigures& figures,
-                               const LabPage& page, render::Size size);
+    const render::Frame& frame(const LabState& lab, const LabFigures& figures, const LabPage& page,
+                               render::Size size);
 
 private:
-    game::CauldronRules rules_;  ///< rules with the session's substances as ingredients
+    CauldronRules rules_;  ///< rules with the session's substances as ingredients
     render::MeshId vessel_{}, floor_{};
-    game::BrewLook look_;
-    game::BrewPicture picture_;
+    BrewLook look_;
+    BrewPicture picture_;
     std::int64_t shown_ = -1;  ///< number of the step that `picture_` shows
     std::vector<render::Instance> instances_;
     std::vector<render::PointLight> lights_;
@@ -52,7 +52,7 @@ private:
 };
 
 /// Adds the panels: keys on the left, figures on the right.
-void add_lab_words(render::Overlay& out, const game::LabState& lab, const game::LabFigures& figures,
-                   const LabPage& page, render::Size size);
+void add_lab_words(render::Overlay& out, const LabState& lab, const LabFigures& figures, const LabPage& page,
+                   render::Size size);
 
 }  // namespace thaum::game::inline lab

@@ -26,7 +26,7 @@ Expected<LabShots> LabShots::open(const LabPlan& plan) {
     auto context = render::Offscreen::create(plan.out.size.width, plan.out.size.height);
     if (!context) return context.error();
     context->make_current();
-    auto renderer = render::Renderer::create(game::find_assets());
+    auto renderer = render::Renderer::create(find_assets());
     if (!renderer) return renderer.error();
     LabPicture picture(*renderer, plan.lab);
     shots.folder_ = *plan.out.shots;
@@ -36,7 +36,7 @@ Expected<LabShots> LabShots::open(const LabPlan& plan) {
     return shots;
 }
 
-Expected<void> LabShots::follow(const game::LabState& lab, const game::LabFigures& figures) {
+Expected<void> LabShots::follow(const LabState& lab, const LabFigures& figures) {
     if (!state_ || lab.steps % every_ != 0) return {};
     auto& s = *state_;
     s.renderer.draw(s.picture.frame(lab, figures, s.page, s.context.size()));

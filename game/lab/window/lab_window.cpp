@@ -23,8 +23,6 @@
 namespace thaum::game::inline lab {
 namespace {
 
-using game::LabState;
-
 // Maximum number of steps per picture. They cover a tenth of a second, the longest interval between pictures
 // that the settings allow. Time beyond that is dropped.
 constexpr int steps_of_a_frame = 7;
@@ -46,7 +44,7 @@ struct LabSession {
     LabPlan plan;
     LabTrace trace;
     LabPage page{};
-    game::LabFigures figures{};
+    LabFigures figures{};
     std::filesystem::path file{};  ///< file that keys save to and load from
 
     std::optional<fvec2> cursor{};  ///< position of the mouse (px); std::nullopt: outside of the window
@@ -70,7 +68,7 @@ void note(LabSession& session, std::string_view words) {
 /// The position inside the walls that is nearest to `place`.
 vec3 in_basin(const LabState& lab, vec3 place) {
     place.y = std::clamp(place.y, -0.95 * lab.basin.depth, above);
-    const double width = within_walls * game::width_at(lab.basin, std::min(place.y, 0.0));
+    const double width = within_walls * width_at(lab.basin, std::min(place.y, 0.0));
     const double far = std::sqrt(place.x * place.x + place.z * place.z);
     if (far > width) place *= vec3(width / far, 1, width / far);
     return place;
@@ -122,23 +120,23 @@ void save_now(LabSession& session) {
         if (auto made = make_folder(session.file.parent_path()); !made)
             return note(session, made.error().message);
     }
-    const auto saved = game::save_lab(session.plan.lab, session.file);
+    const auto saved = save_lab(session.plan.lab, session.file);
     note(session, saved ? text("saved: ", session.file.string()) : saved.error().message);
 }
 
 void load_now(LabSession& session) {
-    auto lab = game::load_lab(session.file, session.plan.lab.rules);
+    auto lab = load_lab(session.file, session.plan.lab.rules);
     if (!lab) return note(session, lab.error().message);
     session.bowl_changed = lab->settings.room != session.plan.lab.settings.room;
     session.plan.lab = std::move(*lab);
     session.pours_due = 0;
     session.page.hands.settings = session.plan.lab.settings;
-    session.figures = game::figures_of(session.plan.lab);
+    session.figures = figures_of(session.plan.lab);
     note(session, text("loaded: ", session.file.string()));
 }
 
 void press(LabSession& session, std::string_view key) {
-    if (game::turn_control(key, session.page.hands, session.plan.lab.rules)) return;
+    if (turn_control(key, session.page.hands, session.plan.lab.rules)) return;
     if (key == "Esc") session.leaves = true;
     if (key == "Space") ++session.pours_due;
     if (key == "Backspace") session.wants_reset = true;
@@ -181,8 +179,8 @@ render::WindowEvents lab_events(LabSession& session) {
 
 // ---- steps ------------------------------------------------------------------------------------------------
 
-bool same_settings(const game::LabSettings& a, const game::LabSettings& b) {
-    const auto same = [](const game::Ingredient& i, const game::Ingredient& j) {
+bool same_settings(const LabSettings& a, const LabSettings& b) {
+    const auto same = [](const Ingredient& i, const Ingredient& j) {
         return i.name == j.name && i.substance.viscosity == j.substance.viscosity &&
                i.substance.weight == j.substance.weight && i.substance.diffusion == j.substance.diffusion;
     };
@@ -192,14 +190,14 @@ bool same_settings(const game::LabSettings& a, const game::LabSettings& b) {
 }
 
 /// Input of the next step: from the user if there is any, else from the script.
-game::LabInput input_now(LabSession& session, render::Size size) {
+LabInput input_now(LabSession& session, render::Size size) {
     auto& lab = session.plan.lab;
-    game::LabInput input = game::scripted_input(session.plan.script, lab);
+    LabInput input = scripted_input(session.plan.script, lab);
     move_ladle(session, size);
     if (session.ladle) input.ladle = session.ladle;
     const int pours = std::max(std::exchange(session.pours_due, 0), session.pouring ? 1 : 0);
     for (int i = 0; i < pours && session.page.hands.chosen < lab.settings.substances.size(); ++i)
-        input.pours.push_back({session.page.hands.chosen, pour_m3, game::place_to_pour(lab, input.ladle)});
+        input.pours.push_back({session.page.hands.chosen, pour_m3, place_to_pour(lab, input.ladle)});
     if (!same_settings(session.page.hands.settings, lab.settings)) input.change = session.page.hands.settings;
     input.reset = std::exchange(session.wants_reset, false);
     return input;
@@ -207,13 +205,13 @@ game::LabInput input_now(LabSession& session, render::Size size) {
 
 void step_session(LabSession& session, render::Size size, Jobs& jobs) {
     const auto input = input_now(session, size);
-    session.figures = game::step_lab(session.plan.lab, input, jobs);
+    session.figures = step_lab(session.plan.lab, input, jobs);
     if (!session.figures.refused.empty()) {
         note(session, session.figures.refused);
         session.page.hands.settings = session.plan.lab.settings;
     }
     session.trace.add([&](std::string& rows) {
-        game::append_lab_row(session.plan.lab, session.figures, session.plan.times, rows);
+        append_lab_row(session.plan.lab, session.figures, session.plan.times, rows);
     });
 }
 
@@ -234,8 +232,8 @@ struct LabClock {
             counted = 0;
             counted_s = 0;
         }
-        const int steps = std::min(steps_of_a_frame, static_cast<int>(owed_s / game::lab_dt));
-        owed_s = steps == steps_of_a_frame ? 0 : owed_s - steps * game::lab_dt;
+        const int steps = std::min(steps_of_a_frame, static_cast<int>(owed_s / lab_dt));
+        owed_s = steps == steps_of_a_frame ? 0 : owed_s - steps * lab_dt;
         counted += steps;
         return steps;
     }
@@ -253,7 +251,7 @@ Expected<void> run(LabSession& session, double frames_per_second, render::Window
     render::Pacer pacer(frames_per_second);
     LabClock clock;
     const auto end = session.plan.seconds
-                         ? session.plan.lab.steps + std::llround(*session.plan.seconds / game::lab_dt)
+                         ? session.plan.lab.steps + std::llround(*session.plan.seconds / lab_dt)
                          : std::numeric_limits<std::int64_t>::max();
     while (!over(session, window, end)) {
         window.poll(events);
@@ -282,20 +280,19 @@ Expected<void> run(LabSession& session, double frames_per_second, render::Window
 
 Expected<void> end(LabSession& session) {
     if (auto closed = session.trace.close(); !closed) return closed;
-    return session.plan.out.save ? game::save_lab(session.plan.lab, *session.plan.out.save)
-                                 : Expected<void>();
+    return session.plan.out.save ? save_lab(session.plan.lab, *session.plan.out.save) : Expected<void>();
 }
 
 }  // namespace
 
 int run_lab_window(LabPlan plan) {
-    const auto assets = game::find_assets();
+    const auto assets = find_assets();
     const auto settings = settings_to_play_with(settings_file(), assets).settings;
     auto window = render::Window::create(
         {.title = "Thaum: the brew", .size = plan.out.size, .fullscreen = settings.fullscreen});
     if (!window) return refuse(window.error());
     const EndWatch watch;
-    auto trace = LabTrace::open(plan.out.trace, game::lab_trace_header(plan.times));
+    auto trace = LabTrace::open(plan.out.trace, lab_trace_header(plan.times));
     if (!trace) return refuse(trace.error());
     if (auto made = make_lab_folder(plan.out, plan.lab.steps + plan.out.every); !made)
         return refuse(made.error());

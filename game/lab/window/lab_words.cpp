@@ -28,10 +28,10 @@ struct Line {
     std::string key, label, value;
 };
 
-std::vector<Line> keys_of(const game::LabState& lab, const game::LabHands& hands) {
+std::vector<Line> keys_of(const LabState& lab, const LabHands& hands) {
     if (!hands.list) return {{sign_of("H"), "list of keys", ""}};
     std::vector<Line> lines;
-    for (const auto& control : game::lab_controls()) {
+    for (const auto& control : lab_controls()) {
         const auto key = control.less.empty() ? sign_of(control.more)
                                               : sign_of(control.less) + " " + sign_of(control.more);
         lines.push_back({key, std::string(control.label), control.shown(hands, lab.rules)});
@@ -56,7 +56,7 @@ std::string short_number(double value) {
     return digits;
 }
 
-std::vector<Line> figures_of(const game::LabState& lab, const game::LabFigures& f, double steps_per_s) {
+std::vector<Line> figures_of(const LabState& lab, const LabFigures& f, double steps_per_s) {
     const auto& p = f.momentum;
     std::vector<Line> lines{
         {"", "time", fixed(lab.seconds(), 2) + " s"},
@@ -72,7 +72,7 @@ std::vector<Line> figures_of(const game::LabState& lab, const game::LabFigures& 
         {"", "mixing", fixed(f.mixing, 3)},
         {"", "ladle", fixed(f.ladle_n, 0) + " N"},
     };
-    if (steps_per_s > 0) lines.push_back({"", "speed", fixed(100 * steps_per_s * game::lab_dt, 0) + " %"});
+    if (steps_per_s > 0) lines.push_back({"", "speed", fixed(100 * steps_per_s * lab_dt, 0) + " %"});
     for (std::size_t s = 0; s < lab.settings.substances.size(); ++s)
         lines.push_back({"", lab.settings.substances[s].name, fixed(1e3 * f.amounts[s], 1) + " l"});
     return lines;
@@ -87,18 +87,17 @@ void add_lines(Overlay& out, const std::vector<Line>& lines, fvec2 low, float wi
         const float y = low.y + 6 * u + static_cast<float>(i) * row * u;
         const float size = 14 * u;
         if (keys > 0 && !lines[i].key.empty())
-            game::add_text(out, lines[i].key, {low.x + 10 * u, y}, size, lab_gold, Align::left);
-        game::add_text(out, lines[i].label, {low.x + (10 + keys) * u, y}, size, lab_soft, Align::left);
+            add_text(out, lines[i].key, {low.x + 10 * u, y}, size, lab_gold, Align::left);
+        add_text(out, lines[i].label, {low.x + (10 + keys) * u, y}, size, lab_soft, Align::left);
         if (!lines[i].value.empty())
-            game::add_text(out, lines[i].value, {low.x + (width - 10) * u, y}, size, lab_bright,
-                           Align::right);
+            add_text(out, lines[i].value, {low.x + (width - 10) * u, y}, size, lab_bright, Align::right);
     }
 }
 
 }  // namespace
 
-void add_lab_words(Overlay& out, const game::LabState& lab, const game::LabFigures& figures,
-                   const LabPage& page, render::Size size) {
+void add_lab_words(Overlay& out, const LabState& lab, const LabFigures& figures, const LabPage& page,
+                   render::Size size) {
     const auto keys = keys_of(lab, page.hands);
     const auto tall = static_cast<float>(size.height), wide = static_cast<float>(size.width);
     // Length of a unit of text (px): as large as the settings ask for, but no larger than fits.
@@ -111,7 +110,7 @@ void add_lab_words(Overlay& out, const game::LabState& lab, const game::LabFigur
                   {wide - (right_width + edge) * u, edge * u}, right_width, 0, u);
     }
     if (!page.note.empty())
-        game::add_text(out, page.note, {wide / 2, tall - 34 * u}, 18 * u, lab_gold, Align::centre);
+        add_text(out, page.note, {wide / 2, tall - 34 * u}, 18 * u, lab_gold, Align::centre);
 }
 
 }  // namespace thaum::game::inline lab

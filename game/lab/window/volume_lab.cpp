@@ -25,9 +25,6 @@
 namespace thaum::game::inline lab {
 namespace {
 
-using game::LabMode;
-using game::VolumeLab;
-
 constexpr std::string_view help =
     R"(usage: thaum lab VOLUME [OPTIONS]      thaum lab --fluid --help: the brew alone
 
@@ -68,23 +65,23 @@ constexpr Option volume_options[] = {
 
 // ---- the volume -------------------------------------------------------------------------------------------
 
-/// Reads a placement "X,Y,Z[,SCALE[,DEGREES]]".
-Expected<game::LabPlace> read_place(std::string_view option, std::span<const std::string> parts) {
+/// Reads "X,Y,Z[,SCALE[,DEGREES]]".
+Expected<LabPlace> read_place(std::string_view option, std::span<const std::string> parts) {
     std::array<double, 5> n{0, 0, 0, 1, 0};
     if (parts.size() < 3 || parts.size() > n.size())
         return fail(text(option, ": a place is X,Y,Z[,SCALE[,DEGREES]]"));
     constexpr std::array<Range, 5> ranges{
-        {{-1, 1}, {-1, 1}, {-1, 1}, {game::min_place_scale, game::max_place_scale}, {-360, 360}}};
+        {{-1, 1}, {-1, 1}, {-1, 1}, {min_place_scale, max_place_scale}, {-360, 360}}};
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const auto number = parse_number(parts[i], option, ranges.at(i).low, ranges.at(i).high);
         if (!number) return number.error();
         n.at(i) = *number;
     }
-    return game::LabPlace{.origin = {n[0], n[1], n[2]}, .yaw = n[4] * pi / 180, .scale = n[3]};
+    return LabPlace{.origin = {n[0], n[1], n[2]}, .yaw = n[4] * pi / 180, .scale = n[3]};
 }
 
 /// Reads --place, and the volumes of --beside as "VOLUME[,PLACE]".
-Expected<void> read_places(const Arguments& arguments, game::VolumeSession& session) {
+Expected<void> read_places(const Arguments& arguments, VolumeSession& session) {
     if (const auto words = arguments.value("--place")) {
         const auto place = read_place("--place", parts_of(*words));
         if (!place) return place.error();
@@ -92,7 +89,7 @@ Expected<void> read_places(const Arguments& arguments, game::VolumeSession& sess
     }
     for (const auto& words : arguments.values("--beside")) {
         const auto parts = parts_of(words);
-        game::SessionVolume one{.volume = parts[0], .count = session.first.count, .seed = session.first.seed};
+        SessionVolume one{.volume = parts[0], .count = session.first.count, .seed = session.first.seed};
         if (parts.size() > 1) {
             const auto place = read_place("--beside", std::span(parts).subspan(1));
             if (!place) return place.error();
@@ -104,11 +101,11 @@ Expected<void> read_places(const Arguments& arguments, game::VolumeSession& sess
 }
 
 /// The session that the command line describes: from a file, or a new one with the volume's name.
-Expected<game::VolumeSession> read_session(const Arguments& arguments) {
-    game::VolumeSession session;
+Expected<VolumeSession> read_session(const Arguments& arguments) {
+    VolumeSession session;
     if (const auto file = arguments.value("--session")) {
         if (!arguments.plain().empty()) return fail("lab takes a volume or --session, not both");
-        auto saved = game::load_session(*file);
+        auto saved = load_session(*file);
         if (!saved) return saved;
         session = std::move(*saved);
     } else {
@@ -139,8 +136,8 @@ Expected<game::VolumeSession> read_session(const Arguments& arguments) {
     return session;
 }
 
-/// Opens the file of a volume, or generates a volume.
-Expected<field::Volume> open_volume(const game::SessionVolume& one, std::vector<std::string>& notes) {
+/// Opens a file, or generates a volume.
+Expected<field::Volume> open_volume(const SessionVolume& one, std::vector<std::string>& notes) {
     if (is_made(one.volume))
         return field::make_volume(one.volume, static_cast<int>(one.count),
                                   static_cast<std::uint64_t>(one.seed));
@@ -208,7 +205,7 @@ Expected<LabMode> read_mode(const Arguments& arguments, const std::string& words
     if (parts.size() > 2) return fail(text("--mode '", words, "': must be MODE or MODE,STRENGTH"));
     auto filters = filters_of(arguments, parts[0]);
     if (!filters) return filters.error();
-    auto mode = game::lab_mode(lab, name, std::move(*filters), volume);
+    auto mode = lab_mode(lab, name, std::move(*filters), volume);
     if (!mode) return mode;
     const auto level = arguments.number("--level", -1e30, 1e30);
     if (!level) return level.error();
@@ -249,8 +246,8 @@ Expected<void> read_transfer(const std::string& words, std::vector<LabMode>& mod
     return {};
 }
 
-/// Reads a part of the body's feel, "KIND,N,...".
-Expected<game::FeelPart> read_feel(const std::string& words) {
+/// Reads "KIND,N,...", a part of the body's feel.
+Expected<FeelPart> read_feel(const std::string& words) {
     const auto parts = parts_of(words);
     std::vector<double> numbers;
     for (const auto& part : std::span(parts).subspan(1)) {
@@ -258,14 +255,13 @@ Expected<game::FeelPart> read_feel(const std::string& words) {
         if (!number) return number.error();
         numbers.push_back(*number);
     }
-    auto part = game::feel_part(parts[0], numbers);
+    auto part = feel_part(parts[0], numbers);
     if (!part) return fail(text("--feel ", part.error().message));
     return *part;
 }
 
 /// Reads the feel of the body as a whole, and the opacity that the feel uses.
-Expected<void> read_body_feel(const Arguments& arguments, VolumeLabPlan& plan,
-                              game::VolumeLabSettings& settings) {
+Expected<void> read_body_feel(const Arguments& arguments, VolumeLabPlan& plan, VolumeLabSettings& settings) {
     if (const auto words = arguments.value("--opacity")) {
         auto opacity = read_points("--opacity", parts_of(*words), {0, 1});
         if (!opacity) return opacity.error();
@@ -284,7 +280,7 @@ Expected<void> read_modes(const Arguments& arguments, VolumeLabPlan& plan) {
     const auto level = arguments.number("--level", -1e30, 1e30);
     if (!level) return level.error();
     if (*level) plan.view.level = **level;
-    game::VolumeLabSettings settings = plan.lab.settings;
+    VolumeLabSettings settings = plan.lab.settings;
     for (const auto& words : arguments.values("--mode")) {
         auto mode = read_mode(arguments, words, plan.lab);
         if (!mode) return mode.error();
@@ -299,7 +295,7 @@ Expected<void> read_modes(const Arguments& arguments, VolumeLabPlan& plan) {
     for (const auto& words : arguments.values("--transfer"))
         if (auto read = read_transfer(words, settings.modes); !read) return read;
     if (auto read = read_body_feel(arguments, plan, settings); !read) return read;
-    return game::change_volume_lab(plan.lab, settings);
+    return change_volume_lab(plan.lab, settings);
 }
 
 // ---- the script -------------------------------------------------------------------------------------------
@@ -323,7 +319,7 @@ Expected<PlannedCarve> read_carve(const std::string& words, const VolumeLab& lab
 }
 
 Expected<void> read_script(const Arguments& arguments, bool headless, VolumeLabPlan& plan) {
-    auto path = game::hand_path(arguments.value("--hand").value_or(headless ? "press" : "rest"));
+    auto path = hand_path(arguments.value("--hand").value_or(headless ? "press" : "rest"));
     if (!path) return fail(text("--hand ", path.error().message));
     plan.path = std::move(*path);
     plan.by_mouse = !headless && !arguments.has("--hand");
@@ -357,7 +353,7 @@ Expected<void> put_on_usual_mode(const Arguments& arguments, VolumeLab& lab) {
     if (!mode) return mode.error();
     auto settings = lab.settings;
     settings.modes.push_back(std::move(*mode));
-    return game::change_volume_lab(lab, settings);
+    return change_volume_lab(lab, settings);
 }
 
 /// Notes the modes that read smoothed samples of a very large volume, because their first step is slow.
@@ -366,7 +362,7 @@ void note_slow_filters(VolumeLabPlan& plan) {
     constexpr double samples_per_second = 4e6;
     for (const auto& mode : plan.lab.settings.modes) {
         std::size_t samples = 1;
-        for (const int n : game::volume_of(plan.lab, mode.volume).source.count)
+        for (const int n : volume_of(plan.lab, mode.volume).source.count)
             samples *= static_cast<std::size_t>(n);
         if (samples < many ||
             !std::ranges::count(mode.filters, field::FilterKind::smooth, &field::Filter::kind))
@@ -379,12 +375,12 @@ void note_slow_filters(VolumeLabPlan& plan) {
 
 /// Reads the duration of a servo step (ms). A tick must consist of a whole number of steps.
 Expected<void> read_servo_step(const Arguments& arguments, VolumeLab& lab) {
-    const auto ms = arguments.number("--step", 1.0 / game::max_steps_per_tick, 1);
+    const auto ms = arguments.number("--step", 1.0 / max_steps_per_tick, 1);
     if (!ms) return ms.error();
     const double steps = 1 / ms->value_or(1);
     if (std::abs(steps - std::round(steps)) > 1e-3 * steps)
         return fail("--step: a tick of 1 ms must have a whole number of steps: 1, 0.5, 0.25, 0.2");
-    game::set_servo_rate(lab, static_cast<int>(std::lround(steps)));
+    set_servo_rate(lab, static_cast<int>(std::lround(steps)));
     return {};
 }
 
@@ -405,7 +401,7 @@ Expected<VolumeLabPlan> read_volume_plan(const Arguments& arguments) {
     if (auto read = read_script(arguments, headless, plan); !read) return read.error();
     if (auto read = read_outputs(arguments, plan); !read) return read.error();
     if (auto read = read_servo_step(arguments, plan.lab); !read) return read.error();
-    game::rest_hand(plan.lab, planned_input(plan).target);
+    rest_hand(plan.lab, planned_input(plan).target);
     const auto seconds = arguments.number("--seconds", tick_seconds, 36'000);
     if (!seconds) return seconds.error();
     plan.seconds = headless ? seconds->value_or(4) : *seconds;
@@ -415,8 +411,8 @@ Expected<VolumeLabPlan> read_volume_plan(const Arguments& arguments) {
 // ---- without a window -------------------------------------------------------------------------------------
 
 void tell_end(const VolumeLab& lab, std::size_t changed, double max_n, double took_s) {
-    // The hash is computed before any output, because it needs memory for a second body and may fail.
-    const auto state = hex(game::lab_hash(lab));
+    // Computed before any output, because the hash needs memory for a second body and may fail.
+    const auto state = hex(lab_hash(lab));
     const auto& n = lab.carvable() ? lab.body.count : lab.source.count;
     std::printf("lab: %s s with %d x %d x %d samples in %s s; force up to %s N; %zu voxels changed\n",
                 fixed(lab.seconds(), 3).c_str(), n[0], n[1], n[2], fixed(took_s, 2).c_str(),
@@ -425,7 +421,7 @@ void tell_end(const VolumeLab& lab, std::size_t changed, double max_n, double to
 }
 
 int run_headless(VolumeLabPlan plan) {
-    auto trace = LabTrace::open(plan.out.trace, game::volume_trace_header());
+    auto trace = LabTrace::open(plan.out.trace, volume_trace_header());
     if (!trace) return refuse(trace.error());
     auto shots = VolumeShots::open(plan);
     if (!shots) return refuse(shots.error());
@@ -436,16 +432,16 @@ int run_headless(VolumeLabPlan plan) {
     const EndWatch watch;
     for (Tick i = 0; i < steps && !EndWatch::asked(); ++i) {
         const auto input = planned_input(plan);
-        const auto figures = game::step_volume_lab(plan.lab, input);
+        const auto figures = step_volume_lab(plan.lab, input);
         max_n = std::max(max_n, glm::length(figures.force));
         changed += figures.edit.voxels;
-        trace->add([&](std::string& rows) { game::append_volume_row(plan.lab, input, figures, rows); });
+        trace->add([&](std::string& rows) { append_volume_row(plan.lab, input, figures, rows); });
         if (auto put = shots->follow(plan.lab, plan.view, figures); !put) return refuse(put.error());
     }
     const double took = static_cast<double>(monotonic_ns() - start) * 1e-9;
     if (auto closed = trace->close(); !closed) return refuse(closed.error());
     if (plan.out.save) {
-        if (auto saved = game::save_volume(plan.lab, *plan.out.save); !saved) return refuse(saved.error());
+        if (auto saved = save_volume(plan.lab, *plan.out.save); !saved) return refuse(saved.error());
     }
     tell_end(plan.lab, changed, max_n, took);
     tell_end_by_signal();
@@ -454,22 +450,21 @@ int run_headless(VolumeLabPlan plan) {
 
 }  // namespace
 
-Expected<VolumeLabPlan> plan_of(const game::VolumeSession& session) {
-    auto data = game::load_volume_lab_data(game::find_assets(), session.device);
+Expected<VolumeLabPlan> plan_of(const VolumeSession& session) {
+    auto data = load_volume_lab_data(find_assets(), session.device);
     if (!data) return data.error();
     std::vector<std::string> notes;
     auto volume = open_volume(session.first, notes);
     if (!volume) return volume.error();
-    auto lab = game::make_volume_lab(std::move(*volume), std::move(*data));
+    auto lab = make_volume_lab(std::move(*volume), std::move(*data));
     if (!lab) return fail(text(session.first.volume, ": ", lab.error().message));
     if (!is_made(session.first.volume)) {
-        if (auto taken = game::take_saved_properties(*lab, session.first.volume); !taken)
-            return taken.error();
+        if (auto taken = take_saved_properties(*lab, session.first.volume); !taken) return taken.error();
     }
     for (const auto& one : session.beside) {
         auto other = open_volume(one, notes);
         if (!other) return other.error();
-        if (auto added = game::add_volume_beside(*lab, std::move(*other), session.registered); !added)
+        if (auto added = add_volume_beside(*lab, std::move(*other), session.registered); !added)
             return fail(text(one.volume, ": ", added.error().message));
     }
     VolumeLabPlan plan{.first = session.first,
@@ -486,24 +481,24 @@ Expected<VolumeLabPlan> plan_of(const game::VolumeSession& session) {
     }
     if (session.view)
         plan.view.eye = {session.view->yaw, session.view->pitch, session.view->away, session.view->aim};
-    game::VolumeLabSettings settings{session.modes, session.feel, plan.view.opacity, {session.first.place}};
+    VolumeLabSettings settings{session.modes, session.feel, plan.view.opacity, {session.first.place}};
     for (const auto& one : session.beside) settings.places.push_back(one.place);
-    if (auto set = game::change_volume_lab(plan.lab, settings); !set) return set.error();
+    if (auto set = change_volume_lab(plan.lab, settings); !set) return set.error();
     return plan;
 }
 
-game::VolumeSession session_of(const VolumeLabPlan& plan) {
+VolumeSession session_of(const VolumeLabPlan& plan) {
     const auto& eye = plan.view.eye;
-    game::VolumeSession session{.first = plan.first,
-                                .beside = plan.beside,
-                                .registered = plan.registered,
-                                .device = plan.device,
-                                .translucent = plan.view.look == render::ScanLook::translucent,
-                                .level = plan.view.level,
-                                .opacity = plan.view.opacity,
-                                .view = game::SessionView{eye.yaw, eye.pitch, eye.away, eye.aim},
-                                .feel = plan.lab.settings.feel,
-                                .modes = plan.lab.settings.modes};
+    VolumeSession session{.first = plan.first,
+                          .beside = plan.beside,
+                          .registered = plan.registered,
+                          .device = plan.device,
+                          .translucent = plan.view.look == render::ScanLook::translucent,
+                          .level = plan.view.level,
+                          .opacity = plan.view.opacity,
+                          .view = SessionView{eye.yaw, eye.pitch, eye.away, eye.aim},
+                          .feel = plan.lab.settings.feel,
+                          .modes = plan.lab.settings.modes};
     const auto& places = plan.lab.settings.places;
     if (!places.empty()) session.first.place = places[0];
     for (std::size_t i = 0; i + 1 < places.size() && i < session.beside.size(); ++i)
@@ -511,11 +506,11 @@ game::VolumeSession session_of(const VolumeLabPlan& plan) {
     return session;
 }
 
-game::VolumeLabInput planned_input(const VolumeLabPlan& plan) {
-    game::VolumeLabInput input;
+VolumeLabInput planned_input(const VolumeLabPlan& plan) {
+    VolumeLabInput input;
     const double now = plan.lab.seconds();
-    input.target = game::wanted_place(plan.path, plan.lab.data.device.workspace, now);
-    const auto use = game::use_at(plan.path, now);
+    input.target = wanted_place(plan.path, plan.lab.data.device.workspace, now);
+    const auto use = use_at(plan.path, now);
     input.history = use.history;
     if (use.tool > 0) {
         input.carve = true;

@@ -22,13 +22,12 @@ struct PlannedCarve {
 
 /// Options of one session of the volume lab.
 struct VolumeLabPlan {
-    game::SessionVolume first{};                ///< the volume that can be carved
-    std::vector<game::SessionVolume> beside{};  ///< the added volumes
-    bool registered{};  ///< true: the added volumes are placed relative to the first one as the files of both
-                        ///< say
+    SessionVolume first{};                ///< the volume that can be carved
+    std::vector<SessionVolume> beside{};  ///< the added volumes
+    bool registered{};  ///< true: the added volumes are placed relative to the first one as their files say
     std::string device{};  ///< model of the simulated arm
-    game::VolumeLab lab{};
-    game::HandPath path{};
+    VolumeLab lab{};
+    HandPath path{};
     /// true: the mouse moves the hand from the start; false: the path moves the hand until the mouse does
     bool by_mouse{};
     std::vector<PlannedCarve> carves{};
@@ -42,12 +41,12 @@ struct VolumeLabPlan {
 
 /// Opens the volumes of a session and applies its settings. The error says what is wrong with a file or a
 /// setting.
-Expected<VolumeLabPlan> plan_of(const game::VolumeSession& session);
-/// The session that would open the plan in its present state, with all volumes where they are now.
-game::VolumeSession session_of(const VolumeLabPlan& plan);
+Expected<VolumeLabPlan> plan_of(const VolumeSession& session);
+/// The session that would open the plan in its present state, with the volumes at their present places.
+VolumeSession session_of(const VolumeLabPlan& plan);
 
-/// Input of the next step, from the plan's path of the hand and its periods of carving.
-game::VolumeLabInput planned_input(const VolumeLabPlan& plan);
+/// Input of the next step, from the plan's path and periods of carving.
+VolumeLabInput planned_input(const VolumeLabPlan& plan);
 
 /// Pictures drawn without a window, saved as FOLDER/lab_TICK.png; none if the plan names no folder.
 class VolumeShots {
@@ -59,8 +58,7 @@ public:
     ~VolumeShots();
 
     /// Saves a picture if one is due after this step.
-    Expected<void> follow(const game::VolumeLab& lab, const VolumeView& view,
-                          const game::VolumeLabFigures& figures);
+    Expected<void> follow(const VolumeLab& lab, const VolumeView& view, const VolumeLabFigures& figures);
 
 private:
     struct State;

@@ -16,7 +16,7 @@ namespace {
 /// Files of colours and materials beside that of the first volume; none for a generated volume.
 std::vector<std::filesystem::path> companions(const VolumeLabPlan& plan) {
     if (is_made(plan.first.volume)) return {};
-    const auto files = game::companions_of(plan.first.volume);
+    const auto files = companions_of(plan.first.volume);
     return {files.begin(), files.end()};
 }
 
@@ -29,7 +29,7 @@ std::vector<OutputFile> outputs_of(const LabOutputs& out) {
     std::vector<OutputFile> files;
     if (out.save) {
         files.push_back({"--save", *out.save});
-        for (const auto& file : game::companions_of(*out.save)) files.push_back({"--save", file});
+        for (const auto& file : companions_of(*out.save)) files.push_back({"--save", file});
     }
     if (out.trace) files.push_back({"--trace", *out.trace});
     return files;

@@ -19,7 +19,7 @@ constexpr float edge_radius = 0.00015F;  // radius of the lines that show the ed
 // gives.
 constexpr float layers = 60;
 
-double diagonal(const game::VolumeLab& lab) { return lab.placement.scale * glm::length(lab.source.extent()); }
+double diagonal(const VolumeLab& lab) { return lab.placement.scale * glm::length(lab.source.extent()); }
 
 fmat4 at(vec3 place, double scale = 1) {
     fmat4 model(static_cast<float>(scale));
@@ -48,7 +48,7 @@ fmat4 arrow(vec3 from, vec3 force) {
 }
 
 /// Whether the hand's target is outside of the device's workspace.
-bool at_the_edge(const game::VolumeLab& lab) {
+bool at_the_edge(const VolumeLab& lab) {
     const vec3 free = 0.5 * lab.data.device.workspace - glm::abs(lab.hand.target);
     return std::min({free.x, free.y, free.z}) < 1e-6;
 }
@@ -106,7 +106,7 @@ void fill_table(const field::SampleRange& range, const VolumeView& view, render:
     }
 }
 
-VolumeView view_of(const game::VolumeRef& volume) {
+VolumeView view_of(const VolumeRef& volume) {
     VolumeView view;
     const double low = volume.range.low, high = volume.range.high;
     view.level = volume.usual_level;
@@ -118,9 +118,9 @@ VolumeView view_of(const game::VolumeRef& volume) {
     return view;
 }
 
-/// Positions that a picture should show (m, lab frame): those of the body within its surface, or the corners
-/// of the box that a flow fills.
-std::vector<vec3> shown_places(const game::VolumeLab& lab, double level) {
+/// Points that a picture should show (m, lab frame): those of the body within its surface, or the corners of
+/// a flow's box.
+std::vector<vec3> shown_places(const VolumeLab& lab, double level) {
     std::vector<vec3> places;
     const auto n = lab.carvable() ? lab.body.count : lab.source.count;
     const auto samples =
@@ -150,9 +150,8 @@ std::vector<float> lengths_of(const std::vector<float>& vectors) {
     return lengths;
 }
 
-/// Updates the drawn scan of the first volume to the present body.
-void show_body(const game::VolumeLab& lab, std::span<const render::ScanMaterial> materials,
-               render::Scan& scan) {
+/// Updates the scan of the first volume to the present body.
+void show_body(const VolumeLab& lab, std::span<const render::ScanMaterial> materials, render::Scan& scan) {
     scan.version = lab.body.bricks.newest;
     scan.samples = std::span<const float>(lab.body.density);
     scan.brick_versions = lab.body.bricks.version;
@@ -163,8 +162,7 @@ void show_body(const game::VolumeLab& lab, std::span<const render::ScanMaterial>
 
 /// Adds text at the lower right: force, value, time, the reason why the hand stops, and the meaning of the
 /// ribbons' colours.
-void show_words(const game::VolumeLab& lab, const game::VolumeLabFigures& figures, bool blocked,
-                render::Frame& frame) {
+void show_words(const VolumeLab& lab, const VolumeLabFigures& figures, bool blocked, render::Frame& frame) {
     auto& items = frame.overlay.items;
     const auto x = static_cast<float>(frame.width) - 16, y = static_cast<float>(frame.height) - 40;
     items.clear();
@@ -186,7 +184,7 @@ void show_words(const game::VolumeLab& lab, const game::VolumeLabFigures& figure
 
 }  // namespace
 
-void come_near(const game::VolumeLab& lab, VolumeView& view) {
+void come_near(const VolumeLab& lab, VolumeView& view) {
     const auto places = shown_places(lab, view.level);
     vec3 low = places[0], high = places[0];
     for (const vec3 place : places) low = glm::min(low, place), high = glm::max(high, place);
@@ -201,13 +199,13 @@ void come_near(const game::VolumeLab& lab, VolumeView& view) {
     view.eye.away = std::clamp(away / diagonal(lab), 0.4, 8.0);
 }
 
-VolumeView usual_view(const game::VolumeLab& lab) {
-    auto view = view_of(game::volume_of(lab, 0));
+VolumeView usual_view(const VolumeLab& lab) {
+    auto view = view_of(volume_of(lab, 0));
     come_near(lab, view);
     return view;
 }
 
-render::Camera camera_of(const VolumeEye& eye, const game::VolumeLab& lab) {
+render::Camera camera_of(const VolumeEye& eye, const VolumeLab& lab) {
     const quat turn = look_rotation(eye.yaw, -eye.pitch);
     const double away = eye.away * diagonal(lab);
     render::Camera camera;
@@ -219,9 +217,9 @@ render::Camera camera_of(const VolumeEye& eye, const game::VolumeLab& lab) {
     return camera;
 }
 
-VolumePicture::VolumePicture(render::Renderer& renderer, const game::VolumeLab& lab) : renderer_(&renderer) {
+VolumePicture::VolumePicture(render::Renderer& renderer, const VolumeLab& lab) : renderer_(&renderer) {
     for (std::size_t i = 0; i <= lab.beside.size(); ++i) {
-        const auto volume = game::volume_of(lab, i);
+        const auto volume = volume_of(lab, i);
         drawn_.push_back(std::make_unique<Drawn>());
         drawn_.back()->scan = renderer.make_scan();
         if (volume.kind() == haptics::FieldKind::vector)
@@ -239,7 +237,7 @@ VolumePicture::VolumePicture(render::Renderer& renderer, const game::VolumeLab& 
     frame_.quality = render::first_quality(renderer.device());
 }
 
-void VolumePicture::add_ribbons(const game::VolumeRef& volume, Drawn& drawn, vec3 proxy, int count) {
+void VolumePicture::add_ribbons(const VolumeRef& volume, Drawn& drawn, vec3 proxy, int count) {
     const vec3 half = 0.5 * volume.source.extent();
     seeds_.clear();
     seeds_.push_back(field::to_own(volume.placement, proxy));
@@ -266,7 +264,7 @@ void VolumePicture::add_ribbons(const game::VolumeRef& volume, Drawn& drawn, vec
     instances_.insert(instances_.end(), instances.begin(), instances.end());
 }
 
-void VolumePicture::add_scan(const game::VolumeRef& volume, Drawn& drawn, const VolumeView& view) {
+void VolumePicture::add_scan(const VolumeRef& volume, Drawn& drawn, const VolumeView& view) {
     fill_table(volume.range, view, drawn.table);
     const auto& range = volume.range;
     render::Scan scan;
@@ -287,12 +285,12 @@ void VolumePicture::add_scan(const game::VolumeRef& volume, Drawn& drawn, const 
     scans_.push_back(scan);
 }
 
-const render::Frame& VolumePicture::frame(const game::VolumeLab& lab, const game::VolumeLabFigures& figures,
+const render::Frame& VolumePicture::frame(const VolumeLab& lab, const VolumeLabFigures& figures,
                                           const VolumeView& view, render::Size size) {
     scans_.clear();
     instances_.clear();
     for (std::size_t i = 0; i < drawn_.size(); ++i) {
-        const auto volume = game::volume_of(lab, i);
+        const auto volume = volume_of(lab, i);
         add_scan(volume, *drawn_[i], i == 0 ? view : view_of(volume));
         if (i == 0 && lab.carvable()) show_body(lab, materials_, scans_.back());
         if (volume.kind() == haptics::FieldKind::vector)

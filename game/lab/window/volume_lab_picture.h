@@ -34,21 +34,19 @@ struct VolumeView {
 };
 
 /// A suitable view of a volume: a surface at its usual level, or a thin haze for a flow, seen from near.
-VolumeView usual_view(const game::VolumeLab& lab);
+VolumeView usual_view(const VolumeLab& lab);
 
-/// Centres the view on the visible part of the volume, at a distance at which that part fills 70 % of the
-/// picture's height.
-void come_near(const game::VolumeLab& lab, VolumeView& view);
+/// Centres the picture on the visible part of the volume, at a distance where it fills 70 % of the height.
+void come_near(const VolumeLab& lab, VolumeView& view);
 
 class VolumePicture {
 public:
     /// The renderer's OpenGL context must be current during the whole lifetime of the picture.
-    VolumePicture(render::Renderer& renderer, const game::VolumeLab& lab);
+    VolumePicture(render::Renderer& renderer, const VolumeLab& lab);
 
-    /// Builds the frame. The reference is valid until the next call, and only as long as the lab's body
-    /// exists.
-    const render::Frame& frame(const game::VolumeLab& lab, const game::VolumeLabFigures& figures,
-                               const VolumeView& view, render::Size size);
+    /// Builds the frame. The reference is valid until the next call, and no longer than the lab's body.
+    const render::Frame& frame(const VolumeLab& lab, const VolumeLabFigures& figures, const VolumeView& view,
+                               render::Size size);
 
 private:
     /// A volume in the form in which it is drawn.
@@ -59,8 +57,8 @@ private:
         std::vector<float> lengths{};  ///< lengths of the vectors, for a flow
     };
 
-    void add_ribbons(const game::VolumeRef& volume, Drawn& drawn, vec3 proxy, int count);
-    void add_scan(const game::VolumeRef& volume, Drawn& drawn, const VolumeView& view);
+    void add_ribbons(const VolumeRef& volume, Drawn& drawn, vec3 proxy, int count);
+    void add_scan(const VolumeRef& volume, Drawn& drawn, const VolumeView& view);
 
     render::Renderer* renderer_;
     std::vector<std::unique_ptr<Drawn>> drawn_;  ///< for each volume, the form in which it is drawn
@@ -73,6 +71,6 @@ private:
     render::Frame frame_;
 };
 
-render::Camera camera_of(const VolumeEye& eye, const game::VolumeLab& lab);
+render::Camera camera_of(const VolumeEye& eye, const VolumeLab& lab);
 
 }  // namespace thaum::game::inline lab

@@ -25,7 +25,7 @@ Expected<VolumeShots> VolumeShots::open(const VolumeLabPlan& plan) {
     auto context = render::Offscreen::create(plan.out.size.width, plan.out.size.height);
     if (!context) return context.error();
     context->make_current();
-    auto renderer = render::Renderer::create(game::find_assets());
+    auto renderer = render::Renderer::create(find_assets());
     if (!renderer) return renderer.error();
     shots.state_.reset(new State{std::move(*context), std::move(*renderer), std::nullopt, *plan.out.shots,
                                  static_cast<Tick>(plan.out.every)});
@@ -33,8 +33,8 @@ Expected<VolumeShots> VolumeShots::open(const VolumeLabPlan& plan) {
     return shots;
 }
 
-Expected<void> VolumeShots::follow(const game::VolumeLab& lab, const VolumeView& view,
-                                   const game::VolumeLabFigures& figures) {
+Expected<void> VolumeShots::follow(const VolumeLab& lab, const VolumeView& view,
+                                   const VolumeLabFigures& figures) {
     if (!state_ || lab.tick % state_->every != 0) return {};
     auto& s = *state_;
     VolumeView sharp = view;

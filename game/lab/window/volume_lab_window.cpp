@@ -43,7 +43,7 @@ struct Seen {
 struct Session {
     VolumeLabPlan plan;
     LabTrace trace;
-    game::VolumeLabFigures figures{};
+    VolumeLabFigures figures{};
     VolumePanelState panels{};
     std::optional<fvec2> cursor{};  ///< position of the mouse (px); std::nullopt: not yet known
     vec3 target{};                  ///< target position of the hand (m)
@@ -90,10 +90,10 @@ vec3 pointed_at(const Session& session, render::Size size) {
 void put_hand_before(Session& session) {
     auto& lab = session.plan.lab;
     const quat turn(camera_of(session.plan.view.eye, lab).orientation);
-    session.target = game::place_before(turn * vec3(0, 0, 1), lab.data.device.workspace);
+    session.target = place_before(turn * vec3(0, 0, 1), lab.data.device.workspace);
     session.depth = -glm::length(session.target);
     session.by_mouse = true;
-    game::rest_hand(lab, session.target);
+    rest_hand(lab, session.target);
 }
 
 void press(Session& session, std::string_view key) {
@@ -155,8 +155,8 @@ render::WindowEvents lab_events(Session& session) {
     return events;
 }
 
-/// Sets the panels to the current settings.
-void show_what_is_set(const game::VolumeLab& lab, VolumePanelState& panels) {
+/// Updates the panels from the current settings.
+void show_what_is_set(const VolumeLab& lab, VolumePanelState& panels) {
     panels.modes = lab.settings.modes;
     panels.feel = lab.settings.feel;
     panels.places = lab.settings.places;
@@ -174,20 +174,20 @@ void step(Session& session) {
     }
     if (session.history != 0) input.history = std::exchange(session.history, 0);
     input.change = std::exchange(session.panels.change, std::nullopt);
-    session.figures = game::step_volume_lab(session.plan.lab, input);
+    session.figures = step_volume_lab(session.plan.lab, input);
     if (!session.figures.refused.empty()) {
         session.panels.note = session.figures.refused;
         show_what_is_set(session.plan.lab, session.panels);
     }
     session.trace.add(
-        [&](std::string& rows) { game::append_volume_row(session.plan.lab, input, session.figures, rows); });
+        [&](std::string& rows) { append_volume_row(session.plan.lab, input, session.figures, rows); });
     add_force(session.panels, glm::length(session.figures.force));
 }
 
 /// Saves the body and shows a message. Returns whether it was saved.
 bool save_body(Session& session) {
     const auto file = session.plan.out.save.value_or("carved.nrrd");
-    const auto saved = game::save_volume(session.plan.lab, file);
+    const auto saved = save_volume(session.plan.lab, file);
     session.panels.note = saved ? text("saved: ", file.string()) : in_one_line(saved.error().message);
     if (saved) session.saved = session.plan.lab.body.bricks.newest;
     return saved.has_value();
@@ -213,7 +213,7 @@ void obey(Session& session) {
     if (std::exchange(panels.saves, false)) save_body(session);
     if (std::exchange(panels.saves_session, false)) {
         const auto file = session.plan.session_file.value_or("lab.toml");
-        const auto saved = game::save_session(session_of(session.plan), file);
+        const auto saved = save_session(session_of(session.plan), file);
         panels.note = saved ? text("saved: ", file.string()) : in_one_line(saved.error().message);
     }
 }
@@ -223,12 +223,12 @@ void take_chosen_device(Session& session) {
     auto& panels = session.panels;
     const auto name = std::exchange(panels.next_device, std::nullopt);
     if (!name || *name == panels.device) return;
-    auto spec = game::load_lab_device(game::find_assets(), *name);
+    auto spec = load_lab_device(find_assets(), *name);
     if (!spec) {
         panels.note = in_one_line(spec.error().message);
         return;
     }
-    game::change_device(session.plan.lab, std::move(*spec));
+    change_device(session.plan.lab, std::move(*spec));
     session.plan.device = panels.device = *name;
     put_hand_before(session);
     panels.note = text("device: ", *name);
@@ -344,20 +344,19 @@ Expected<void> run(Session& session, double frames_per_second, render::Window& w
 
 Expected<void> end(Session& session) {
     if (auto closed = session.trace.close(); !closed) return closed;
-    return session.plan.out.save ? game::save_volume(session.plan.lab, *session.plan.out.save)
-                                 : Expected<void>();
+    return session.plan.out.save ? save_volume(session.plan.lab, *session.plan.out.save) : Expected<void>();
 }
 
 }  // namespace
 
 int run_volume_window(VolumeLabPlan plan) {
-    const auto assets = game::find_assets();
+    const auto assets = find_assets();
     const auto settings = settings_to_play_with(settings_file(), assets).settings;
     auto window = render::Window::create(
         {.title = "Thaum: " + plan.first.volume, .size = plan.out.size, .fullscreen = settings.fullscreen});
     if (!window) return refuse(window.error());
     const EndWatch watch;
-    auto trace = LabTrace::open(plan.out.trace, game::volume_trace_header());
+    auto trace = LabTrace::open(plan.out.trace, volume_trace_header());
     if (!trace) return refuse(trace.error());
     if (auto made = make_lab_folder(plan.out, plan.out.every); !made) return refuse(made.error());
     Session session{.plan = std::move(plan), .trace = std::move(*trace)};

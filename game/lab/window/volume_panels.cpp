@@ -11,9 +11,6 @@
 namespace thaum::game::inline lab {
 namespace {
 
-using game::LabMode;
-using game::VolumeLab;
-
 constexpr float curve_height = 60;
 constexpr int columns = 31;  // number of columns of a freehand curve
 constexpr float wide = 330, tall = 700;
@@ -78,7 +75,7 @@ bool slider(const char* name, double& value, double low, double high) {
 }
 
 void ask_for_change(const VolumeLabPlan& plan, VolumePanelState& state) {
-    state.change = game::VolumeLabSettings{state.modes, state.feel, plan.view.opacity, state.places};
+    state.change = VolumeLabSettings{state.modes, state.feel, plan.view.opacity, state.places};
 }
 
 /// A label with the name of its key on the user's keyboard: "undo (Z)".
@@ -146,7 +143,7 @@ void show_places(const VolumeLabPlan& plan, VolumePanelState& state) {
 
 // ---- modes ------------------------------------------------------------------------------------------------
 
-double highest_property(const game::VolumeRef& volume, const haptics::Mode& mode) {
+double highest_property(const VolumeRef& volume, const haptics::Mode& mode) {
     const double range = double{volume.range.high} - double{volume.range.low};
     if (!mode.slope) return volume.range.high;
     return range / volume.finest_spacing();
@@ -198,7 +195,7 @@ bool show_filters(LabMode& chosen) {
 
 bool show_settings(const VolumeLab& lab, const haptics::Mode& mode, LabMode& chosen) {
     auto& s = chosen.settings;
-    const auto volume = game::volume_of(lab, chosen.volume);
+    const auto volume = volume_of(lab, chosen.volume);
     const auto& range = volume.range;
     bool changed = show_filters(chosen);
     ImGui::TextWrapped("%s", text(mode.about, "; strength (N) by ", mode.property).c_str());
@@ -247,7 +244,7 @@ bool show_offer(const VolumeLab& lab, std::size_t volume, const haptics::ModeOff
         if (!on) modes.erase(at);
         std::vector<field::Filter> filters;
         if (offer.through) filters.push_back({.kind = *offer.through});
-        if (auto chosen = game::lab_mode(lab, name, std::move(filters), volume); on && chosen)
+        if (auto chosen = lab_mode(lab, name, std::move(filters), volume); on && chosen)
             modes.push_back(std::move(*chosen));
         changed = true;
     } else if (on) {
@@ -260,7 +257,7 @@ bool show_offer(const VolumeLab& lab, std::size_t volume, const haptics::ModeOff
 /// Shows the modes that can read one volume, first those that need no filter. Returns whether something
 /// changed.
 bool show_modes_of(const VolumeLab& lab, std::size_t volume, std::vector<LabMode>& modes) {
-    const auto offers = haptics::mode_offers(game::volume_of(lab, volume).kind());
+    const auto offers = haptics::mode_offers(volume_of(lab, volume).kind());
     bool changed = false;
     for (const auto& offer : offers)
         if (!offer.through) changed |= show_offer(lab, volume, offer, modes);
@@ -306,8 +303,8 @@ double max_number(const VolumeLab& lab, std::string_view label) {
     return label.ends_with("(m)") ? 0.5 * lab.data.device.workspace.x : 1;
 }
 
-bool show_part(const VolumeLab& lab, game::FeelPart& part) {
-    const auto& form = game::form_of(part.kind);
+bool show_part(const VolumeLab& lab, FeelPart& part) {
+    const auto& form = form_of(part.kind);
     bool changed = false;
     for (std::size_t i = 0; i < form.count; ++i) {
         const std::string label(form.labels.at(i));
@@ -321,16 +318,16 @@ bool show_part(const VolumeLab& lab, game::FeelPart& part) {
 }
 
 /// A part that suits the volume, with numbers that are felt at the first try.
-game::FeelPart usual_part(const VolumeLab& lab, game::FeelKind kind) {
+FeelPart usual_part(const VolumeLab& lab, FeelKind kind) {
     const double middle = 0.5 * (double{lab.range.low} + double{lab.range.high});
     const double force = 0.8 * lab.data.device.continuous_force;
     switch (kind) {
-        case game::FeelKind::opacity:
-        case game::FeelKind::attract: return {kind, {force, 1}};
-        case game::FeelKind::shell: return {kind, {middle, lab.range.high, force, 1}};
-        case game::FeelKind::wall: return {kind, {middle, force, 0.2}};
-        case game::FeelKind::gravity: return {kind, {0, -0.25 * force, 0}};
-        case game::FeelKind::plane: return {kind, {0, 0, 0, 0, 0, 1, force}};
+        case FeelKind::opacity:
+        case FeelKind::attract: return {kind, {force, 1}};
+        case FeelKind::shell: return {kind, {middle, lab.range.high, force, 1}};
+        case FeelKind::wall: return {kind, {middle, force, 0.2}};
+        case FeelKind::gravity: return {kind, {0, -0.25 * force, 0}};
+        case FeelKind::plane: return {kind, {0, 0, 0, 0, 0, 1, force}};
     }
     return {};
 }
@@ -341,7 +338,7 @@ void show_body_feel(const VolumeLabPlan& plan, VolumePanelState& state) {
     for (std::size_t i = 0; i < state.feel.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         ImGui::Separator();
-        ImGui::TextUnformatted(std::string(game::form_of(state.feel[i].kind).name).c_str());
+        ImGui::TextUnformatted(std::string(form_of(state.feel[i].kind).name).c_str());
         changed |= show_part(plan.lab, state.feel[i]);
         const bool goes = ImGui::SmallButton("remove");
         ImGui::PopID();
@@ -350,11 +347,11 @@ void show_body_feel(const VolumeLabPlan& plan, VolumePanelState& state) {
         changed = true;
         break;
     }
-    const auto forms = game::feel_forms();
+    const auto forms = feel_forms();
     for (std::size_t i = 0; i < forms.size(); ++i) {
         if (i % 3 != 0) ImGui::SameLine();
         if (!ImGui::SmallButton(text("+ ", forms[i].name).c_str())) continue;
-        state.feel.push_back(usual_part(plan.lab, static_cast<game::FeelKind>(i)));
+        state.feel.push_back(usual_part(plan.lab, static_cast<FeelKind>(i)));
         changed = true;
     }
     if (changed) ask_for_change(plan, state);
@@ -398,7 +395,7 @@ void show_tools(const VolumeLab& lab, VolumePanelState& state) {
     if (ImGui::Button("save body")) state.saves = true;
 }
 
-void show_force(const game::VolumeLabFigures& figures, const VolumePanelState& state, double peak) {
+void show_force(const VolumeLabFigures& figures, const VolumePanelState& state, double peak) {
     ImGui::Text("force %.2f N, value %.4g", glm::length(figures.force), figures.value);
     const auto words = text("0 to ", fixed(peak, 1), " N, the last ", state.force.size() / 1000, " s");
     ImGui::PlotLines("##force", state.force.data(), static_cast<int>(state.force.size()),
@@ -457,7 +454,7 @@ bool levels_agree(const VolumeView& view, VolumePanelState& state) {
     return felt == nullptr || *felt == view.level;
 }
 
-std::size_t usual_tool(const game::VolumeLab& lab) {
+std::size_t usual_tool(const VolumeLab& lab) {
     const auto& tools = lab.data.tools;
     const auto melt = std::ranges::find(tools, "melt", &field::Tool::name);
     return melt == tools.end() ? 0 : static_cast<std::size_t>(melt - tools.begin());
@@ -468,7 +465,7 @@ void add_force(VolumePanelState& state, double newtons) {
     state.newest = (state.newest + 1) % state.force.size();
 }
 
-void show_panels(VolumeLabPlan& plan, const game::VolumeLabFigures& figures, VolumePanelState& state) {
+void show_panels(VolumeLabPlan& plan, const VolumeLabFigures& figures, VolumePanelState& state) {
     ImGui::SetNextWindowPos({8, 8}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize({wide, tall}, ImGuiCond_FirstUseEver);
     if (ImGui::Begin("Lab")) {

@@ -27,12 +27,12 @@ struct NextVolume {
 
 /// Settings that a person has made in the panels, and requests for actions.
 struct VolumePanelState {
-    std::vector<game::LabMode> modes{};    ///< chosen modes
-    std::vector<game::FeelPart> feel{};    ///< chosen parts of the body's feel
-    std::vector<game::LabPlace> places{};  ///< placements of all volumes
+    std::vector<LabMode> modes{};    ///< chosen modes
+    std::vector<FeelPart> feel{};    ///< chosen parts of the body's feel
+    std::vector<LabPlace> places{};  ///< placements of all volumes
     /// Changed settings (modes, feel, places) for the next step.
-    std::optional<game::VolumeLabSettings> change{};
-    bool one_level = true;  ///< true: the surface is drawn at the same density at which it is felt
+    std::optional<VolumeLabSettings> change{};
+    bool one_level = true;  ///< true: the surface is drawn at the density at which it is felt
     std::size_t tool{};     ///< index into VolumeLab::data.tools
     std::string device{};   ///< shown device model of the arm
     std::optional<std::string> next_device{};  ///< device model that was chosen to replace the present one
@@ -51,7 +51,7 @@ struct VolumePanelState {
 
 /// Index of the tool that is selected first: one that removes material, so that the first try has a visible
 /// effect.
-std::size_t usual_tool(const game::VolumeLab& lab);
+std::size_t usual_tool(const VolumeLab& lab);
 
 /// Whether the surface is drawn at the density at which the chosen modes let it be felt.
 bool levels_agree(const VolumeView& view, VolumePanelState& state);
@@ -60,6 +60,6 @@ bool levels_agree(const VolumeView& view, VolumePanelState& state);
 void add_force(VolumePanelState& state, double newtons);
 
 /// Shows all panels and stores the user's changes in them.
-void show_panels(VolumeLabPlan& plan, const game::VolumeLabFigures& figures, VolumePanelState& state);
+void show_panels(VolumeLabPlan& plan, const VolumeLabFigures& figures, VolumePanelState& state);
 
 }  // namespace thaum::game::inline lab

@@ -96,7 +96,7 @@ input::HandFader felt_fader_of(const PlayerSetting& setting) {
 
 /// Whether the player of the page can feel forces at once. Only the player who practises on the range can.
 bool can_feel_forces(const MenuState& s, const MenuContext& context) {
-    return context.practice && !context.apprentice && s.player == game::practising;
+    return context.practice && !context.apprentice && s.player == practising;
 }
 
 void feel_force(const RowPress& press) {

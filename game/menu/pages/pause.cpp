@@ -32,10 +32,10 @@ void add_range_rows(const MenuState& s, Rows& rows) {
     rows.push_back(
         {.look = {.label = "Dummy",
                   .help = "Lets the dummy stand still, walk to and fro, or shoot back.",
-                  .value = std::string(game::dummy_names[s.dummy]),
-                  .longest_value = longest({game::dummy_names.begin(), game::dummy_names.end()}),
+                  .value = std::string(dummy_names[s.dummy]),
+                  .longest_value = longest({dummy_names.begin(), dummy_names.end()}),
                   .adjustable = true},
-         .turn = [](const RowPress& press, int way) { turn(press.state.dummy, game::dummy_names, way); }});
+         .turn = [](const RowPress& press, int way) { turn(press.state.dummy, dummy_names, way); }});
     rows.push_back({.look = {.label = "Energy of the wands",
                              .help = "Keeps every wand full, or lets shots use it up as in a match.",
                              .value = s.range.endless_energy ? "endless" : "as in a match",

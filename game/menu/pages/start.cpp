@@ -55,8 +55,8 @@ std::string longest_label(const std::vector<MenuContext::Named>& list) {
 }
 
 /// The row of a choice among data files. A broken file says what is wrong with it, and cannot be played.
-game::MenuRow choice_row(std::string label, const std::string& help,
-                         const std::vector<MenuContext::Named>& list, std::size_t chosen) {
+MenuRow choice_row(std::string label, const std::string& help, const std::vector<MenuContext::Named>& list,
+                   std::size_t chosen) {
     const auto& one = list[chosen];
     return {.label = std::move(label),
             .help = one.fault.empty() ? help : one.fault,
@@ -97,7 +97,7 @@ void add_choice_rows(const MenuState& s, const MenuContext& context, Rows& rows)
                               : context.level_fault,
                   .value = text("level ", context.levels[s.level]),
                   .adjustable = context.levels.size() > 1,
-                  .dim = joined(s) == game::players},
+                  .dim = joined(s) == players},
          .turn = turn_level});
     if (context.rules.size() > 1)
         rows.push_back({.look = choice_row("Match", "Sets how many kills win, and how long a round lasts.",
