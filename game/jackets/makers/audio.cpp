@@ -9,6 +9,7 @@
 #include "core/one_line.h"
 #include "core/text.h"
 #include "game/jackets/jacket.h"
+#include "game/jackets/jacket_output.h"
 #include "game/jackets/place_name.h"
 
 namespace thaum::game::inline jackets {
@@ -27,35 +28,32 @@ constexpr Tick longest_life = 500;
 constexpr int last_blocks = 3, max_last_looks = 15;
 constexpr std::chrono::milliseconds between_last_looks{4};
 
-class AudioJacket final : public input::TactileOutput {
+class AudioJacket final : public JacketOutput {
 public:
     AudioJacket(std::string name, std::size_t channels, std::unique_ptr<audio::SoundDevice> device)
         : name_(std::move(name)), device_(std::move(device)), tones_(channels) {}
-    ~AudioJacket() override { end(); }
+    ~AudioJacket() override { AudioJacket::close(); }
 
     Expected<void> open() override;
     void write(const tactile::TactileFrame& frame, double now_s) override;
     void silence() override;
     bool is_connected() override;
-    std::string fault() override { return fault_; }
-    void close() override { end(); }
+    void close() override;
     std::string name() const override { return name_; }
 
 private:
     std::size_t feed();
-    void end();
 
     const std::string name_;
     const std::unique_ptr<audio::SoundDevice> device_;
     audio::ChannelTones tones_;
     bool open_ = false;
     std::size_t blocks_left_ = 0;  ///< blocks until the time to live of the last frame is over
-    int idle_looks_ = 0;           ///< calls in a row in which the device has taken no block
-    std::string fault_{};
+    int idle_looks_ = 0;           ///< calls since the device last took a block
 };
 
 Expected<void> AudioJacket::open() {
-    end();
+    close();
     if (auto opened = device_->open(); !opened) return opened;
     open_ = true;
     idle_looks_ = 0;
@@ -107,7 +105,7 @@ bool AudioJacket::is_connected() {
 }
 
 /// Lets the waves end before the device is closed.
-void AudioJacket::end() {
+void AudioJacket::close() {
     if (!open_) return;
     const bool fade = !tones_.is_silent() && device_->is_connected();
     blocks_left_ = 0;

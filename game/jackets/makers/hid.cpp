@@ -8,6 +8,7 @@
 #include "core/text.h"
 #include "game/jackets/hid_report.h"
 #include "game/jackets/jacket.h"
+#include "game/jackets/jacket_output.h"
 #include "input/tactile_playback.h"
 
 namespace thaum::game::inline jackets {
@@ -16,37 +17,34 @@ namespace {
 constexpr std::size_t max_of_name_shown = 100;
 constexpr double longest_report_s = 0.1;  ///< longest time that a device may take for a report
 
-class HidJacket final : public input::TactileOutput {
+class HidJacket final : public JacketOutput {
 public:
     HidJacket(const HidId& id, OpenHidPort open, ClockSeconds clock)
         : id_(id), open_(std::move(open)), clock_(std::move(clock)) {}
-    ~HidJacket() override { end(); }
+    ~HidJacket() override { HidJacket::close(); }
 
     Expected<void> open() override;
     void write(const tactile::TactileFrame& frame, double now_s) override;
     void silence() override;
     bool is_connected() override;
-    std::string fault() override { return fault_; }
-    void close() override { end(); }
+    void close() override;
     std::string name() const override { return text("HID jacket ", words_of(id_)); }
 
 private:
     bool send(const HidReport& report);
     void give_up(std::string fault);
-    void end();
 
     const HidId id_;
     const OpenHidPort open_;
     const ClockSeconds clock_;
     const HidReport silent_ = hid_report({});
     std::unique_ptr<HidPort> port_{};
-    std::string fault_{};
     HidReport last_{};       ///< the last report that the device took
     double again_at_s_ = 0;  ///< time at which the last report is sent again (s)
 };
 
 Expected<void> HidJacket::open() {
-    end();
+    close();
     auto port = open_(id_);
     if (!port) return port.error();
     port_ = std::move(*port);
@@ -94,7 +92,7 @@ bool HidJacket::is_connected() {
     return port_ != nullptr;
 }
 
-void HidJacket::end() {
+void HidJacket::close() {
     silence();
     port_.reset();
 }

@@ -9,6 +9,7 @@
 #include "core/text.h"
 #include "game/jackets/felt_rows.h"
 #include "game/jackets/jacket.h"
+#include "game/jackets/jacket_output.h"
 #include "game/jackets/place_name.h"
 
 namespace thaum::game::inline jackets {
@@ -18,33 +19,29 @@ constexpr int max_names = 10'000;
 constexpr std::size_t max_of_path_shown = 200;
 constexpr int rows_between_flushes = 125;  ///< few enough that a full disk is noticed within seconds
 
-class FeltRecorder final : public input::TactileOutput {
+class FeltRecorder final : public JacketOutput {
 public:
     FeltRecorder(std::filesystem::path file, std::uint32_t player)
         : wanted_(std::move(file)), player_(player) {}
-    ~FeltRecorder() override { end(); }
+    ~FeltRecorder() override { FeltRecorder::close(); }
 
     Expected<void> open() override;
     void write(const tactile::TactileFrame& frame, double now_s) override;
     void silence() override {}
     bool is_connected() override { return file_ && file_->is_whole(); }
-    std::string fault() override { return fault_; }
     bool wants_every_frame() const override { return true; }
-    void close() override { end(); }
+    void close() override;
     std::string name() const override {
         return text("recording of what is felt, ", printable(path_.string(), max_of_path_shown));
     }
 
 private:
-    void end();
-
     const std::filesystem::path wanted_;
     const std::uint32_t player_;
     std::filesystem::path path_ = wanted_;
     std::optional<FileWriter> file_{};
     std::string rows_{};
     int unflushed_ = 0;
-    std::string fault_{};  ///< why the recording was given up; empty: it goes on
 };
 
 /// Creates a file under the first of the names FILE.csv, FILE_2.csv, ... that is free. If another program
@@ -65,8 +62,8 @@ Expected<FileWriter> start_new(const std::filesystem::path& wanted, std::filesys
 }
 
 Expected<void> FeltRecorder::open() {
-    if (!fault_.empty()) return fail(fault_);  // after a fault, such as a full disk, it is not opened again
-    end();
+    if (!fault_.empty()) return fail(fault_);  // a full disk is not tried again
+    close();
     auto made = start_new(wanted_, path_);
     if (!made) return made.error();
     file_.emplace(std::move(*made));
@@ -85,8 +82,8 @@ void FeltRecorder::write(const tactile::TactileFrame& frame, double) {
     if (!file_->is_whole()) fault_ = "it cannot be written, such as on a full disk; nothing is kept";
 }
 
-/// Completes the file. Prints a fault here, because nobody asks an output for its faults once it is closed.
-void FeltRecorder::end() {
+/// Completes the file. Prints a fault, because nobody asks a closed output for its faults.
+void FeltRecorder::close() {
     if (!file_) return;
     const bool told = !fault_.empty();
     const auto closed = file_->close();
