@@ -1,13 +1,10 @@
 // game/live/match_requests.h: requests of the main thread to the simulation thread about the present match.
 //
-// A request that must be carried out once is a value in a queue: a plain struct that acts on a RequestTarget
-// before the next tick. A new kind of request is a new struct here, and a call that asks for it. For
-// requests to the range, see game/range/range_request.h. A value of which only the newest counts, or which
-// both threads set, is an atomic beside the queue.
+// A request that must be carried out once is a MatchRequest in a queue. It acts before the next tick. A value
+// of which only the newest counts, or which both threads set, is an atomic beside the queue.
 #pragma once
 #include <atomic>
 #include <optional>
-#include <variant>
 
 #include "core/spsc_queue.h"
 #include "game/live/hand_over.h"
@@ -15,26 +12,10 @@
 
 namespace thaum::game::inline live {
 
-/// The parts of a match that a request can act on.
-struct RequestTarget {
-    Practice* practice{};       ///< the practice on the range; null: the match is not on the range
-    std::uint32_t& next_press;  ///< buttons that the next input frame presses (bits of input::Button)
-};
-
-/// Sets a bookmark in the log, asked for by the session's mark key.
+/// Sets a bookmark, by the session's mark key.
 struct PressMark {
     void carry_out(RequestTarget& target) const { target.next_press |= input::bit(input::Button::mark); }
 };
-
-/// A request to the practice range; it does nothing in another match.
-struct AskRange {
-    RangeRequest request{};
-    void carry_out(RequestTarget& target) const {
-        if (target.practice != nullptr) request.carry_out(*target.practice);
-    }
-};
-
-using MatchRequest = std::variant<PressMark, AskRange>;
 
 struct MatchRequests {
     // Called by the main thread.
@@ -53,8 +34,7 @@ struct MatchRequests {
     }
     /// Carries out all requests that wait.
     void carry_out(RequestTarget target) {
-        while (const auto next = take())
-            std::visit([&](const auto& request) { request.carry_out(target); }, *next);
+        while (const auto next = take()) next->carry_out(target);
     }
     /// Forgets the requests that wait, because they were meant for a match that has ended.
     void forget() {

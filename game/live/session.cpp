@@ -402,7 +402,7 @@ void LiveSession::carry_out_request() {
             if (const auto news = hands_.take_half(menu_.settings())) report(*news);
             return;
         case MenuRequest::go_on: break;
-        case MenuRequest::ask_range: requests.ask(AskRange{menu_.state().range_request}); break;
+        case MenuRequest::ask_match: requests.ask(menu_.state().match_request); break;
         case MenuRequest::forget_gesture: forget_gesture(); break;
         case MenuRequest::none:
         case MenuRequest::start:

@@ -134,7 +134,7 @@ void act(MenuState& s, const MenuEvent& event, const MenuContext& context) {
 
 /// Whether a request also ends the pause.
 bool ends_pause(MenuRequest request) {
-    return request == MenuRequest::go_on || request == MenuRequest::ask_range ||
+    return request == MenuRequest::go_on || request == MenuRequest::ask_match ||
            request == MenuRequest::forget_gesture;
 }
 

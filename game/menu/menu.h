@@ -100,7 +100,7 @@ enum class MenuRequest : std::uint8_t {
     apprentice,
     go_on,
     take_half,
-    ask_range,  ///< passes MenuState::range_request to the range
+    ask_match,  ///< asks MenuState::match_request of the running match
     forget_gesture,
     set_up_pad,
     skip_control,
@@ -151,7 +151,7 @@ struct MenuState {
     std::string note;                      ///< result of the last event, or the reason why it had none
     MenuRequest request{};                 ///< request of the last event to the caller
     std::optional<FeelProfile> saves{};    ///< profile that the last event asks the caller to save
-    RangeRequest range_request{};          ///< request that MenuRequest::ask_range passes on
+    MatchRequest match_request{};          ///< request of MenuRequest::ask_match
     std::optional<BodyTrialWish> tries{};  ///< effect that the last event asks the caller to play
 };
 

@@ -99,11 +99,10 @@ void turn(std::size_t& index, const List& list, int way) {
 /// The longest of these texts; empty if there are none.
 std::string longest(const std::vector<std::string_view>& words);
 
-/// Sends a request to the match of the range, and ends the pause.
-template <class T>
-void ask_range(MenuState& state, const T& request) {
-    state.request = MenuRequest::ask_range;
-    state.range_request = RangeRequest(request);
+/// Sends a request to the running match, and ends the pause.
+inline void ask_match(MenuState& state, const MatchRequest& request) {
+    state.request = MenuRequest::ask_match;
+    state.match_request = request;
 }
 
 /// Begins the typing of a text, which starts as `words`.

@@ -11,8 +11,8 @@
 #include "game/range/force_sample.h"
 #include "game/range/force_trial.h"
 #include "game/range/gesture_wall.h"
+#include "game/range/match_request.h"
 #include "game/range/range_files.h"
-#include "game/range/range_request.h"
 #include "game/settings/own_gestures.h"
 
 namespace thaum::game::inline range {
@@ -117,7 +117,7 @@ private:
     Tick caption_until_{};  ///< end of the caption (ticks of play, so that a pause does not use up its time)
 };
 
-// Requests to the practice (range_request.h), which rows of the menu send.
+// Requests to the practice (match_request.h). The menu's rows send them.
 
 /// Goes on to the Apprentice's next step.
 struct SkipStep {

@@ -79,12 +79,11 @@ protected:
         return shared_.screen.newest();
     }
     auto& requests() { return shared_.requests; }
-    /// Takes the oldest waiting request. Returns whether it is a request T to the range.
+    /// Whether the oldest request that waits is of this kind. Takes it.
     template <class T>
     bool asked_range() {
         const auto request = requests().take();
-        const auto* asked = request ? std::get_if<AskRange>(&*request) : nullptr;
-        return asked != nullptr && asked->request.as<T>();
+        return request && request->as<T>();
     }
     input::DeviceSample sample(std::uint32_t player) { return rig::taken(shared_.seats, player); }
 

@@ -101,7 +101,7 @@ TEST_F(LiveThreadsTest, WhileAForceIsSoughtTheWholeForceComesOut) {
     ASSERT_TRUE(session_->next().open_range());
     start_match(std::move(*session_->next().take_range()));
     while (!shared_.pictures.take() || shared_.pictures.newest().tick == 0) std::this_thread::yield();
-    shared_.requests.ask(AskRange{RangeRequest(FindForce{})});
+    shared_.requests.ask(FindForce{});
     const auto& shown = shared_.pictures;
     double most = 0;
     for (bool words = false; !words || most < 0.5;) {

@@ -13,7 +13,7 @@ struct BecomeDummy {
     void carry_out(Practice& practice) const { practice.set_dummy(kind); }
 };
 
-AskRange become(game::DummyKind kind) { return {RangeRequest(BecomeDummy{kind})}; }
+MatchRequest become(game::DummyKind kind) { return BecomeDummy{kind}; }
 
 class MatchRequestsTest : public testing::Test {
 protected:
@@ -77,12 +77,12 @@ TEST_F(MatchRequestsTest, WhileNobodyTakesThemTheOldestRequestsStay) {
     EXPECT_TRUE(requests_.take()) << "and new ones come again";
 }
 
-TEST(RangeRequest, KnowsItsStructAndNoOther) {
-    const RangeRequest request(DrawGesture{7});
+TEST(MatchRequest, KnowsItsStructAndNoOther) {
+    const MatchRequest request(DrawGesture{7});
     ASSERT_TRUE(request.as<DrawGesture>());
     EXPECT_EQ(request.as<DrawGesture>()->number, 7U);
     EXPECT_FALSE(request.as<BecomeDummy>());
-    EXPECT_FALSE(RangeRequest().as<DrawGesture>());
+    EXPECT_FALSE(MatchRequest().as<DrawGesture>());
 }
 
 }  // namespace

@@ -170,8 +170,8 @@ TEST(MixerPage, APressOnAFaderOfTheForcesAsksForItOnTheRange) {
     range.practice = true;
     const auto row = row_named(s, "Carried weight");
     s = step(s, {.kind = Kind::confirm, .device = keyboard, .row = row}, range);
-    EXPECT_EQ(s.request, MenuRequest::ask_range);
-    const auto felt = s.range_request.as<FeelForce>();
+    EXPECT_EQ(s.request, MenuRequest::ask_match);
+    const auto felt = s.match_request.as<FeelForce>();
     ASSERT_TRUE(felt);
     EXPECT_EQ(felt->fader, input::HandFader::weight);
     EXPECT_EQ(s.settings, Settings{});

@@ -28,7 +28,7 @@ void add_bell_rows(const MenuState& s, const MenuContext&, Rows& rows) {
                         press.state.profile = turned(press.state.profile, 10, way);
                     }});
     rows.push_back({.look = {.label = "Ring"},
-                    .confirm = [](const RowPress& press) { ask_range(press.state, RingBells{&rung}); }});
+                    .confirm = [](const RowPress& press) { ask_match(press.state, RingBells{&rung}); }});
 }
 
 /// A page that only this test has. The registration is all that a new page needs.
@@ -78,9 +78,9 @@ TEST(MenuSeams, ItsRequestReachesTheRange) {
     ASSERT_TRUE(data) << data.error().message;
     Practice practice(*data, {input::DeviceSpec{}}, game::DummyKind::still, 1);
     const auto s = choose(opened({}, "bells"), "Ring");
-    ASSERT_EQ(s.request, MenuRequest::ask_range);
+    ASSERT_EQ(s.request, MenuRequest::ask_match);
     MatchRequests requests;
-    requests.ask(AskRange{s.range_request});
+    requests.ask(s.match_request);
     std::uint32_t buttons = 0;
     requests.carry_out({&practice, buttons});
     EXPECT_EQ(rung, 1U);

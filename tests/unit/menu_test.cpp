@@ -309,17 +309,17 @@ TEST(PauseMenu, OnTheRangeAPressDrawsAnOwnGesture) {
     s = step(std::move(s), {.kind = Kind::left, .device = keyboard, .row = own}, range);
     EXPECT_EQ(picture_of(s, range).rows[own].value, "V");
     s = step(std::move(s), {.kind = Kind::confirm, .device = keyboard, .row = own}, range);
-    EXPECT_EQ(s.request, MenuRequest::ask_range);
-    ASSERT_TRUE(s.range_request.as<DrawGesture>());
-    EXPECT_EQ(s.range_request.as<DrawGesture>()->number, 2U);
-    // While a gesture is being drawn, the row "Own gesture" becomes a row that gives the drawing up.
+    EXPECT_EQ(s.request, MenuRequest::ask_match);
+    ASSERT_TRUE(s.match_request.as<DrawGesture>());
+    EXPECT_EQ(s.match_request.as<DrawGesture>()->number, 2U);
+    // While it is drawn, the same row of the next pause gives it up.
     range.drawn_gesture = 3;
     s = opened(std::move(s), "pause");
     EXPECT_EQ(s.pages.back().cursor, own);
     EXPECT_EQ(row_of("Give up drawing V"), own);
     s = step(std::move(s), {.kind = Kind::confirm, .device = keyboard}, range);
-    EXPECT_EQ(s.request, MenuRequest::ask_range);
-    EXPECT_TRUE(s.range_request.as<StopDrawing>());
+    EXPECT_EQ(s.request, MenuRequest::ask_match);
+    EXPECT_TRUE(s.match_request.as<StopDrawing>());
     range.drawn_gesture = 0;
     s = opened(std::move(s), "pause");
     EXPECT_EQ(row_of("Own gesture"), s.pages.back().cursor);

@@ -101,14 +101,14 @@ bool can_feel_forces(const MenuState& s, const MenuContext& context) {
 
 void feel_force(const RowPress& press) {
     if (can_feel_forces(press.state, press.context))
-        ask_range(press.state, FeelForce{felt_fader_of(player_settings()[press.row.index])});
+        ask_match(press.state, FeelForce{felt_fader_of(player_settings()[press.row.index])});
     else
         press.state.note = "in the pause of the range a press lets you feel it";
 }
 
 void find_force(const RowPress& press) {
     if (can_feel_forces(press.state, press.context))
-        ask_range(press.state, FindForce{});
+        ask_match(press.state, FindForce{});
     else
         press.state.note = "open this page in the pause of the range";
 }

@@ -61,12 +61,12 @@ void come_back_here(MenuState& s) { s.pause_row = s.pages.back().cursor; }
 
 void draw_gesture(const RowPress& press) {
     come_back_here(press.state);
-    ask_range(press.state, DrawGesture{static_cast<std::uint32_t>(press.state.gesture)});
+    ask_match(press.state, DrawGesture{static_cast<std::uint32_t>(press.state.gesture)});
 }
 
 void stop_drawing(const RowPress& press) {
     come_back_here(press.state);
-    ask_range(press.state, StopDrawing{});
+    ask_match(press.state, StopDrawing{});
 }
 
 void forget_gesture(const RowPress& press) {
@@ -104,10 +104,10 @@ void add_gesture_rows(const MenuState& s, const MenuContext& context, Rows& rows
 void add_lesson_rows(Rows& rows) {
     rows.push_back(
         {.look = {.label = "Skip this step", .help = "Goes on to the next step of the Apprentice."},
-         .confirm = [](const RowPress& press) { ask_range(press.state, SkipStep{}); }});
+         .confirm = [](const RowPress& press) { ask_match(press.state, SkipStep{}); }});
     rows.push_back(
         {.look = {.label = "Repeat this step", .help = "Begins this step of the Apprentice again."},
-         .confirm = [](const RowPress& press) { ask_range(press.state, RepeatStep{}); }});
+         .confirm = [](const RowPress& press) { ask_match(press.state, RepeatStep{}); }});
 }
 
 // The page --------------------------------------------------------------------------------------------------

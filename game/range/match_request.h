@@ -1,0 +1,76 @@
+// game/range/match_request.h: a request to the running match, as a value that one thread hands to another.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <type_traits>
+
+namespace thaum::game::inline range {
+
+class Practice;
+
+/// What a request can act on.
+struct RequestTarget {
+    Practice* practice{};       ///< null: the match is not on the range
+    std::uint32_t& next_press;  ///< buttons that the next input frame presses (bits of input::Button)
+};
+
+template <class T>
+concept ActsOnMatch = requires(const T& request, RequestTarget& target) {
+    request.carry_out(target);
+};
+template <class T>
+concept ActsOnRange = requires(const T& request, Practice& practice) {
+    request.carry_out(practice);
+};
+
+/// Any small plain struct that has `void carry_out(RequestTarget&) const`, or `void carry_out(Practice&)
+/// const`, which does nothing in a match that is not on the range. The list of such structs is open, so that
+/// neither the menu nor the session nor the simulation knows them: whoever asks names the struct, and the
+/// struct acts.
+class MatchRequest {
+public:
+    static constexpr std::size_t max_bytes = 8;
+
+    /// Asks for nothing.
+    MatchRequest() = default;
+    template <class T>
+    requires(!std::is_same_v<T, MatchRequest> && (ActsOnMatch<T> || ActsOnRange<T>))
+        MatchRequest(const T& request)
+        : carry_out_(run<T>) {
+        static_assert(std::is_trivially_copyable_v<T> && sizeof(T) <= max_bytes);
+        std::memcpy(bytes_.data(), &request, sizeof(T));
+    }
+
+    void carry_out(RequestTarget& target) const {
+        if (carry_out_ != nullptr) carry_out_(*this, target);
+    }
+    /// The struct; std::nullopt: the request is of another type.
+    template <class T>
+    std::optional<T> as() const {
+        return carry_out_ == run<T> ? std::optional(value<T>()) : std::nullopt;
+    }
+
+private:
+    template <class T>
+    T value() const {
+        T request{};
+        std::memcpy(&request, bytes_.data(), sizeof(T));
+        return request;
+    }
+    template <class T>
+    static void run(const MatchRequest& request, RequestTarget& target) {
+        if constexpr (ActsOnMatch<T>)
+            request.value<T>().carry_out(target);
+        else if (target.practice != nullptr)
+            request.value<T>().carry_out(*target.practice);
+    }
+
+    std::array<std::byte, max_bytes> bytes_{};
+    void (*carry_out_)(const MatchRequest&,
+                       RequestTarget&) = nullptr;  ///< null: the request asks for nothing
+};
+
+}  // namespace thaum::game::inline range
