@@ -23,7 +23,8 @@ std::size_t used(const TransferFunction& f) {
 
 std::span<const vec2> points_of(const TransferFunction& f) { return std::span(f.points).first(used(f)); }
 
-/// Points of a function while it is edited, with room for one more column and its neighbours.
+/// Points of a function while set_column changes it: room for three more than the function can keep, namely
+/// the new point and one on either side. thin_out then removes the surplus.
 struct Draft {
     std::array<vec2, max_transfer_points + 3> points{};
     std::size_t count{};

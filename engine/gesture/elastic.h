@@ -22,9 +22,10 @@ template <std::size_t points>
 struct alignas(32) EightOf {
     std::array<float, points * max_channels * lanes> values{};
 };
-/// Eight templates in the shape with which they are compared first.
+/// Eight templates in the coarse form of Shape, in which templates are compared first. The best of them are
+/// compared again as EightFineShapes.
 using EightShapes = EightOf<shape_points>;
-/// Eight templates in the fine shape.
+/// Eight templates as FineShape.
 using EightFineShapes = EightOf<fine_points>;
 
 /// Puts the values of eight templates in the lanes. A template may be given several times, to fill lanes that

@@ -63,7 +63,9 @@ struct PassivityObserver {
     /// Largest work of active sources from any tick of the last second until now (J).
     double active_work{};
     std::array<ActiveBin, active_bins> active{};  ///< work of active sources, a ring of bins
-    double reserve{};  ///< energy that springs may still give after a switch, while `held_back` is 1 (J)
+    /// Energy that springs may still give after a switch (a source of force came, ended or jumped), while
+    /// `held_back` is 1 (J).
+    double reserve{};
     std::uint32_t active_bin{};    ///< index of the bin being filled
     std::uint32_t active_tick{};   ///< ticks in the bin being filled
     std::uint32_t newest{};        ///< index of the last command in `forces`

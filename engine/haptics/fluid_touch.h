@@ -183,8 +183,10 @@ struct FluidTouchState {
     double surface_height{};  ///< height h of the surface that was used (m)
     /// Energy that the flow gives by its resistance (3) in the coming tick, at the hand's scale (J).
     double flow_work{};
-    double immersed{};       ///< immersed share of the ladle, 0 to 1
-    std::uint64_t number{};  ///< FluidTouch::number of the last tick; 0: there was no fluid
+    double immersed{};  ///< immersed share of the ladle, 0 to 1
+    /// FluidTouch::number of the last tick; 0: there was no fluid. If the present number differs, the fluid
+    /// has appeared, ended or jumped.
+    std::uint64_t number{};
     std::uint32_t inside{};  ///< BrewSurface::inside of the last tick
     std::uint32_t begun{};   ///< 0: mass and surface have no earlier state
 };

@@ -55,8 +55,9 @@ struct HapticModel {
     vec3 start{};                  ///< free place at which the proxy starts after a jump (m)
     std::uint64_t patch_number{};  ///< changes when the patch jumps, which is a switch
     FluidTouch fluid{};            ///< fluid around the tip; usually number 0, at no cost
-    /// Motion of the fields that the primitives' modes read, since the last model (m, at the tip). While it
-    /// is 0, the force on a hand that rests hardly changes (haptics/primitives/settling.h).
+    /// How far the field from which the primitives are made (such as a crystal that turns) has moved at the
+    /// tip since the last model (m). While it is 0, the force on a hand that rests hardly changes
+    /// (haptics/primitives/settling.h).
     double field_motion{};
 };
 static_assert(sizeof(Pulse) == sizeof(vec3) + 2 * sizeof(std::uint32_t) &&

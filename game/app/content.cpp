@@ -297,8 +297,8 @@ private:
         for (const auto& file : gestures) note_name_of_gesture(file);
     }
 
-    /// Notes a gesture whose name in the file differs from the file's name. Spells and recipes refer to a
-    /// gesture by its file's name, so that would be confusing.
+    /// Notes a gesture whose key `name` differs from the name of its file. Spells and recipes use the key, so
+    /// a person who uses the file's name there would not find the gesture.
     void note_name_of_gesture(const fs::path& file) {
         const auto name = text("gestures/", file.filename().string());
         const auto gesture = gesture::load_gesture(file);

@@ -25,7 +25,8 @@ void each_point(const DrawnStroke& stroke, Take&& take) {
     for (std::uint32_t i = 0; i < stroke.count; ++i) places[i] = place_of(stroke.points[i]);
     spread_jumps(std::span(places).first(stroke.count), apart);
     for (std::uint32_t i = 0; i < stroke.count; ++i) {
-        // A point that spreading has moved belongs to the jump, and so does the jump's last point.
+        // A jump consists of the points that spread_jumps has moved, and of the point after them, at which
+        // the device reported the new position.
         const auto moved = [&](std::uint32_t k) { return places[k] != place_of(stroke.points[k]); };
         std::uint32_t begin = i, end = i;
         while (end + 1 < stroke.count && moved(end)) ++end;

@@ -45,7 +45,8 @@ public:
     bool complete() const { return complete_; }
     /// Marks the index as one that is no longer filled.
     void give_up() { complete_ = true; }
-    /// Whether the newest state before `target` is in the index, so that a jump there is quick.
+    /// Whether the index is filled as far as the state from which a jump to `target` continues, so that the
+    /// jump is quick.
     bool covers(Tick target) const;
     std::vector<Kill> kills() const;
     /// The first divergence found while filling the index.

@@ -82,7 +82,8 @@ struct MenuContext {
     std::vector<std::string> gestures{};  ///< gestures of the match; empty: the rule set has none
     std::uint32_t drawn_gesture = 0;      ///< number of the gesture that is being drawn anew, plus 1; 0: none
     std::vector<FeelProfile> profiles{};  ///< profiles that players have saved on the mixer's page
-    std::vector<tactile::Purpose> body{};  ///< purposes for which there is an effect on the body
+    /// Kinds of effect on the body that exist, such as blasts; each gets a fader on the mixer's page.
+    std::vector<tactile::Purpose> body{};
     std::vector<std::string>
         sticks{};  ///< names of joysticks that are no pads, because SDL does not know them
     std::vector<std::string> own_pads{};    ///< names of pads that were set up by hand

@@ -51,7 +51,7 @@ struct ArenaScene {
     std::vector<Kind> kinds;
     std::array<Team, players> teams{};
     Meshes neutral_plate;
-    Meshes anchor;                      ///< mesh of an anchor with a radius of 1 m
+    Meshes anchor;                      ///< mesh of a swing anchor (a point for a rope) with a radius of 1 m
     render::MeshId stone{}, lamps{};    ///< masonry with decoration, and lamps (world frame)
     std::vector<render::MeshId> wands;  ///< meshes of wands, indexed as Presentation::wands
     render::MeshId skyline{}, runes{}, ember{}, bubble{};

@@ -48,7 +48,7 @@ public:
     const tactile::MixerCounts& counts(std::uint32_t player, std::size_t layout) const {
         return scenes_.at(player)->counts(layout);
     }
-    /// Time since any cell of the player's figure was last active (s).
+    /// Time since any cell of the body figure in the player's view was last active (s).
     double since_felt_s(std::uint32_t player) const;
 
 private:

@@ -28,7 +28,7 @@ vec3 coupled_velocity(const physics::Physics& physics, physics::Key body, const 
 void apply_coupling(physics::Physics& physics, physics::Key body, const haptics::CouplingResult& result,
                     double dt, WandCoupling& coupling);
 
-/// Adds the velocity `owed` to the body and ends the coupling.
+/// Ends the coupling. The velocity `owed`, which the body would have got in the next step, is added at once.
 void end_coupling(physics::Physics& physics, physics::Key body, WandCoupling& coupling);
 
 /// A spring and damper to a fixed point, which only pulls.

@@ -45,8 +45,9 @@ struct Attack {
     double magnitude(double low, double high) { return det::exp(random.uniform(low, high) * det::log(10)); }
 };
 
-/// Makes an attack in a closed box or half a ball. Substances have the density of the base fluid, so only the
-/// strikes add energy.
+/// Makes an attack (hostile input to a fluid, see above) in a closed box or a hemispherical bowl. Substances
+/// are as dense as the base fluid, so only the strikes (the pushes and other changes before a step) add
+/// energy.
 inline Expected<Attack> make_attack(const flows::Scheme& scheme, int n, std::uint64_t seed,
                                     const AttackPlan& plan = {}) {
     Settings settings = flows::settings_of(flows::Flow{}, scheme, n);

@@ -6,7 +6,7 @@
 
 namespace thaum::game {
 
-/// A player who draws on the wall with the mouse.
+/// A player who draws gestures on the range's gesture wall with the mouse.
 struct WallPlayer {
     Practice& practice;
 

@@ -1,5 +1,5 @@
-// core/detail/toml_hint.h: the text of a TOML file: lines that the parser must not see, and the common
-// mistakes in lines that it cannot read.
+// core/detail/toml_hint.h: looks at the text of a TOML file. Before it is parsed: finds keys that nest so
+// deeply that the parser could exhaust the stack. After a failure: explains common mistakes.
 #pragma once
 #include <cstddef>
 #include <cstdint>

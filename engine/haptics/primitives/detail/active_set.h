@@ -25,9 +25,10 @@ std::array<vec3, 2> normals_to(vec3 q);
 Term* only_active(Problem& problem);
 /// Makes active exactly the terms from whose kinks x has a squared distance below `square` (m^2).
 void guess_active_set(Problem& problem, double square);
-/// Moves x onto all active kinks. In each round it takes the kink whose normal the flat so far leaves most
-/// free, because a nearly fixed direction is badly known. A kink whose directions are all fixed already is
-/// skipped; spread_of_active() checks later whether x lies on it.
+/// Moves x onto all active kinks. Each round adds the kink whose normal lies most within the flat of the
+/// kinks added before. If a normal is almost perpendicular to that flat, rounding makes the direction that
+/// the kink would fix inaccurate. A kink that can fix no further direction is skipped; spread_of_active()
+/// checks later whether x lies on it.
 Flat flat_of_active(Problem& problem, vec3& x);
 /// Gradient at x of the energy without the active terms (N); infinite on the kink of an inactive term.
 /// `matrix` becomes the derivative of the gradient. Updates distances and forces of the inactive terms.

@@ -50,7 +50,8 @@ struct Scene {
     std::array<std::uint32_t, surface_capacity> solids;
     std::array<vec3, surface_capacity> normal;  ///< normals of the flat surfaces (unit)
     std::array<double, surface_capacity> gap;
-    /// Largest distance of any part of a solid from its centre, with the gap (m).
+    /// Upper bound of the distance from a solid's centre to a proxy that rests on it, `gap` outside of its
+    /// surface (m).
     std::array<double, surface_capacity> extent;
     std::array<BodyMotion, surface_body_capacity> motions;
 
