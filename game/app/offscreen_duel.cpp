@@ -18,7 +18,6 @@ namespace {
 
 struct Played {
     BotDuel duel;
-    std::vector<input::InputFrame> frames;
     Highlight highlight;
     std::optional<Error> log_fault;  ///< reason why the log is not complete
 };
@@ -36,9 +35,7 @@ Expected<Played> play(const OffscreenDuel& plan, const std::shared_ptr<const Mat
     if (!log) return log.error();
     std::optional<Tick> over_at;
     while (over_at ? match.now() < *over_at + log_after_end : match.now() < ticks(plan.seconds)) {
-        const auto frame = played.duel.next_frame();
-        tick_and_record(match, frame, &*log);
-        played.frames.push_back(frame);
+        tick_and_record(match, played.duel.next_frame(), &*log);
         if (!over_at) watch_for_highlight(match, played.highlight);
         if (!over_at && match.match().phase == Phase::over) over_at = match.now();
     }
@@ -51,19 +48,21 @@ struct Picture {
     std::optional<Error> fault;  ///< error if a drawn picture could not be saved
 };
 
-/// Draws and saves the highlight. The highlight is known only at the end, so this plays a second match with
-/// the same input frames up to that tick.
-Expected<void> save_highlight(Still& still, const std::shared_ptr<const MatchData>& data,
-                              const Played& played, const std::filesystem::path& file) {
-    if (played.highlight.tick == 0) return still.save(*played.duel.match, {}, file);
-    Simulation again(data, played.duel.match->setup());
-    for (Tick t = 0; t < played.highlight.tick; ++t) again.tick(played.frames[t]);
-    return still.save(again, {}, file);
+/// Draws and saves the highlight of the duel, the moment that makes the best picture. Its tick is known only
+/// at the end, so this replays the log up to it. Without a highlight, or if the log ends before it, the
+/// picture shows the end of the duel.
+Expected<void> save_highlight(Still& still, const OffscreenDuel& duel, const Played& played,
+                              const std::filesystem::path& log, const std::filesystem::path& file) {
+    if (played.highlight.tick != 0) {
+        auto again = Playback::open(log, duel.assets);
+        if (again && again->play_to(played.highlight.tick)) return still.save(again->match(), {}, file);
+    }
+    return still.save(*played.duel.match, {}, file);
 }
 
-/// Makes the picture, unless this machine cannot draw.
-Picture picture(const OffscreenDuel& duel, const std::shared_ptr<const MatchData>& data,
-                const Played& played) {
+/// Draws and saves the picture of the duel, unless this machine cannot draw.
+Picture picture(const OffscreenDuel& duel, const std::shared_ptr<const MatchData>& data, const Played& played,
+                const std::filesystem::path& log) {
     auto still = Still::create(*data, duel.assets, {1280, 720});
     if (!still) return {text("none: ", still.error().message), {}};
     const auto file = duel.out / "duel.png";
@@ -82,7 +81,7 @@ std::string report(const OffscreenDuel& duel, const Played& played, const std::f
     lines += text("bots     of level ", duel.levels[0], " and ", duel.levels[1], ", rules ", duel.data.rules,
                   ", match ", duel.data.match, "\n");
     lines += result_table(match);
-    lines += text("ticks    ", match.now(), " of 1 ms, ", played.frames.size(), " frames recorded\n");
+    lines += text("ticks    ", match.now(), " of 1 ms\n");
     lines += text("state    ", hex(match.state_hash()), "\n");
     lines += text("physics  ", match.physics().counters().steps, " steps, ",
                   match.physics().counters().skipped, " skipped asleep\n");
