@@ -256,7 +256,7 @@ FineKind Recogniser::fine_template(const Survivor& survivor, FineShape& shape) c
     std::rotate(shape.begin(), shape.begin() + static_cast<std::ptrdiff_t>(start % fine_points * t.channels),
                 shape.begin() + static_cast<std::ptrdiff_t>(fine_points * t.channels));
     if (t.turns) turn(shape.data(), fine_points, t.channels, survivor.cosine, survivor.sine);
-    return {{t.channels == solid_channels, settings_.channels.force}, !t.turns};
+    return {{t.channels == solid_channels, counts_force_}, !t.turns};
 }
 
 /// Elastic distances of the survivors; keeps the two nearest templates of each gesture.
@@ -416,7 +416,7 @@ Recognition Recogniser::recognise_without(Points stroke, std::uint32_t left_out,
 }
 
 Recognition Recogniser::recognise_within(Points stroke, const Limits& limits, RecogniserSpace& space) const {
-    const Channels solid{true, settings_.channels.force}, flat{false, settings_.channels.force};
+    const Channels solid{true, counts_force_}, flat{false, counts_force_};
     if (needs_solid_ && !make_shape(stroke, solid, space.points_, space.solid_, limits.rests)) return {};
     const bool flat_made =
         needs_flat_ && make_shape(stroke, flat, space.points_, space.planar_, limits.rests);

@@ -136,6 +136,9 @@ public:
     /// The gesture, or its twin whose templates have the mean force nearest to this one.
     std::uint32_t twin_by_force(std::uint32_t gesture, double mean_force) const;
 
+    /// True if the course of the force within a stroke counts. It does not if it is switched off, or if the
+    /// recorded forces only follow the speed of the hand; mean forces still tell twins apart then.
+    bool counts_force() const { return counts_force_; }
     /// True if some gesture counts z.
     bool needs_solid() const { return needs_solid_; }
     /// True if some gesture ignores z.
@@ -216,7 +219,7 @@ private:
     std::vector<FineShape> fine_;       ///< fine shape of each template
     std::vector<float> usual_seconds_;  ///< usual duration of the strokes of each gesture (s)
     Calibration calibration_;
-    bool needs_solid_{}, needs_flat_{};
+    bool counts_force_{}, needs_solid_{}, needs_flat_{};
     float shortest_{}, longest_{};
 };
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/text.h"
+#include "gesture/detail/speed_force.h"
 #include "gesture/detail/twins.h"
 #include "gesture/recogniser.h"
 #include "gesture/variations.h"
@@ -53,7 +54,7 @@ double nearest_third(std::span<const Nearest> nearest, std::uint32_t other) {
 bool Recogniser::add_template(Points stroke, std::uint32_t number, std::uint32_t stroke_number,
                               RecogniserSpace& space) {
     const auto& options = options_[number];
-    const Channels channels{settings_.channels.depth && !options.planar, settings_.channels.force};
+    const Channels channels{settings_.channels.depth && !options.planar, counts_force_};
     Shape shape;
     if (!make_shape(stroke, channels, space.points_, shape)) return false;
     fine_.emplace_back();
@@ -261,6 +262,7 @@ Expected<Recogniser> Recogniser::make(std::span<const Gesture> gestures, const R
         return fail(text(gestures.size(), " gestures, more than ", max_gestures, "; leave some out"));
     Recogniser result;
     result.settings_ = settings;
+    result.counts_force_ = settings.channels.force && !force_follows_speed(gestures);
     RecogniserSpace space;
     for (const auto& g : gestures) {
         if (auto added = result.add(g, space); !added) return added.error();

@@ -209,7 +209,7 @@ void Spotter::look_at_length() {
 /// Makes a window and compares it with the templates by dot product.
 void Spotter::look_at_window(std::size_t first, bool depth) {
     auto& window = windows_[window_count_];
-    const Channels channels{depth, recogniser_.settings().channels.force};
+    const Channels channels{depth, recogniser_.counts_force()};
     if (!make_shape(points_, first, end_, channels, window.shape)) return;
     window.first = first;
     window.start = origin_.t + static_cast<double>(points_.t[first]);
