@@ -60,6 +60,10 @@ struct RecogniserSettings {
     bool exhaustive = false;
     double min_probability = 0.5;  ///< `even_probability` from which on a stroke is accepted
     std::uint64_t seed = 1;        ///< seed of the synthetic strokes that set the thresholds
+    /// True to count a force that only follows the speed of the hand, too. In continuous motion, the pace is
+    /// what tells a gesture, slow at its corners and ends, from any other way of the hand. But a stroke that
+    /// is drawn evenly, as with a mouse, is then far from a template that is not.
+    bool pace_counts = false;
     /// False to skip the synthetic strokes, for a caller that calibrates with real ones. Then no stroke is
     /// refused for its distance, and the usual distance of a gesture is that between its recorded strokes.
     bool calibrate = true;
@@ -137,7 +141,8 @@ public:
     std::uint32_t twin_by_force(std::uint32_t gesture, double mean_force) const;
 
     /// True if the course of the force within a stroke counts. It does not if it is switched off, or if the
-    /// recorded forces only follow the speed of the hand; mean forces still tell twins apart then.
+    /// recorded forces only follow the speed of the hand (unless RecogniserSettings::pace_counts); mean
+    /// forces still tell twins apart then.
     bool counts_force() const { return counts_force_; }
     /// True if some gesture counts z.
     bool needs_solid() const { return needs_solid_; }

@@ -262,7 +262,8 @@ Expected<Recogniser> Recogniser::make(std::span<const Gesture> gestures, const R
         return fail(text(gestures.size(), " gestures, more than ", max_gestures, "; leave some out"));
     Recogniser result;
     result.settings_ = settings;
-    result.counts_force_ = settings.channels.force && !force_follows_speed(gestures);
+    result.counts_force_ =
+        settings.channels.force && (settings.pace_counts || !force_follows_speed(gestures));
     RecogniserSpace space;
     for (const auto& g : gestures) {
         if (auto added = result.add(g, space); !added) return added.error();

@@ -125,7 +125,7 @@ double needed_for(const CastingRules& rules, const gesture::GestureOptions& opti
 
 void read_window(const CastingRules& rules, const GestureSet& gestures, const FreeMotion& motion,
                  std::size_t begin, ReadingSpace& space, FreeHand& hand) {
-    const auto& recogniser = gestures.recogniser();
+    const auto& recogniser = gestures.motion_recogniser();
     const auto stroke = motion.points.subspan(begin);
     const auto found = recogniser.recognise_part(stroke, space.recogniser);
     if (found.gesture == gesture::Recognition::none) return;

@@ -8,11 +8,11 @@ namespace thaum::game::inline data {
 namespace {
 
 /// Returns a reader of the gestures, created on first use.
-template <class Reader>
+template <class Reader, class... Settings>
 const Reader& made_once(std::once_flag& once, std::optional<Reader>& reader,
-                        std::span<const gesture::Gesture> gestures) {
+                        std::span<const gesture::Gesture> gestures, const Settings&... settings) {
     std::call_once(once, [&] {
-        auto made = Reader::make(gestures);
+        auto made = Reader::make(gestures, settings...);
         THAUM_ASSERT(made, "gestures of a set were checked");
         reader = std::move(*made);
     });
@@ -33,6 +33,13 @@ std::string_view GestureSet::name(std::uint32_t number) const {
 }
 
 const gesture::Recogniser& GestureSet::recogniser() const { return made_once(once_, recogniser_, gestures_); }
+
+const gesture::Recogniser& GestureSet::motion_recogniser() const {
+    const gesture::RecogniserSettings motion{.pace_counts = true};
+    const auto& made = made_once(once_motion_, motion_recogniser_, gestures_, motion);
+    motion_made_.store(true);
+    return made;
+}
 
 const gesture::PrefixReader& GestureSet::prefixes() const {
     return made_once(once_prefixes_, prefixes_, gestures_);

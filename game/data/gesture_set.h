@@ -1,5 +1,6 @@
 // game/data/gesture_set.h: the gestures that strokes can be recognised as, with their recogniser.
 #pragma once
+#include <atomic>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -11,8 +12,7 @@
 
 namespace thaum::game::inline data {
 
-/// A set of gestures that all matches with the same data share. Its recogniser is made when it is first
-/// needed, in any thread.
+/// Shared by all matches with the same data. Each recogniser is made when it is first needed, in any thread.
 class GestureSet {
 public:
     /// The gestures must have been checked by `fault_of`.
@@ -23,15 +23,22 @@ public:
     std::optional<std::uint32_t> number(std::string_view name) const;
     /// Name of a gesture by its number; empty for a number without a gesture.
     std::string_view name(std::uint32_t number) const;
+    /// Recogniser of strokes that are drawn with a button.
     const gesture::Recogniser& recogniser() const;
+    /// Recogniser of motion without a button: the pace of the hand counts. Made only for a match in which
+    /// somebody casts freely.
+    const gesture::Recogniser& motion_recogniser() const;
+    /// Whether the recogniser of motion has been made.
+    bool has_motion_recogniser() const { return motion_made_.load(); }
     /// Reader of unfinished strokes, made when it is first needed, in any thread.
     /// For pictures, never for a match.
     const gesture::PrefixReader& prefixes() const;
 
 private:
     std::vector<gesture::Gesture> gestures_;
-    mutable std::once_flag once_, once_prefixes_;
-    mutable std::optional<gesture::Recogniser> recogniser_;
+    mutable std::once_flag once_, once_motion_, once_prefixes_;
+    mutable std::optional<gesture::Recogniser> recogniser_, motion_recogniser_;
+    mutable std::atomic<bool> motion_made_ = false;
     mutable std::optional<gesture::PrefixReader> prefixes_;
 };
 

@@ -5,6 +5,7 @@
 #include "core/tell_user.h"
 #include "core/text.h"
 #include "game/bots/bot.h"
+#include "game/casting/free_casting.h"
 #include "game/live/arm_pace.h"
 #include "game/live/shared.h"
 #include "game/match/hand/arm_system.h"
@@ -77,10 +78,15 @@ void show_scene(LiveShared& shared, std::shared_ptr<const MatchData> data) {
     shared.scene.publish();
 }
 
-/// Makes the gesture readers of all players before the first tick, so that the first stroke need not wait.
-void make_readers(const MatchContext& context) {
-    for (std::uint32_t player = 0; player < players; ++player)
-        if (const auto* gestures = gestures_of(context, player)) (void)gestures->recogniser();
+/// Makes the gesture readers that the players need before the first tick, so that the first stroke need not
+/// wait.
+void make_readers(const game::MatchContext& context) {
+    for (std::uint32_t player = 0; player < game::players; ++player) {
+        const auto* gestures = game::gestures_of(context, player);
+        if (gestures == nullptr) continue;
+        (void)gestures->recogniser();
+        if (game::casts_freely(context, player)) (void)gestures->motion_recogniser();
+    }
 }
 
 void start_practice(SimulationThread& s, RangeFiles files, MatchStart& start) {

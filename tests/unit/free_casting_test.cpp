@@ -85,6 +85,22 @@ TEST(FreeCasting, NeedsTheOption) {
     EXPECT_EQ(play.casts(), 0U);
 }
 
+TEST(FreeCasting, ARecogniserOfMotionIsMadeForThoseWhoCastFreelyAlone) {
+    for (const bool freely : {false, true}) {
+        Free play(freely);
+        const auto& gestures = *play.match->data().gestures;
+        play.rest(0.5);
+        play.circle(350, 0.9);
+        play.rest(0.6);
+        play.frame.devices[0].press(input::Button::trace);
+        play.circle(350, 0.9);
+        play.frame = {};
+        play.rest(0.1);
+        EXPECT_NE(reading_of(*play.match).gesture, no_gesture) << "the stroke with Trace";
+        EXPECT_EQ(gestures.has_motion_recogniser(), freely);
+    }
+}
+
 TEST(FreeCasting, AHandThatShootsCastsNothing) {
     Free play;
     play.rest(0.5);

@@ -225,8 +225,8 @@ private:
             std::any_of(templates.begin(), templates.end(), [](const auto& t) { return t.empty(); });
         if (missing) return fail("a gesture has no stroke of another user than the session's");
         const auto gestures = gestures_of(strokes_, index_, templates);
-        const auto recogniser =
-            Recogniser::make(gestures, {.channels = settings_.channels, .seed = settings_.seed});
+        const auto recogniser = Recogniser::make(
+            gestures, {.channels = settings_.channels, .seed = settings_.seed, .pace_counts = true});
         if (!recogniser) return recogniser.error();
         const auto found = candidates_in(session, *recogniser, settings_.spotter, skipped_);
         for (std::size_t t = 0; t < thresholds; ++t)
