@@ -4,8 +4,10 @@
 
 #include "core/random.h"
 #include "core/text.h"
+#include "gesture/detail/speed_force.h"
 #include "gesture/detail/twins.h"
 #include "gesture/detail/vectors.h"
+#include "gesture/recogniser.h"
 #include "gesture/variations.h"
 
 namespace thaum::gesture {
@@ -33,11 +35,6 @@ constexpr double prior_freedom = 4;
 /// A recorded stroke counts e times less than the nearest one of its gesture if it is farther by this
 /// distance.
 constexpr float hand_scatter = 0.03F;
-/// Variance of the logarithm of force / speed over the strokes of a gesture below which the force counts as
-/// that of a viscous field, in proportion to the speed. Strokes are then slow or fast on purpose, to be
-/// gentle or harsh, and durations tell nothing about the gesture.
-constexpr double viscous_variance = 0.15 * 0.15;
-constexpr float min_force = 1e-6F;
 /// Smallest duration that counts (s); shorter ones, and that of a stroke without times, are raised to it.
 constexpr float min_seconds = 0.001F;
 /// Ratio of the mean squared distance of points, by which the dot product chooses, to the elastic distance.
@@ -46,9 +43,6 @@ constexpr std::size_t synthetic_strokes = 30, scribble_every = 10;
 constexpr std::array synthetic_shares{0.25, 0.5, 0.75, 1.0};
 /// Largest share of the recorded stroke's length that counts as drawn: a longer stroke is no better evidence.
 constexpr float max_share = 1;
-/// Smallest share of a recorded stroke's length that a whole stroke of its twin must have (twins: see
-/// prefix.h).
-constexpr double twin_share = 0.7;
 /// Largest logarithm of the ratio of two gestures' distances that counts against the farther one.
 constexpr double max_margin_against = 2;
 
@@ -97,15 +91,6 @@ public:
 private:
     double count_ = 0, sum_ = 0, squares_ = 0, deviations_ = 0, freedom_ = 0;
 };
-
-/// Whether a recorded stroke and another gesture differ in force alone. `near` is the beginning of the other
-/// gesture that is nearest to the whole stroke, `force` the stroke's mean force.
-bool is_twin(const PrefixSpace::Nearest& near, float force) {
-    static const auto min_log_share = static_cast<float>(det::log(twin_share));
-    return near.log_share >= min_log_share &&
-           differ_in_force(static_cast<double>(near.distance), static_cast<double>(force),
-                           static_cast<double>(near.force));
-}
 
 std::vector<StrokePoint> drawn_backwards(Points stroke) {
     std::vector<StrokePoint> back(stroke.rbegin(), stroke.rend());
@@ -192,26 +177,21 @@ Expected<void> PrefixReader::add(const Gesture& gesture, PrefixSpace& space) {
 
 /// Weights of lengths and durations, from how well those of the whole recorded strokes of each gesture agree.
 PrefixReader::Weights PrefixReader::weights_of_agreement() const {
-    Scatter lengths, seconds, viscosities;
+    Scatter lengths, seconds;
     for (std::size_t b = 0; b < beginnings_.size(); ++b) {
         const auto& one = beginnings_[b];
         if (one.as_drawn) {
-            const auto length = static_cast<double>(one.log_length[lanes - 1]);
-            const auto duration = static_cast<double>(one.log_seconds[lanes - 1]);
-            lengths.add(length);
-            seconds.add(duration);
-            const auto force = static_cast<double>(std::max(one.force[lanes - 1], min_force));
-            viscosities.add(det::log(force) + duration - length);
+            lengths.add(static_cast<double>(one.log_length[lanes - 1]));
+            seconds.add(static_cast<double>(one.log_seconds[lanes - 1]));
         }
         if (b + 1 < beginnings_.size() && beginnings_[b + 1].gesture == one.gesture) continue;
-        for (auto* scatter : {&lengths, &seconds, &viscosities}) scatter->end_gesture();
+        for (auto* scatter : {&lengths, &seconds}) scatter->end_gesture();
     }
-    const auto any = [&](auto has) { return std::any_of(beginnings_.begin(), beginnings_.end(), has); };
-    const bool has_force = any([](const Beginnings& one) { return one.force[lanes - 1] > min_force; });
     static const auto no_time = static_cast<float>(det::log(static_cast<double>(min_seconds)));
-    const bool has_times = any([](const Beginnings& one) { return one.log_seconds[lanes - 1] > no_time; });
-    const bool hurried_on_purpose = has_force && viscosities.variance() < viscous_variance;
-    return {lengths.weight(length_weight), has_times && !hurried_on_purpose ? seconds.weight(0) : 0};
+    const bool has_times = std::any_of(beginnings_.begin(), beginnings_.end(), [](const Beginnings& one) {
+        return one.log_seconds[lanes - 1] > no_time;
+    });
+    return {lengths.weight(length_weight), has_times ? seconds.weight(0) : 0};
 }
 
 /// Finds the nearest beginning of each recorded stroke by the dot product, and sorts the nearest of them to
@@ -385,20 +365,14 @@ std::uint32_t PrefixReader::tell(Points stroke, std::uint32_t told, PrefixSpace&
     return likelihood_of(told, space).probability >= likely_still ? told : LikelyGesture::none;
 }
 
-/// Finds twins, gestures of one shape that differ in force: a recorded stroke of one is near to the other.
-void PrefixReader::find_twins(std::span<const Gesture> gestures, PrefixSpace& space) {
-    std::vector<std::vector<std::uint32_t>> twins(gestures.size());
-    twins_.assign(gestures.size(), {});
-    for (std::uint32_t g = 0; g < gestures.size(); ++g) {
-        for (const auto& stroke : gestures[g].strokes) {
-            read(stroke, space);
-            for (std::uint32_t other = 0; other < gestures.size(); ++other) {
-                if (other != g && is_twin(space.nearest[other], space.force)) add_twins(twins, g, other);
-            }
+/// Takes over which gestures are twins from the recogniser of whole strokes.
+void PrefixReader::take_twins(const Recogniser& recogniser) {
+    twins_.resize(recogniser.gestures());
+    for (std::uint32_t g = 0; g < twins_.size(); ++g) {
+        for (std::uint32_t other = 0; other < twins_.size(); ++other) {
+            if (recogniser.are_twins(g, other)) twins_[g].push_back(other);
         }
     }
-    for (auto& list : twins) std::sort(list.begin(), list.end());
-    twins_ = std::move(twins);
 }
 
 void PrefixReader::calibrate(std::span<const Gesture> gestures, std::uint64_t seed, PrefixSpace& space) {
@@ -426,14 +400,17 @@ Expected<PrefixReader> PrefixReader::make(std::span<const Gesture> gestures, con
     if (gestures.empty()) return fail("no gesture to recognise; record one");
     if (gestures.size() > max_gestures)
         return fail(text(gestures.size(), " gestures, more than ", max_gestures, "; leave some out"));
+    const auto recogniser = Recogniser::make(gestures, {.channels = settings.channels, .calibrate = false});
+    if (!recogniser) return recogniser.error();
     PrefixReader reader;
     reader.channels_ = settings.channels;
+    reader.take_twins(*recogniser);
     PrefixSpace space;
     for (const auto& gesture : gestures) {
         if (auto added = reader.add(gesture, space); !added) return added.error();
     }
     reader.weights_ = reader.weights_of_agreement();
-    reader.find_twins(gestures, space);
+    if (force_follows_speed(gestures)) reader.weights_.seconds = 0;
     if (settings.calibrate) reader.calibrate(gestures, settings.seed, space);
     return reader;
 }

@@ -7,8 +7,8 @@
 // same size and pace each time. So the distance of a beginning grows with the differences of its length and
 // its duration from those of the stroke so far. The weights of these differences depend on how well the
 // recorded strokes of a gesture agree. With one recorded stroke of each gesture, that is unknown. Durations
-// do not count at all where the force is that of a viscous field: there a hand is slow or fast on purpose,
-// for a gentle or a harsh stroke.
+// do not count at all where the force only follows the speed: there a hand is slow or fast on purpose, for a
+// gentle or a harsh stroke.
 //
 // Where several strokes of a gesture were recorded, the distances to all of them
 // count, and the nearest counts most.
@@ -16,9 +16,9 @@
 // Strokes of closed gestures may start anywhere, so beginnings are cut from several starts. A gesture that is
 // not sensitive to direction has those of its strokes drawn backwards as well. Rotations are not tried.
 //
-// Force. Gestures of one shape that differ in force are twins. Between them, the mean force so far decides:
-// it is compared with the mean force of equally long beginnings. While it lies between the forces of two
-// twins, neither is likely.
+// Force. Twins are the same gestures as for the recogniser of whole strokes (recogniser.h): those of one shape
+// that differ in force. Between them, the mean force so far decides: it is compared with the mean force of
+// equally long beginnings. While it lies between the forces of two twins, neither is likely.
 //
 // Confidence: as in calibration.h, with beginnings of synthetic strokes and scribbles. The share of the
 // gesture that has been drawn is evidence too: late in a stroke, the right gesture has larger distances than
@@ -39,6 +39,8 @@
 #include "gesture/gesture.h"
 
 namespace thaum::gesture {
+
+class Recogniser;
 
 /// Shares of a recorded stroke's length at which it is cut.
 inline constexpr std::array<double, lanes> prefix_shares{0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.85, 1};
@@ -98,8 +100,8 @@ struct PrefixSpace {
 /// Compares unfinished strokes with beginnings of the templates.
 class PrefixReader {
 public:
-    /// Cuts the strokes. The error names the gesture and the fault: no stroke, a
-    /// stroke without a shape, or too many.
+    /// Cuts the strokes. The error names the gesture and the fault: no stroke, a stroke without a shape, or
+    /// too many. Of gestures with an error to Recogniser::make, no reader can be made either.
     static Expected<PrefixReader> make(std::span<const Gesture> gestures,
                                        const PrefixSettings& settings = {});
 
@@ -138,7 +140,7 @@ private:
     std::size_t choose(const Shape& shape, PrefixSpace& space) const;
     void verify(const Shape& shape, std::size_t first, std::size_t end, PrefixSpace& space) const;
     void join_strokes(PrefixSpace& space) const;
-    void find_twins(std::span<const Gesture> gestures, PrefixSpace& space);
+    void take_twins(const Recogniser& recogniser);
     bool are_twins(std::uint32_t a, std::uint32_t b) const;
     double share_by_distance(std::uint32_t gesture, float distance, const PrefixSpace& space) const;
     double share_by_force(std::uint32_t gesture, const PrefixSpace& space) const;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gesture/generated_users.h"
+#include "gesture/recogniser.h"
 #include "gesture/trials/evaluation.h"
 #include "gesture/variations.h"
 #include "unit/allocations.h"
@@ -139,6 +140,25 @@ TEST(GesturePrefix, ForceTellsTwinsApartOrNothingDoes) {
         EXPECT_EQ(told(1.118), LikelyGesture::none) << "as far from both, at " << share;
         EXPECT_EQ(told(0), LikelyGesture::none) << "a device without a force, at " << share;
     }
+}
+
+/// An S and one that bows to a side: careless strokes of one shape, since any third gesture is far from both.
+TEST(GesturePrefix, TwinsAreThoseOfTheRecogniserOfWholeStrokes) {
+    auto bowed = ess();
+    for (auto& p : bowed) p.at.x += 1.4 * std::sin(pi * p.t);
+    const std::vector<Gesture> gestures{gesture_of("soft", {swelling(ess(), 0.5)}),
+                                        gesture_of("hard", {swelling(bowed, 2.5)}),
+                                        gesture_of("circle", {swelling(circle(), 1)})};
+    ASSERT_TRUE(Recogniser::make(gestures, {.calibrate = false}).value().are_twins(0, 1));
+    PrefixSpace space;
+    const auto told = [&](const PrefixReader& reader, double force) {
+        return reader.tell(swelling(ess(), force), LikelyGesture::none, space);
+    };
+    const auto reader = reader_of(gestures);
+    EXPECT_EQ(told(reader, 0.5), 0U);
+    EXPECT_EQ(told(reader, 1.118), LikelyGesture::none) << "as far from both";
+    const auto without = PrefixReader::make(gestures, {.channels = {true, false}}).value();
+    EXPECT_EQ(told(without, 1.118), 0U) << "without the channel no force counts";
 }
 
 /// A line may become each of two hooks, which turn only at the end.
