@@ -14,10 +14,12 @@ constexpr std::size_t variations = 400;  // number of variations of each gesture
 using Shares = std::vector<std::vector<Mistaken>>;
 
 /// Scatter of a gesture's variations. Users who draw one shape with two different forces keep the forces
-/// apart on purpose, so their force scatters less.
+/// apart on purpose, so their force scatters less. But a force that only follows speed scatters as their pace
+/// does: who draws in no hurry would be taken for one who draws the twin.
 VariationSettings scatter_of(const Recogniser& recogniser, std::uint32_t gesture) {
     constexpr double force_of_twins = 0.15;
     VariationSettings scatter;
+    if (!recogniser.counts_force()) return scatter;
     for (std::uint32_t other = 0; other < recogniser.gestures(); ++other) {
         if (recogniser.are_twins(gesture, other)) scatter.force = force_of_twins;
     }

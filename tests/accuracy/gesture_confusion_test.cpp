@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <filesystem>
 
 #include "core/file.h"
@@ -162,6 +163,53 @@ TEST(GestureConfusion, ProbabilitiesHoldForUsersWhoDifferMoreThanSyntheticOnes) 
         }
     }
     EXPECT_NEAR(shown / drawn, right / drawn, 0.05);
+}
+
+/// A V that a mouse with steps of 0.1 mm draws at one speed, along two straight lines. Each report is off by
+/// up to one count in x and in y, and the force is that of a viscous field. Before and after the stroke the
+/// hand rests, and trembles by a normal distribution.
+std::vector<StrokePoint> even_vee(Random& random, double rest_before, double rest_after, double tremor) {
+    constexpr double count = 1e-4;
+    const double rate = 125 * std::exp2(static_cast<double>(random.below(4)));
+    const double half = random.uniform(0.3, 0.55), tilt = random.uniform(-0.14, 0.14);
+    const double leg = random.uniform(0.03, 0.1) / std::cos(half), speed = random.uniform(0.06, 0.5);
+    const double lasts = 2 * leg / speed;
+    std::vector<StrokePoint> points;
+    for (double t = 0; t < rest_before + lasts + rest_after; t += 1 / rate) {
+        const double way = std::clamp(t - rest_before, 0.0, lasts) * speed;
+        const bool rests = t < rest_before || t > rest_before + lasts;
+        vec3 at =
+            rotation({0, 0, 1}, tilt) * vec3(way * std::sin(half), std::abs(way - leg) * std::cos(half), 0);
+        for (int axis = 0; axis < 2; ++axis) {
+            const double off = rests ? tremor * normal(random) : 0;
+            const double jitter = rests ? 0 : static_cast<double>(random.below(3)) - 1;
+            at[axis] = count * (std::floor((at[axis] + off) / count + 0.5) + jitter);
+        }
+        const double step = points.empty() ? 0 : glm::distance(at, points.back().at);
+        points.push_back({t, at, stroke_viscosity * step * rate});
+    }
+    return points;
+}
+
+TEST(GestureConfusion, EvenStrokesOfAMouseAreReadAlsoWithRests) {
+    const auto recogniser = Recogniser::make(shipped_gestures()).value();
+    EXPECT_FALSE(recogniser.counts_force());
+    RecogniserSpace space;
+    Random random = random_stream(28, 1);
+    constexpr int tries = 400;
+    int plain = 0, rested = 0;
+    for (int i = 0; i < tries; ++i) {
+        const auto is_read = [&](const std::vector<StrokePoint>& stroke) {
+            const auto r = recogniser.recognise(stroke, space);
+            return r.accepted && recogniser.name(r.gesture) == "v";
+        };
+        plain += is_read(even_vee(random, 0, 0, 0));
+        const double before = i % 2 == 0 ? random.uniform(0.5, 20) : 0,
+                     after = i % 3 == 0 ? random.uniform(0.5, 20) : 0;
+        rested += is_read(even_vee(random, before, after, random.uniform(0, 2e-4)));
+    }
+    EXPECT_GE(plain, 0.99 * tries);
+    EXPECT_GE(rested, 0.99 * tries);
 }
 
 TEST(GestureConfusion, TheShippedFilesAreThoseOfTheGenerator) {

@@ -8,6 +8,7 @@
 
 #include "core/hash.h"
 #include "gesture/collisions.h"
+#include "gesture/detail/speed_force.h"
 #include "gesture/recogniser.h"
 #include "gesture/variations.h"
 #include "unit/allocations.h"
@@ -186,6 +187,62 @@ TEST(Gesture, TwinsAreToldApartByForceWhicheverTemplateIsMoreAlike) {
     EXPECT_GE(right, tries * 92 / 100);
 }
 
+/// A line along which the hand becomes faster and faster.
+Course speeding_up() {
+    return drawn([](double u) { return vec3(u * u * u, 0.2 * u, 0); });
+}
+
+/// A stroke with the force of a viscous field, or with one of its own beside it.
+Course in_field(Course stroke, double own = 0) {
+    for (std::size_t i = 1; i < stroke.size(); ++i) {
+        const double speed = glm::distance(stroke[i].at, stroke[i - 1].at) / (stroke[i].t - stroke[i - 1].t);
+        stroke[i].force = 3.5 * speed + own * (1 + std::sin(9 * stroke[i].t));
+    }
+    stroke[0].force = stroke[1].force;
+    return stroke;
+}
+
+TEST(Gesture, AForceThatFollowsSpeedIsTold) {
+    EXPECT_LT(force_beside_speed(in_field(ess())).value(), 0.002);
+    EXPECT_LT(force_beside_speed(in_field(circle())).value(), 0.002) << "an even speed";
+    EXPECT_GT(force_beside_speed(in_field(ess(), 10)).value(), 0.01);
+    EXPECT_GT(force_beside_speed(pressed(speeding_up(), 2)).value(), 0.05) << "the speed alone varies";
+    EXPECT_FALSE(force_beside_speed(ess())) << "no force";
+    auto at_once = in_field(ess());
+    for (auto& p : at_once) p.t = 0;
+    EXPECT_FALSE(force_beside_speed(at_once)) << "no times";
+    EXPECT_FALSE(force_beside_speed({}));
+    EXPECT_FALSE(force_beside_speed(Course(3)));
+}
+
+TEST(Gesture, ForceCountsOnlyWhereMostStrokesHaveOneBesideTheirSpeed) {
+    const auto counts = [](const std::vector<Course>& strokes, RecogniserSettings settings = {}) {
+        settings.calibrate = false;
+        return recogniser_of({gesture_of("a", strokes), gesture_of("silent", {vee()})}, settings)
+            .counts_force();
+    };
+    const auto field = in_field(ess()), own = in_field(ess(), 10);
+    EXPECT_FALSE(counts({field}));
+    EXPECT_TRUE(counts({own}));
+    EXPECT_FALSE(counts({field, own, field}));
+    EXPECT_TRUE(counts({field, own, own}));
+    EXPECT_TRUE(counts({ess()})) << "strokes without a force have no say";
+    EXPECT_TRUE(counts({field}, {.pace_counts = true}));
+    EXPECT_FALSE(counts({own}, {.channels = {true, false}, .pace_counts = true})) << "it is switched off";
+}
+
+/// A stroke at another pace is as near as before, unless the pace counts, as in continuous motion.
+TEST(Gesture, HowFastAHandGoesWhereDoesNotCountInAViscousField) {
+    const std::vector<Gesture> gestures{gesture_of("ess", {in_field(ess())}),
+                                        gesture_of("circle", {in_field(circle())})};
+    auto hurried = ess();
+    for (auto& p : hurried) p.t += 0.1 * std::sin(2 * pi * p.t);
+    hurried = in_field(hurried);
+    const auto strokes = recogniser_of(gestures), motion = recogniser_of(gestures, {.pace_counts = true});
+    EXPECT_LT(read(strokes, hurried).distance, 0.05F);
+    EXPECT_GT(read(motion, hurried).distance, 2 * read(strokes, hurried).distance);
+}
+
 std::uint64_t hash_of(const Recogniser& recogniser, const std::vector<Course>& strokes) {
     RecogniserSpace space;
     std::uint64_t hash = 0;
@@ -321,9 +378,22 @@ TEST(GestureCollisions, TwinsCollideUnlessForceTellsThemApart) {
         return pairs && (*pairs)[0].collides();
     };
     EXPECT_FALSE(collide(0.5, 2));
+    EXPECT_FALSE(collide(1, 1.8));
     EXPECT_TRUE(collide(0.9, 1.1));
     EXPECT_TRUE(collide(0.8, 1.25));
     EXPECT_TRUE(collide(0, 2)) << "a stroke without force";
+}
+
+/// Who holds a force apart on purpose holds it apart well. A pace scatters more.
+TEST(GestureCollisions, TwinsOfDifferentPaceMustDifferMore) {
+    const auto collide = [](double times) {
+        const auto pairs = compare_gestures(
+            std::vector<Gesture>{gesture_of("slow", {in_field(ess())}),
+                                 gesture_of("fast", {in_field(moved(ess(), {}, 1, times))})});
+        return pairs && (*pairs)[0].collides();
+    };
+    EXPECT_TRUE(collide(1.8)) << "with a force of their own, the two would be told apart";
+    EXPECT_FALSE(collide(6));
 }
 
 TEST(GestureCollisions, AreMeasuredByTheReadingOfStrokesAndNotByDistance) {
