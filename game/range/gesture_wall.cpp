@@ -1,6 +1,7 @@
 #include "game/range/gesture_wall.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "core/text.h"
 #include "game/components/casting.h"
@@ -8,6 +9,7 @@
 #include "game/data/reading.h"
 #include "game/range/apprentice.h"
 #include "gesture/comparison.h"
+#include "gesture/prefix.h"
 
 namespace thaum::game::inline range {
 namespace {
@@ -30,6 +32,13 @@ gesture::Gesture by_bands_of(const CastingRules& rules, gesture::Gesture gesture
 std::string spell_shown(const MatchData& data, const std::string& gesture) {
     const auto* spell = spell_of(data, gesture);
     return spell == nullptr ? std::string() : spell->stats.shown;
+}
+
+/// Number of the gesture of which a stroke is probably the first part; no_gesture: none.
+std::uint32_t gesture_begun(const game::GestureSet& gestures, gesture::Points stroke) {
+    const auto space = std::make_unique<gesture::PrefixSpace>();  // too large for the stack
+    const auto likely = gestures.prefixes().read(stroke, *space);
+    return likely.probability >= gesture::likely_enough ? likely.gesture : game::no_gesture;
 }
 
 /// Arc length of a stroke (m).
@@ -104,11 +113,15 @@ void GestureWall::read(const Simulation& match) {
     lines_.clear();
     const auto& rules = *match.data().casting;
     const bool meant = reading.gesture < listed_->gestures().size();
-    const int score = whole_percent(reading.probability);
-    const auto number = meant ? reading.gesture : gesture_tried(reading.nearest, score);
+    const int score = game::whole_percent(reading.probability);
+    auto number = meant ? reading.gesture : gesture_tried(reading.nearest, score);
+    const bool is_part = number == game::no_gesture && !chord_;
+    if (is_part) number = gesture_begun(*listed_, stroke_);
     if (number >= listed_->gestures().size()) {
         lines_.emplace_back("not read: it is like none of these");
-        if (!chord_ && is_too_fast(rules, reading.force)) lines_.push_back(words_of_haste());
+        if (!chord_)
+            lines_.push_back(game::is_too_fast(rules, reading.force) ? words_of_haste()
+                                                                     : "follow a pale line to its end");
         return;
     }
     chosen_ = static_cast<int>(number);
@@ -119,6 +132,8 @@ void GestureWall::read(const Simulation& match) {
     if (meant)
         lines_.push_back(text(shown.spell.empty() ? shown.name : shown.spell, ", ", score, " % sure, ",
                               words_of_force(rules, reading.force)));
+    else if (is_part)
+        lines_.push_back(text("not read: it may be a part of ", shown.name));
     else if (number == reading.nearest && score > 0)
         lines_.push_back(text("not sure: the nearest is ", shown.name));
     else

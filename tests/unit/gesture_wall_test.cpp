@@ -88,6 +88,8 @@ TEST(GestureWallOfTheRange, TheWallTellsAStrokeFromTheWrongEndAndOneLikeNone) {
     wall = wall_of(practice);
     EXPECT_EQ(wall.chosen, -1);
     EXPECT_EQ(wall.lines[0], "not read: it is like none of these");
+    ASSERT_EQ(wall.lines.size(), 2U) << "the wall always says what to do";
+    EXPECT_EQ(wall.lines[1], "follow a pale line to its end");
 }
 
 }  // namespace

@@ -346,7 +346,10 @@ TEST_F(WallTest, TheWallShowsAStrokeItsScoreAndWhatToDoBetter) {
     ASSERT_EQ((*wall.gestures)[0].name, "Circle");
     // The stroke is half a circle.
     EXPECT_EQ(wall.lines[0].find("Shield"), std::string::npos);
-    EXPECT_GT(wall.lines.size(), 1U) << "what to do better";
+    ASSERT_GT(wall.lines.size(), 1U) << "what to do better";
+    EXPECT_EQ(wall.chosen, 0) << wall.lines[0];
+    EXPECT_EQ(wall.lines[0], "not read: it may be a part of Circle");
+    EXPECT_EQ(wall.lines[1], "end where you began");
     player_.draw(1500, circle_on_wall);
     wall = picture(practice_).practice.wall;
     EXPECT_EQ(wall.chosen, 0);
