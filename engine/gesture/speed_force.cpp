@@ -7,20 +7,20 @@ namespace {
 
 /// Number of parts of a stroke over which its force and its speed are averaged. A part of a mouse's stroke
 /// then has several steps, whose rounding to counts averages out.
-constexpr double parts = 12;
+constexpr double speed_parts = 12;
 /// Largest `force_beside_speed` of a force that follows speed: the square of a tenth. Strokes in the game's
 /// viscous field have 0.01 at most, even with a mouse that jitters, and letters by a pen that feels pressure
 /// have 0.4 or more.
-constexpr double follows = 0.01;
+constexpr double max_beside_speed = 0.01;
 
-double length_of(Points stroke) {
+double whole_length(Points stroke) {
     double length = 0;
     for (std::size_t i = 1; i < stroke.size(); ++i) length += glm::distance(stroke[i - 1].at, stroke[i].at);
     return length;
 }
 
 /// Sums over the parts of a stroke, from which follows how well a multiple of the speed fits the force.
-class Fit {
+class SpeedFit {
 public:
     /// Adds a step of this length, duration and mean force to the current part.
     void add(double way, double seconds, double force) {
@@ -48,9 +48,9 @@ private:
 }  // namespace
 
 std::optional<double> force_beside_speed(Points stroke) {
-    const double part = length_of(stroke) / parts;
+    const double part = whole_length(stroke) / speed_parts;
     double way = 0, end = part;
-    Fit fit;
+    SpeedFit fit;
     for (std::size_t i = 1; i < stroke.size(); ++i) {
         const auto &from = stroke[i - 1], &to = stroke[i];
         const double step = glm::distance(from.at, to.at);
@@ -70,7 +70,7 @@ bool force_follows_speed(std::span<const Gesture> gestures) {
             const auto beside = force_beside_speed(stroke);
             if (!beside) continue;
             ++with_force;
-            follow += *beside <= follows ? 1 : 0;
+            follow += *beside <= max_beside_speed ? 1 : 0;
         }
     }
     return 2 * follow > with_force;
