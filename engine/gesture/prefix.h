@@ -16,8 +16,8 @@
 // Strokes of closed gestures may start anywhere, so beginnings are cut from several starts. A gesture that is
 // not sensitive to direction has those of its strokes drawn backwards as well. Rotations are not tried.
 //
-// Force. Twins are the same gestures as for the recogniser of whole strokes (recogniser.h): those of one shape
-// that differ in force. Between them, the mean force so far decides: it is compared with the mean force of
+// Force. Twins are those of the recogniser of whole strokes (recogniser.h): gestures of one shape that differ
+// in force. Between them, the mean force so far decides: it is compared with the mean force of
 // equally long beginnings. While it lies between the forces of two twins, neither is likely.
 //
 // Confidence: as in calibration.h, with beginnings of synthetic strokes and scribbles. The share of the

@@ -1,9 +1,9 @@
 // game/casting/free_reading.h: reads the motion of a hand that casts without a button, once the hand rests.
 //
 // The beginning of the gesture is unknown. So windows of many lengths, all of which end where the hand came
-// to rest, are given to a recogniser to which the pace of the hand counts: a gesture is slow at its ends and
-// corners, and a way across the desk is not. The window with the best score is taken as the gesture. Reading is spread over the gameplay ticks of the rest. All state kept
-// between two ticks is in FreeHand.
+// to rest, are given to a recogniser to which the pace of the hand counts: a gesture is slow at its ends
+// and corners, and a way across the desk is not. The window with the best score is taken as the gesture.
+// Reading is spread over the gameplay ticks of the rest. All state kept between two ticks is in FreeHand.
 #pragma once
 
 #include "game/components/free_hand.h"
