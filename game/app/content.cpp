@@ -75,7 +75,8 @@ private:
     void add(std::string line) {
         const auto folder = assets_.string() + "/";
         if (line.starts_with(folder)) line = shown_path(assets_, line.substr(folder.size()));
-        // A file that refers to a faulty file would report the same fault again, after a prefix of its own.
+        // A fault in one file appears again in the check of each file that refers to it, with that file's
+        // name in front. Such a repetition ends with a line that is in the report already.
         const auto is_told = [&](const std::string& other) { return line.ends_with(other); };
         if (std::ranges::none_of(faults_, is_told)) faults_.push_back(std::move(line));
     }
@@ -87,8 +88,9 @@ private:
         if (!read) add(read.error());
     }
 
-    /// Loads each arena with the rules that most matches have, and the first arena also with the other rules.
-    /// `faults_of_names`: faults of arenas' names, which are not reported a second time.
+    /// Loads each arena with the usual rule set and match length, and the first arena also with every other
+    /// rule set and every other length. `faults_of_names`: faults in arenas' names, which are not reported a
+    /// second time.
     void read_matches(std::span<const std::string> faults_of_names) {
         std::vector<DataChoice> choices;
         for (const auto& arena : files_in(assets_ / "arenas", ".toml").value_or({})) {
@@ -122,7 +124,7 @@ private:
         add_fault_of(load_lessons(assets_));
     }
 
-    /// Reads a file and parses it as version 1. An error is added to the report.
+    /// Reads a data file in version 1 of the file format. An error is added to the report.
     std::optional<Config> config_of(const std::string& name) {
         const auto words = read_text_file(assets_ / name, max_bytes);
         if (!words) return add(words.error()), std::nullopt;

@@ -23,7 +23,8 @@ bool can_brew(const MatchData& reading, const Recipe& recipe) {
            });
 }
 
-/// Reports spells that can never be cast, because they cost more than the cap of the focus.
+/// Reports spells that can never be cast, because they cost more focus (what wizards spend on spells) than a
+/// wizard can ever have.
 void find_dear_spells(const MatchData& reading, std::vector<MissingName>& faults) {
     for (const auto& spell : reading.spells)
         if (reading.casting && spell.stats.focus > reading.casting->focus_cap)
@@ -81,8 +82,8 @@ void find_unbrewable(std::span<const MatchData> readings, std::vector<MissingNam
         }
 }
 
-/// Notes ingredients for which an arena has fewer niches than for others. Probably a niche, or one of a
-/// mirrored pair, was forgotten.
+/// Notes ingredients for which an arena has fewer niches (places to pick up an ingredient) than for others.
+/// Probably a niche, or one of a mirrored pair, was forgotten.
 void note_few_niches(const MatchData& reading, std::vector<MissingName>& notes) {
     if (!reading.cauldron || reading.arena.niches.empty()) return;
     std::ptrdiff_t most = 0;
@@ -103,8 +104,8 @@ void note_few_niches(const MatchData& reading, std::vector<MissingName>& notes) 
 }
 
 /// Notes a potion that is half of the Great Work (two things that win a round if held together), in an arena
-/// without a crystal, where the other half cannot be had. An arena without an orb is not noted, since the orb
-/// only shows the orders of recipes sooner.
+/// without a crystal, where the other half cannot be had. An arena without an orb is not noted: the orb only
+/// tells players sooner in which order the ingredients of such a potion must go in.
 void note_half_work(const MatchData& reading, std::vector<MissingName>& notes) {
     if (std::ranges::any_of(reading.arena.things, is_crystal)) return;
     for (const auto& recipe : reading.recipes)
@@ -117,7 +118,7 @@ void note_half_work(const MatchData& reading, std::vector<MissingName>& notes) {
                                recipe.name)});
 }
 
-/// The first MatchData of each arena. The others of that arena differ only in rules and length.
+/// One MatchData for each arena. Several readings of one arena differ only in rule set and match length.
 std::vector<const MatchData*> one_of_each_arena(std::span<const MatchData> readings) {
     std::vector<const MatchData*> all;
     for (const auto& reading : readings)

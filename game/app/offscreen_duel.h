@@ -15,8 +15,8 @@ struct OffscreenDuel {
     DataChoice data{};
     std::uint64_t seed = 1;
     std::array<int, players> levels{1, 1};
-    /// longest simulated time (s); the duel ends earlier when the match is over, and the log goes on for
-    /// log_after_end
+    /// longest simulated time (s). The duel ends earlier when the match is over; the log then holds half a
+    /// second more (log_after_end), so that a replay shows how the match ends.
     double seconds = 60;
 };
 

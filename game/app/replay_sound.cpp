@@ -32,7 +32,8 @@ void ReplaySound::follow(const Simulation& match) {
 }
 
 Expected<void> ReplaySound::close() {
-    // Audio frames written after the replay's end: 1.5 s, the length of the longest sound.
+    // Number of blocks of sound (8 ms each) written after the replay's end: 1.5 s, the length of the longest
+    // sound.
     constexpr int tail = 190;
     frame_.begins.count = frame_.lasts.count = 0;
     for (int i = 0; i < tail; ++i) {

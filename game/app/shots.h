@@ -23,8 +23,8 @@ struct ShotPlan {
     bool any() const;
 };
 
-/// Follows a playback and saves its pictures as FOLDER/shot_TICK.png, or shot_TICK_WHAT.png for an event or a
-/// mark.
+/// Follows a playback and saves its pictures as FOLDER/shot_TICK.png, or shot_TICK_WHAT.png for an event or
+/// for a mark, which a user has set in the log.
 class Shots {
 public:
     /// Makes the folder. The error is one line: the folder cannot be made, or there is no OpenGL.

@@ -22,7 +22,8 @@ int verdict(const std::optional<Divergence>& divergence) {
     return does_not_hold;
 }
 
-/// Starts a thread that fills the index, at lower priority than the replay itself.
+/// Starts a thread that fills the index, the stored states from which jumps in the replay are quick. The
+/// thread has lower priority than the replay itself.
 Expected<std::jthread> fill_beside(const Playback& playback, ReplayIndex& index,
                                    const std::atomic<bool>& stop) {
     auto again = playback.open_again();
@@ -33,8 +34,8 @@ Expected<std::jthread> fill_beside(const Playback& playback, ReplayIndex& index,
     });
 }
 
-/// Shows the replay while its index is filled. Without an index, a jump ahead must compute every tick on the
-/// way.
+/// Shows the replay while its index of stored states is filled. Without these states, a jump ahead must
+/// compute every tick on the way.
 int run_with_index(const LivePlan& plan, const Playback& playback, ReplayIndex& index) {
     std::atomic<bool> stop{false};
     const auto filling = fill_beside(playback, index, stop);

@@ -21,7 +21,7 @@ struct Thing {
     bool operator==(const Thing&) const = default;
 };
 
-/// Place of the first bowl among the solids. The bowl holds a cauldron if the match's rules have one.
+/// The first bowl among the solids. It holds a cauldron if the match's rules have one.
 struct BowlPlace {
     vec3 centre{};
     BowlSize size{};

@@ -19,7 +19,8 @@ vec3 aim_point(const Self& self, const Seat& seat, const Mind& mind, double lead
 /// of the two possible directions.
 Aim aim_of_shot(const Self& self, vec3 target);
 
-/// Plans the mouse counts until the next gameplay tick in `mind`, limited by the skill's turning speed.
+/// Plans how many mouse counts the bot gives until its next gameplay tick, 8 ms later, to turn its view to
+/// the aim. The skill's turning speed limits them. Writes the plan to `mind`.
 void turn_towards(const Self& self, const Seat& seat, Aim aim, Mind& mind);
 
 /// Decides about fire while the view is near `wanted` and the foe is in sight and near enough. A rapid wand

@@ -68,7 +68,8 @@ double readiness_for(const LoadedWand& wand, const WandBelt& belt, const Prospec
 }
 
 /// Chooses one of the useful wands whose shots fly like `way`, and writes its slot and its wanted charge or
-/// draw to `mind`. The probability of each useful wand is in proportion to the `liking` of its shot.
+/// draw to `mind`. The probability of each useful wand is in proportion to how much bots like its shot
+/// (ShotKind::liking).
 bool take(const MatchData& data, const WandBelt& belt, const Prospect& prospect, Way way, Mind& mind) {
     double liking = 0;
     for (const auto& wand : data.wands) {

@@ -47,7 +47,7 @@ struct CastSkill {
     double share{};   ///< share of occasions at which the bot casts; 0: never
     double force{};   ///< mean force of a stroke (N); more is faster
     double jitter{};  ///< size of random deviations of a stroke, as a share of the stroke's size
-    double harsh{};   ///< share of strokes that are drawn harshly
+    double harsh{};   ///< share of strokes that are drawn with much force, for a stronger (harsh) spell
     THAUM_FIELDS(CastSkill, share, force, jitter, harsh);
 };
 

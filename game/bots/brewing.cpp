@@ -17,8 +17,8 @@ constexpr double gentle = 0.65, plain = 1.2, hard = 1.9;  // mean force of a gen
 
 const Cauldron& cauldron_of(const Simulation& match) { return match.world().single<Cauldron>(); }
 
-/// Place of the niche of an ingredient that is nearest to the wizard and not empty; std::nullopt if all are
-/// empty.
+/// Place of the niche at which the wizard can pick up this ingredient: the nearest one that is not empty.
+/// std::nullopt if all are empty.
 std::optional<vec3> niche_of(const BotTurn& turn, std::uint32_t ingredient) {
     const auto& world = turn.match.world();
     const auto from = world.get<Motion>(wizard_of(world, turn.seat.player)).position;
@@ -43,7 +43,8 @@ bool comes_near(vec3 place, vec3 from, vec3 to, double clear) {
 /// Whether a straight way to a niche passes no other niche that holds an ingredient.
 bool passes_no_niche(const BotTurn& turn, vec3 from, vec3 niche) {
     const auto& match = turn.match;
-    constexpr double room = 0.5;  // distance beyond the niche's reach at which the way must pass (m)
+    // Distance by which the way must stay outside of the other niche's reach (m)
+    constexpr double room = 0.5;
     bool free = true;
     match.world().view<const Niche, const Motion>().each([&](const Niche& other, const Motion& motion) {
         if (turn.tick < other.back_at || motion.position == niche) return;

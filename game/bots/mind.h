@@ -98,13 +98,15 @@ struct LiftPlan {
                     spare);
 };
 
-/// Stages of a swing: walk to the edge, aim at the anchor, hang on the rope, fly on.
+/// Stages of a swing: walk to the edge, aim at the anchor (the point to which the rope attaches), hang on the
+/// rope, fly on.
 enum class SwingStage : std::uint32_t { none, approach, aim, hang, fly };
 
 /// Plan of a bot to swing over a gap.
 struct SwingPlan {
-    vec3 from{}, anchor{}, to{};  ///< take-off (feet), anchor of the rope, landing (feet) (m, world)
-    Tick until{};                 ///< tick at which the bot gives up the present stage
+    /// Take-off (feet), point to which the rope attaches, landing (feet) (m, world)
+    vec3 from{}, anchor{}, to{};
+    Tick until{};  ///< tick at which the bot gives up the present stage
     Tick not_before{};
     SwingStage stage{};
     std::uint32_t spare{};

@@ -11,18 +11,22 @@ namespace {
 using input::bit;
 using input::Button;
 
-constexpr double half_gap = 4;  ///< distance along the ground from below the anchor to the take-off and to
-                                ///< the landing (m)
+/// Distance along the ground from below the anchor, the point to which the rope attaches, to the take-off and
+/// to the landing (m).
+constexpr double half_gap = 4;
 constexpr double level_ground = 0.3;  ///< largest height difference between take-off and landing (m)
 constexpr double deep = 1.5;          ///< least depth of a gap (m); the bot walks through a shallower one
 constexpr double knee = 0.9;          ///< height above the feet at which nothing may be in the way (m)
-/// Largest distance from the anchor at which a ray counts as meeting the anchor itself (m).
+/// A ray from the take-off towards the rope's anchor meets the anchor itself if it ends within this distance
+/// of it; otherwise something is in the way (m).
 constexpr double near_anchor = 0.5;
 constexpr double walk_to_edge = 7;  ///< largest distance that the bot walks to the edge (m)
 constexpr double at_edge = 0.5;  ///< distance from the edge at which the bot counts as having reached it (m)
 constexpr double costs_as = 9;   ///< walking distance that takes as long as a swing (m)
-constexpr double let_go_past = 2.2;  ///< distance behind the anchor at which the bot lets go (m)
-constexpr double aim_share = 0.7;    ///< share of the rope's largest aiming angle within which the bot fires
+constexpr double let_go_past = 2.2;  ///< distance beyond the rope's anchor at which the bot lets go (m)
+/// The bot fires when its aim is this near to the anchor, as a share of the largest angle at which the rope
+/// still attaches.
+constexpr double aim_share = 0.7;
 constexpr double energy_needed = 20;
 constexpr double min_health = 35;  ///< least health for a swing (HP): a fall into the gap must not kill
 constexpr Tick again_after = ticks(2.0), look_again = ticks(0.1);
@@ -69,7 +73,8 @@ void end_swinging(const BotTurn& turn) {
     turn.swing_plan.not_before = turn.tick + again_after;
 }
 
-/// Selects the rope's wand, and presses fire when the crosshair is near the anchor.
+/// Selects the rope's wand, and presses fire when the crosshair is so near the anchor that the rope attaches
+/// to it.
 void latch(const BotTurn& turn, const LoadedWand& roper) {
     const auto& self = turn.self;
     auto& mind = turn.mind;

@@ -5,8 +5,8 @@
 
 namespace thaum::game::inline bots {
 
-/// Finds all crossings of the arena: anchors above a gap that has ground of equal height on two opposite
-/// sides.
+/// Finds all crossings of the arena: anchors (points to which a rope can attach) above a gap that has ground
+/// of equal height on two opposite sides.
 std::vector<Crossing> find_crossings(const Simulation& match, const WalkGrid& grid);
 
 /// Whether the bot is crossing a gap; also true while it walks to the edge.

@@ -8,7 +8,8 @@ namespace thaum::game::inline bots {
 
 /// A gap that a wizard can swing over.
 struct Crossing {
-    vec3 from{}, anchor{}, to{};  ///< take-off (feet), anchor, landing (feet) (m, world)
+    /// Take-off (feet), point to which the rope attaches, landing (feet) (m, world)
+    vec3 from{}, anchor{}, to{};
 };
 
 /// Search results for ways, kept for a bot: ways to its goal, and ways from its position.

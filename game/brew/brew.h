@@ -17,7 +17,8 @@
 
 namespace thaum::game::inline brew {
 
-/// Number of the ingredient that each substance of the fluid holds.
+/// For each substance of the fluid (a concentration that the flow carries), the number of the ingredient that
+/// it stands for.
 using Contents = std::array<std::uint32_t, fluid::max_substances>;
 
 struct Brew {
@@ -32,11 +33,11 @@ struct Brew {
 /// Makes a brew at rest without ingredients. The error is that of check_brew (data/cauldron_rules.h).
 Expected<Brew> make_brew(const CauldronRules& rules, const Basin& basin);
 
-/// Returns the substance that holds the ingredient, or else the first substance without one; std::nullopt if
-/// all hold others.
+/// Returns the substance of the fluid that stands for the ingredient, or else the first one that stands for
+/// none yet; std::nullopt if all stand for others.
 std::optional<std::size_t> substance_for(const Contents& contents, std::uint32_t ingredient);
 
-/// Makes a substance hold this ingredient from now on.
+/// Makes a substance of the fluid stand for this ingredient from now on.
 void assign(Brew& brew, const CauldronRules& rules, std::size_t substance, std::uint32_t ingredient);
 
 /// Adds `amount` (m^3) of an ingredient within `radius` (m) of `place` (m, brew frame). Returns false if

@@ -9,20 +9,22 @@ namespace {
 
 using gesture::StrokePoint;
 
-/// Number of points at rest after which the windows' end is fixed: later motion does not belong to the
-/// gesture.
+/// Number of points at rest after which the end of the windows (parts of the motion that are tried as a
+/// gesture) is fixed: later motion does not belong to the gesture.
 constexpr std::uint32_t points_to_end = 4;
-/// Number of windows read per gameplay tick, arc length of the shortest window (m), and ratio of each
-/// window's length to the next shorter one.
+/// A window is a part of the motion that is tried as a gesture. Number of windows read per gameplay tick, arc
+/// length of the shortest window (m), and ratio of each window's length to the next shorter one.
 constexpr std::uint32_t windows_per_tick = 9;
 constexpr double first_length = 0.02, window_ratio = 1.05;
-/// Number of points before a window from which the speed before the gesture is taken (0.1 s).
+/// Number of points just before a window (the part that is tried as a gesture) from which the speed before
+/// the gesture is taken (0.1 s).
 constexpr std::size_t points_before = 12;
-// Weights of two terms that are added to the logarithm of a window's distance, as in gesture/spotter.cpp: the
-// logarithm of (speed before the window / speed in it), and the squared logarithm of (duration / usual
-// duration).
+// A window (part of the motion) is scored by the logarithm of its distance from the recorded gesture, to
+// which two terms with these weights are added, as in gesture/spotter.cpp: the logarithm of (speed before the
+// window / speed in it), and the squared logarithm of (duration / usual duration).
 constexpr double pace_weight = 0.14, duration_weight = 0.1;
-// Limits of that speed ratio: lower ones come from a hand at rest, higher ones from a hand in fast motion.
+// Limits of the ratio of the speed before a window to the speed in it: lower ones come from a hand at rest,
+// higher ones from a hand in fast motion.
 constexpr double min_pace = 0.1, max_pace = 3;
 /// Radius within which a hand counts as stopped, as a share of the gesture's size. Tremor stays within it.
 constexpr double stop_way = 0.03;
@@ -67,7 +69,8 @@ FreeMotion motion_of(const CastingRules& rules, const FreeHand& hand, ReadingSpa
     return motion;
 }
 
-/// Index of the first point of the window with this number; 0 if the window is longer than the motion.
+/// Index of the first point of the window (part of the motion up to its end) with this number, a longer
+/// window for a higher number; 0 if the window is longer than the motion.
 std::size_t begin_of(const FreeMotion& motion, std::uint32_t window) {
     const double length = first_length * det::pow(window_ratio, window);
     const auto ways = std::span(motion.way).first(motion.points.size());
@@ -85,7 +88,8 @@ double size_of(gesture::Points stroke) {
     return std::max({most.x - least.x, most.y - least.y, most.z - least.z});
 }
 
-/// Speed before the window that begins at this point, relative to the speed in the window.
+/// Speed of the hand just before the window (part of the motion) that begins at this point, relative to the
+/// speed in the window.
 double pace_before(const FreeMotion& motion, std::size_t begin, double lasts) {
     const std::size_t before = begin - std::min(begin, points_before);
     if (before == begin) return 0;
@@ -113,9 +117,9 @@ bool is_broken(const CastingRules& rules, gesture::Points stroke, double size, d
     return stop >= rules.free_stop && stop >= rules.free_stop_share * lasts;
 }
 
-/// Probability that a gesture needs in order to cast its spell. It is lower if the hand was slow before the
-/// gesture. It is higher for closed gestures, because they may start anywhere, so a stray loop has many
-/// chances to match one.
+/// Probability that a gesture needs in order to cast its spell. Less suffices if the hand was slow before the
+/// gesture, but not for a small closed gesture: that may start anywhere, so a stray loop has many chances to
+/// match one.
 double needed_for(const CastingRules& rules, const gesture::GestureOptions& options, double pace,
                   double way) {
     const bool is_loop = options.closed && way < rules.free_loop;

@@ -17,8 +17,9 @@ void add_place(const CastingRules& rules, vec3 place, Tick tick, FreeHand& hand)
 /// Forgets the motion so far.
 void forget_motion(FreeHand& hand);
 
-/// Reads the windows of this gameplay tick. Returns true in the tick in which the hand has rested for long
-/// enough: `best` and `odd` are then final.
+/// Reads the parts of the motion (windows) that are due in this gameplay tick. Returns true in the tick in
+/// which the hand has rested for long enough: the best windows, FreeHand::best and FreeHand::odd, are then
+/// final.
 bool read_windows(const CastingRules& rules, const GestureSet& gestures, ReadingSpace& space, FreeHand& hand);
 
 }  // namespace thaum::game::inline casting

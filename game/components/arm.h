@@ -37,8 +37,9 @@ struct Arm {
     THAUM_COMPONENT(Arm, state, models, player, device, panic_left, rearm_left, away, still, still_um, spare);
 };
 
-/// One published haptics::HapticModel, kept because the arm may still send a sample computed with it. The
-/// model is stored as raw bytes, because only the servo reads it. A model has no padding (haptics/servo.h).
+/// One published haptics::HapticModel, from which the servo computes forces. It is kept because the arm may
+/// still send a sample computed with it. The model is stored as raw bytes, because only the servo reads it. A
+/// model has no padding (haptics/servo.h).
 struct PastModel {
     static_assert(sizeof(haptics::HapticModel) % sizeof(std::uint64_t) == 0);
     static constexpr std::size_t words = sizeof(haptics::HapticModel) / sizeof(std::uint64_t);

@@ -53,10 +53,11 @@ struct DrawnStroke {
 
 /// Result of the last reading of a wizard's strokes, for the picture and for recipes.
 struct LastReading {
-    Tick at{};                ///< tick of the reading; 0: none yet
-    double probability{};     ///< probability that the gesture was meant, 0 to 1
-    double force{};           ///< mean force of the stroke (N)
-    double turns{};           ///< number of turns of a closed stroke, as in StrokeReading::turns
+    Tick at{};             ///< tick of the reading; 0: none yet
+    double probability{};  ///< probability that the gesture was meant, 0 to 1
+    double force{};        ///< mean force of the stroke (N)
+    /// Number of clockwise turns of a closed stroke; negative: counter-clockwise; 0: not closed.
+    double turns{};
     std::uint32_t gesture{};  ///< number of the gesture; no_gesture: no gesture was recognised
     /// Number of the gesture that the stroke resembles most; no_gesture: there is none.
     std::uint32_t nearest{};

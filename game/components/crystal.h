@@ -70,7 +70,7 @@ struct CrystalStrike {
 
 /// A wizard's tool for crystals, and the Lens that a carved key gives.
 struct Lens {
-    std::uint32_t held{};  ///< 1: the wizard holds the Lens, until death
+    std::uint32_t held{};  ///< 1: the wizard holds the Lens, the reward for carving the key, until death
     std::uint32_t tool{};  ///< number of the tool that the wizard carves with
     THAUM_COMPONENT(Lens, held, tool);
 };

@@ -46,10 +46,12 @@ struct FreeHand {
     std::uint32_t rested{};  ///< number of points for which the hand has rested near rest_place
     /// Number of points since the last long rest. A gesture is looked for among these points.
     std::uint32_t moving{};
-    std::uint32_t windows{};  ///< number of windows read since the hand came to rest
+    std::uint32_t windows{};  ///< number of windows (parts of the motion) read since the hand came to rest
     std::uint32_t spare{};
-    FreeWindow best{};  ///< best of the windows that are large and slow enough; its reading may be unclear
-    FreeWindow odd{};   ///< best of the windows that are too small or too fast
+    /// Best of the parts of the motion that are large and slow enough for a gesture; its reading may be
+    /// unclear.
+    FreeWindow best{};
+    FreeWindow odd{};  ///< best of the parts of the motion that are too small or too fast for a gesture
     THAUM_COMPONENT(FreeHand, newest, cast_at, points, first, count, path, rest_place, rested, moving,
                     windows, spare, best, odd);
 };

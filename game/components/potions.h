@@ -13,8 +13,8 @@ inline constexpr std::uint32_t no_potion = 0xFFFF'FFFF;
 inline constexpr std::size_t max_potions = 8;
 inline constexpr std::size_t max_recipe_ingredients = 3;
 
-/// Potions that act on a wizard. The state of hardening and of poison is in Health, that of a poisoned lob in
-/// WandBelt.
+/// Potions that act on a wizard. Health holds the state of the potions that harden or poison, and WandBelt
+/// that of the potion that poisons the next lob (a missile thrown in an arc).
 struct Potions {
     /// Time at which each potion stops acting, by its number (ticks of play)
     std::array<Tick, max_potions> until{};

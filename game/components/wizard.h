@@ -97,11 +97,15 @@ struct Blows {
 
 struct WandBelt {
     std::uint32_t selected{};
-    std::uint32_t fired{};                    ///< number of shots so far, over all wands
-    std::array<double, wand_slots> energy{};  ///< energy of each slot, indexed by WandStats::energy_slot
-    double venom{};      ///< harm rate that the next lob adds for those whom it hits (HP/s); 0: none
-    Tick venom_until{};  ///< tick of play by which the poisoned lob must be thrown
-    Tick venom_lasts{};  ///< duration of the harm that the next lob adds (ticks)
+    std::uint32_t fired{};  ///< number of shots so far, over all wands
+    /// Energy of the wands by slot. A wand may share the energy of another wand's slot
+    /// (WandStats::energy_slot).
+    std::array<double, wand_slots> energy{};
+    /// Harm rate by poison that the next lob (a missile thrown in an arc) adds for those whom it hits (HP/s);
+    /// 0: none.
+    double venom{};
+    Tick venom_until{};  ///< tick of play by which the poisoned missile must be thrown
+    Tick venom_lasts{};  ///< duration of the harm by the missile's poison (ticks)
     THAUM_COMPONENT(WandBelt, selected, fired, energy, venom, venom_until, venom_lasts);
 };
 

@@ -43,7 +43,8 @@ struct Physics {
     static constexpr std::string_view name = "physics";
 };
 
-/// Haptic models of this tick, one for each player. A tick rewrites only the parts that changed.
+/// Haptic models of this tick, from which servo steps compute the forces, one for each player. A tick
+/// rewrites only the parts that changed.
 struct Models {
     using Value = std::array<haptics::HapticModel, players>;
     static constexpr std::string_view name = "haptic models";

@@ -37,8 +37,8 @@ struct Around {
     physics::Key ignore{physics::no_key};
 };
 
-/// Empties a patch, whose entries beyond the counts must already be clear. Unused entries get fixed bytes, so
-/// that a match restored from a saved state publishes the same haptic models.
+/// Empties a patch, the surfaces near a hand. Its entries beyond the counts must already be clear. Unused
+/// entries get fixed bytes, so that a match restored from a saved state publishes the same haptic models.
 void clear_patch(haptics::SurfacePatch& patch);
 
 /// Writes the nearest surfaces around a point into the patch, as many as fit. `before` is the device frame

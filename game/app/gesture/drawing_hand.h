@@ -49,8 +49,8 @@ private:
     bool down_ = false;
 };
 
-/// An open arm as a drawing hand. Each of its buttons acts as Trace. The object must not move in memory,
-/// because the arm's thread uses it.
+/// An open force feedback arm as a drawing hand. While any of its buttons is held, the hand draws a stroke.
+/// The object must not move in memory, because the arm's thread uses it.
 class DrawingArm : public DrawingHand {
 public:
     /// Opens the arm `name`, with names as for the options --hands and --feel. Its force is at most `share`

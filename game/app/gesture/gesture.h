@@ -19,8 +19,8 @@ int run_gesture_record(const std::vector<std::string>& words);
 int run_gesture_generate(const std::vector<std::string>& words);
 int run_gesture_check(const std::vector<std::string>& words);
 
-/// The channels of strokes that the value of --channels names; for an empty value, all channels that the file
-/// has. The error says what is wrong.
+/// The channels of strokes that the value of --channels names: x and y, with or without the depth z and the
+/// force f. For an empty value, all channels that the file has. The error says what is wrong.
 Expected<gesture::Channels> choose_channels(const std::string& word, bool has_depth, bool has_force);
 /// Name of the channels as a value of --channels: xy, xyz, xyf or xyzf.
 std::string name_of(gesture::Channels channels);

@@ -36,7 +36,8 @@ std::string trials_text(const GestureReport& r) {
     return text(number_of(known, "trial"), " of known gestures; ", trials.size() - known, " of unknown ones");
 }
 
-/// Text that says how often an early answer is shown, and how often a shown answer is right.
+/// Text that says how often a gesture is shown to the player before the stroke ends, and how often the shown
+/// gesture is the right one.
 std::string certainty_text(const gesture::Certainty& certainty) {
     if (!(certainty.told > 0)) return "in none of the trials";
     return text(share_text(certainty.told), " of the trials, of which ", share_text(certainty.right),

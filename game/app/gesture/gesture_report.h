@@ -11,7 +11,7 @@ struct GestureReport {
     std::string file, method, protocol, channels;
     std::size_t templates{}, repeats{}, strokes{}, users{};
     gesture::Evaluation evaluation;
-    /// Calibration error of the probabilities computed from the templates alone.
+    /// Calibration error of the probabilities that the recogniser computes from the templates alone.
     double own_calibration_error{};
     bool has_own_calibration = false;
     double at = 1;  ///< share of each tested stroke that the recogniser was given, from its start

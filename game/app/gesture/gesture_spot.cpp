@@ -123,8 +123,8 @@ void print_spotting(const SpotPlan& plan, const gesture::Spotting& r) {
                 fixed(100 * r.skipped, 1).c_str());
 }
 
-/// Reports labels that have no effect, because no session belongs to their user or no stroke belongs to their
-/// gesture.
+/// Reports labels that have no effect. A label says which gesture a user drew within a recorded session, and
+/// when. It has no effect if no session belongs to its user, or no stroke has its gesture.
 void tell_unused_labels(const std::vector<gesture::SessionLabel>& labels, const gesture::SessionSet& sessions,
                         const std::vector<gesture::Stroke>& strokes) {
     std::set<std::string_view> users, gestures;

@@ -19,7 +19,7 @@ Makes the README's pictures from a recorded match; needs no display.
               wizards were closest while player 1 saw the other and something flew
 )";
 
-/// Plays the replay to its end and returns its highlight.
+/// Plays the replay to its end and returns its highlight, the moment that makes the best picture.
 Highlight find_highlight(Playback& playback) {
     Highlight best;
     while (playback.step()) watch_for_highlight(playback.match(), best);
