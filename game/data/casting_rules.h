@@ -31,10 +31,12 @@ struct CastingRules {
     /// Speed of the hand before a gesture, as a multiple of the speed in the gesture, below which the hand
     /// was slow.
     double free_quiet_pace{};
-    /// Speed of the hand before a window of motion, as a multiple of the speed in the window, above which the
-    /// hand was already moving, so that the gesture cannot begin with this window.
+    /// A window is a part of the motion that is tried as a gesture. If the speed of the hand before the
+    /// window, as a multiple of the speed in it, is above this limit, the hand was already moving, so the
+    /// gesture cannot begin with this window.
     double free_most_pace{};
-    /// Arc length below which a closed gesture needs free_least_probability even after a slow start (m)
+    /// Arc length below which a closed gesture must reach free_least_probability even if the hand was slow
+    /// before it (m)
     double free_loop{};
     double free_stop{};  ///< duration of a pause within a gesture from which on the gesture may be two
                          ///< movements (s)

@@ -78,7 +78,8 @@ struct CauldronRules {
     double drop_amount{}, drop_radius{};  ///< volume and radius of a dropped ingredient (m^3, m)
     double recoil{};                      ///< momentum that a dropped ingredient gives to the ladle (N s)
     Tick recoil_length{};
-    double burst{};  ///< downward momentum of a lob that bursts at the brew (N s)
+    /// Downward momentum of a lob (a missile thrown in an arc) that bursts at the brew (N s)
+    double burst{};
     /// Work of a ladle within 1.5 s from which on its wizard can take over the brew (J)
     double min_wrest{};
     Tick spoils_after{};  ///< time from the first ingredient to boiling over (ticks)

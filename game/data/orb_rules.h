@@ -10,7 +10,8 @@
 
 namespace thaum::game::inline data {
 
-/// A haptic mode that a wizard can choose at the orb. Its number is its index in OrbRules::modes.
+/// A haptic mode (a way to feel the orb's flow) that a wizard can choose at the orb. Its number is its index
+/// in OrbRules::modes.
 struct OrbMode {
     std::string name;                    ///< name of a haptic mode (haptics/modes.h)
     std::vector<field::Filter> filters;  ///< filters applied to the orb's flow before the mode reads it
@@ -32,12 +33,14 @@ struct OrbRules {
     /// diameter.
     double core_share{};
     Tick hold{};  ///< time for which the probe must stay near the core until the orb gives its reward (ticks)
-    double healing{};       ///< health that the reward gives (HP)
-    double focus{};         ///< focus that scrying costs (1/s)
-    double stiffness{};     ///< stiffness of the spring between the device's tip and the proxy (N/m, at the
-                            ///< device)
-    double most{};          ///< strength at the top of the plane on which a wizard draws strength curves (N)
-    double column_share{};  ///< width of a column of a drawn curve, as a share of the plane's width
+    double healing{};    ///< health that the reward gives (HP)
+    double focus{};      ///< focus that scrying costs (1/s)
+    double stiffness{};  ///< stiffness of the spring between the device's tip and the proxy (N/m, at the
+                         ///< device)
+    double most{};       ///< strength at the top of the plane on which a wizard draws strength curves (N)
+    /// Width of a column of a drawn strength curve, which gets one height for each column; as a share of the
+    /// plane's width.
+    double column_share{};
     /// Hand displacement after which a held Trace button begins to draw, so that a key chord draws nothing
     /// (m)
     double begins{};

@@ -4,7 +4,8 @@
 
 namespace thaum::game::inline data {
 
-/// Periods of physics and gameplay systems, in ticks (engine/ARCHITECTURE.md, "The tick").
+/// How often physics and gameplay systems run: every so many ticks. A tick is 1 ms (engine/ARCHITECTURE.md,
+/// "The tick").
 inline constexpr Tick physics_period = 1;
 inline constexpr Tick gameplay_period = 8;
 inline constexpr double physics_dt = seconds(physics_period);

@@ -76,7 +76,8 @@ using EventRows = std::vector<EventRow>;
 struct WandSounds {
     std::string fire;   ///< sound of a shot or a throw
     std::string burst;  ///< sound of the burst of a shot
-    std::string take;   ///< sound when the wand takes hold of a thing or an anchor
+    /// Sound when the wand takes hold of a thing, or its rope of an anchor (a point for ropes)
+    std::string take;
     std::string ready;  ///< sound that lasts while the wand is charged or drawn; its pitch rises
     std::string
         hold;  ///< sound that lasts while the wand holds a thing or a rope; louder and lower with the force

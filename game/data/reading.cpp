@@ -175,8 +175,8 @@ Reading read_drawn(const GestureSet& gestures, const DrawnStroke& trace, Reading
     const auto stroke = put_points(trace, space);
     const auto found = recognise_drawn(gestures.recogniser(), stroke, space.recogniser);
     Reading reading{.stroke = {.force = mean_force_along(stroke)}, .nearest = found.gesture};
-    // An unrecognised stroke may well be no gesture at all. Its probability allows for that, and players are
-    // not shown it.
+    // An unrecognised stroke may well be no gesture at all. Its probability takes that into account, and is
+    // not shown to players.
     reading.stroke.probability = found.accepted ? found.probability : found.even_probability;
     if (!found.accepted) return reading;
     reading.stroke.gesture = found.gesture;

@@ -18,10 +18,12 @@
 
 namespace thaum::game::inline data {
 
-/// One ingredient of a recipe, and the window of Cauldron::reached in which the next step must come.
+/// One ingredient of a recipe, and how far it must have spread in the brew when the next step comes.
 struct RecipeIngredient {
     std::uint32_t ingredient{no_ingredient};  ///< the ingredient's number in CauldronRules::ingredients
-    double least{}, most{};  ///< limits of Cauldron::reached for the next step (share of the brew, 0 to 1)
+    /// The next step must come while the share of the brew that the ingredient has reached
+    /// (Cauldron::reached) is between these limits, 0 to 1.
+    double least{}, most{};
 };
 
 /// Direction of rotation of a circle, as the wizard sees it.

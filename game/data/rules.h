@@ -76,7 +76,8 @@ struct ProbeRules {
 struct HapticRules {
     std::string device;  ///< name of a device file in assets/devices
     double share{};      ///< largest force as a share of the device's peak force
-    /// Displacement of the wand's tip per displacement of the hand in the usual workspace (m/m).
+    /// Displacement of the wand's tip per displacement of the hand, for a device whose workspace is 0.16 m
+    /// wide; more for a narrower one (m/m).
     double wand_per_hand{};
     std::int32_t clutch_per_count{};  ///< displacement of the hand per mouse count (um)
     std::int32_t clutch_per_tick{};   ///< displacement of the hand per tick with a stick fully deflected (um)

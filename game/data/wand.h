@@ -75,7 +75,7 @@ struct GraspKind {
 /// How a wand's rope is attached, for bots.
 struct RopeKind {
     double reach{};    ///< reach of the rope from the eye (m)
-    double aim_cos{};  ///< cosine of the largest angle between crosshair and anchor
+    double aim_cos{};  ///< cosine of the largest angle between crosshair and anchor (the point to attach to)
 };
 
 /// Kind of the thing under the crosshair, by what the wand would do with it.
@@ -91,7 +91,9 @@ enum class TargetKind : std::uint8_t {
 /// The thing under the crosshair, as a wand sees it.
 struct Target {
     TargetKind kind{};
-    ecs::Entity thing{};  ///< the thing, for take, too_far, too_heavy, and hook at an anchor
+    /// The thing, for take, too_far and too_heavy. For hook, the anchor (a point made for ropes), if the rope
+    /// would hold on to one.
+    ecs::Entity thing{};
     double mass{};        ///< mass of the thing (kg)
     double mass_share{};  ///< mass of the thing as a share of the largest mass that the wand takes
 };
@@ -139,8 +141,8 @@ public:
     /// Returns the thing under the crosshair that the wand would take hold of, or the reason why it would
     /// not.
     virtual Target target(const MatchContext&, ecs::Entity) const { return {}; }
-    /// Force with which the wand holds its thing or its anchor (N): a thing's weight, or a rope's tension; 0:
-    /// nothing is held.
+    /// Force with which the wand holds a thing (its weight), or with which its rope pulls at the anchor, the
+    /// point to which it is attached (the rope's tension) (N); 0: nothing is held.
     virtual double holding_force(const ecs::World&, ecs::Entity) const { return 0; }
     /// Current charge or draw of the wand, 0 to 1; std::nullopt while it is neither charged nor drawn.
     virtual std::optional<double> readiness(const ecs::World&, ecs::Entity) const { return std::nullopt; }

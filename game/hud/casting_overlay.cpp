@@ -35,7 +35,7 @@ constexpr float usual_size = 0.08F;  // usual size of a stroke (m)
 constexpr std::size_t max_stroke_pieces = 160;
 
 /// Maps points of a stroke to the view. A stroke begins at the crosshair. It is moved and scaled down as far
-/// as the panel of strokes requires.
+/// as it needs to stay in the panel for strokes.
 struct Drawing {
     fvec2 centre{}, shift{};
     float scale{};  ///< scale of the drawing (px/m)
@@ -79,7 +79,8 @@ fvec4 paint_of(const StrokePicture& stroke, std::uint32_t player, float share) {
     return opaque(glm::mix(team, fvec3(1), std::min(0.85F, 0.5F * share)));
 }
 
-/// Whether a piece of an unrecognised stroke has vanished already. The gaps grow with the stroke's age.
+/// Whether a piece of a stroke's line is left out. The line of a finished stroke that was not recognised
+/// breaks up: its gaps grow with its age.
 bool is_broken(const StrokePicture& stroke, std::uint32_t piece, float age) {
     constexpr std::uint32_t length = 6;
     return !stroke.drawing && !stroke.read && static_cast<float>(piece % length) < 2 + 4 * age;

@@ -66,7 +66,8 @@ void add_view(const ArenaScene& arena_scene, const Picture& picture, const HudSe
                                   .scans = scans});
 }
 
-/// Fills in the lists that both views share.
+/// Fills in the lists that do not depend on whose view is drawn: shades at contacts, steam, and what casts
+/// shadows.
 void add_shared(const ArenaScene& arena_scene, const Picture& picture, FrameMemory& memory) {
     for (auto* list : {&memory.shades, &memory.mists, &memory.fixed_casters, &memory.moving_casters})
         list->clear();

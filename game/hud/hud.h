@@ -56,7 +56,8 @@ struct NearView {
 /// Memory for building frames. The spans of a Frame point into this memory.
 struct FrameMemory {
     std::array<std::vector<render::Instance>, players> instances;
-    /// For each player, the `mists` together with those of spells; empty if the match has no spells.
+    /// For each player, the `mists` (steam, the same in all views) together with those of spells; empty if
+    /// the match has no spells.
     std::array<std::vector<render::Instance>, players> spell_mists;
     std::vector<render::Instance> shades, mists, fixed_casters, moving_casters;
     std::array<std::vector<render::PointLight>, players> lights;
@@ -66,8 +67,8 @@ struct FrameMemory {
     render::Frame frame;
 };
 
-/// Fills in the parts that are the same for all views: size, presets and shadows. Leaves views and overlay
-/// empty.
+/// Fills in the parts that are the same for all views, such as size, quality, shadows, and the state of brew
+/// and stations. Leaves views and overlay empty.
 void begin_frame(const ArenaScene& arena_scene, const Picture& picture, const HudSettings& settings,
                  render::Size size, FrameMemory& memory);
 

@@ -23,7 +23,8 @@ constexpr float line = 20;  // height of a line of messages, notices or feed
 constexpr float under_notices = under_score + 2 * line + edge;
 constexpr float lesson_words = 14;  // text size of a lesson (HUD units)
 constexpr float min_ring = 26, max_ring = 66;
-constexpr float min_likely = 14;  // height of the panel for the likely spell, above the ring
+// Minimum height of the panel for the spell that a stroke will probably cast (HUD units)
+constexpr float min_likely = 14;
 
 // Minimum sizes of views (HUD units). A tall view has its messages above the corner panels, a flat view
 // between them.
@@ -34,7 +35,8 @@ constexpr float flat_least_wide = 410;
 // and of stacked views (below the feed).
 constexpr float flat_alone_high = 220, flat_beside_high = 284, flat_stacked_high = 224;
 constexpr float flat_messages_wide = 220;
-constexpr float messages_high = 8 * line;  // maximum height of the messages in a tall view
+// Maximum height of the messages in a tall view, which has them above the corner panels.
+constexpr float messages_high = 8 * line;
 constexpr float ring_gap = 16;  // distance of the corner panels from the smallest ring around the crosshair,
                                 // or from the score
 
@@ -57,8 +59,8 @@ struct Arrangement {
     bool beside() const { return !alone && !stacked; }
 };
 
-/// Minimum width of a flat view (HUD units) in which the corner panels do not touch the ring around the
-/// crosshair, nor a score between two views.
+/// Minimum width of a flat view, which has its messages between the corner panels (HUD units). At this width
+/// these panels touch neither the ring around the crosshair, nor a score between two views.
 float min_flat_width(const Arrangement& how, std::size_t wands) {
     const float middle = how.stacked ? score_half_wide : min_ring + edge;
     return std::max(flat_least_wide, 2 * (middle + ring_gap + strip_of(wands, 2).wide));

@@ -40,10 +40,11 @@ struct ViewLayout {
     /// Panel for the card at the cauldron (rim_card.h), right of the ring around the crosshair; empty if
     /// there is too little room, and while a lesson's text is shown in a window with one view.
     Panel aside;
-    Panel heard;    ///< panel for words about sounds and effects; empty if the curve of the forces leaves no
-                    ///< room
-    Panel likely;   ///< panel for the spell that a stroke will probably cast, above the ring; empty if there
-                    ///< is no room
+    Panel heard;  ///< panel for words about sounds and effects; empty if the curve of the forces leaves no
+                  ///< room
+    /// Panel for the spell that a stroke will probably cast, above the ring around the crosshair; empty if
+    /// there is no room.
+    Panel likely;
     Panel strokes;  ///< panel for the stroke that is drawn: around the crosshair, clear of the score and of
                     ///< two captions
 };

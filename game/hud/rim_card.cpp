@@ -26,9 +26,10 @@ constexpr float readable = 12;                   // text size below which text s
 
 std::string whole_seconds(double seconds) { return text(std::lround(std::ceil(seconds)), " s"); }
 
-/// Whether the brew has ingredients of a recipe. Text and gauge then show the share of the brew that the
-/// newest ingredient has reached, which recipes use. They go on with it even after the recipe has failed,
-/// because a change to the other measure of mixing would look as if the brew had separated.
+/// Whether the brew has ingredients of a recipe. What text and gauge call mixed is then the share of the brew
+/// that the newest ingredient has reached, which decides when the recipe's next step is due. That goes on
+/// even after the recipe has failed, because a change to the other measure, the evenness, would look as if
+/// the brew had separated.
 bool has_recipe(const RecipePicture& recipe) {
     return recipe.step == RecipeStep::ingredient || recipe.step == RecipeStep::stroke ||
            recipe.step == RecipeStep::spoilt;

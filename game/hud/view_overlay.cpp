@@ -348,7 +348,8 @@ std::vector<Message> messages_to(const Picture& picture, const HudSettings& sett
             add(text("Carrying the ", p.stations.carries, ": drop it in the cauldron"), paints.white);
         add(words_of_potions(p), paints.soft);
     }
-    // That the core is near needs no message while the card at the orb says it, with the remaining time.
+    // That the probe is near the orb's hidden core needs no message while the card at the orb says it, with
+    // the remaining time.
     const bool at_core = p.senses.gift.kind == EventKind::core_near && p.stations.scrying.core_near;
     if (!fault_of_brew && !at_core) add(gift, paints.white);
     return all;

@@ -11,7 +11,7 @@ namespace thaum::game::inline jackets {
 
 /// First line of the table: the names of the columns.
 std::string felt_header();
-/// Appends the row of one frame.
+/// Appends the row of one frame, the strengths in all cells at one moment.
 void append_felt(std::string& rows, std::uint32_t player, const tactile::TactileFrame& frame);
 
 }  // namespace thaum::game::inline jackets

@@ -8,8 +8,9 @@
 
 namespace thaum::game::inline jackets {
 
-/// OSC message to "/h" with one string: four hexadecimal digits for each motor, 0000 (off) to ffff.
-/// Amplitudes may have any value; motors without an actuator in the frame are off.
+/// OSC message to "/h" with one string: four hexadecimal digits for each motor, 0000 (off) to ffff. `frame`:
+/// amplitudes of all actuators at one moment, which may have any value. Motors without an actuator in the
+/// frame are off.
 std::string osc_message(const tactile::TactileFrame& frame, std::size_t motors);
 
 /// OSC message to "/ping" with one whole number: the port to which a jacket may send its heartbeats.

@@ -87,7 +87,9 @@ struct LabFigures {
     fluid::SpringSurfaceStep surface{};
     double cfl{};     ///< CFL number: number of cells that the fastest velocity component crosses in one step
     vec3 momentum{};  ///< volume integral of the velocity (m^4/s)
-    double mixing{};  ///< mixing number of the substance that was poured last
+    /// Evenness of the substance that was poured last, 0 to 1: 1 minus standard deviation over mean of its
+    /// density.
+    double mixing{};
     std::array<double, fluid::max_substances> amounts{};  ///< amount of each substance (m^3)
     double fluid_us{}, surface_us{};  ///< computing times, which differ from run to run (us)
     double ladle_n{};                 ///< force of the brew on the ladle (N)

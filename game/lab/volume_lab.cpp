@@ -48,7 +48,8 @@ haptics::SmoothGrid density_of(const field::Grid& grid, const field::BlockAverag
     return {grid, averages.grid(grid), {range.low, range.high}};
 }
 
-/// Lets the views of all volumes refer to their present samples.
+/// Makes the views of all volumes, by which modes and filters read them, refer to the volumes' present
+/// samples.
 void refresh_views(VolumeLab& lab) {
     auto& views = *lab.views;
     if (lab.carvable()) {
@@ -69,8 +70,8 @@ void refresh_views(VolumeLab& lab) {
     }
 }
 
-/// Lets all views and fields refer to the present volumes. Smoothed samples are recomputed only if something
-/// changed.
+/// Makes the views and the modes' fields, by which the volumes are read, refer to the present volumes.
+/// Smoothed samples are recomputed only if something changed.
 void refresh(VolumeLab& lab) {
     refresh_views(lab);
     for (std::size_t i = 0; i < lab.fields.size(); ++i) {

@@ -104,8 +104,8 @@ struct LabField {
 /// A volume in addition to the first one.
 struct VolumeBeside {
     field::Volume source{};
-    field::SampleRange range{};  ///< range of the samples, as in VolumeLab::range
-    double usual_level{};        ///< level of the surface, as in VolumeLab::usual_level
+    field::SampleRange range{};  ///< range of the samples; for vectors, of their lengths
+    double usual_level{};        ///< density that separates the body from its surroundings
     /// true: placed relative to the first volume as both files say, and moved together with it
     bool registered = false;
     field::Placement fitted{}, placement{};
@@ -116,10 +116,11 @@ struct VolumeLab {
     field::Volume source{};  ///< the explored volume; a scalar one has its samples in `body` instead
     field::Voxels body{};    ///< body of voxels; empty for a vector volume
     field::CarvingHistory history{};
-    field::SampleRange range{};    ///< range of the samples as read; for vectors, of their lengths
-    double usual_level{};          ///< density that separates the body from its surroundings (field/volume.h)
-    field::Placement fitted{};     ///< placement in which the volume fills the workspace
-    field::Placement placement{};  ///< current placement
+    field::SampleRange range{};  ///< range of the samples as read; for vectors, of their lengths
+    double usual_level{};        ///< density that separates the body from its surroundings (field/volume.h)
+    /// Placement in which the volume fills the workspace, before the person moves it.
+    field::Placement fitted{};
+    field::Placement placement{};  ///< present placement: `fitted`, moved and scaled as the person wants
     std::vector<std::unique_ptr<VolumeBeside>> beside{};
     VolumeLabData data{};
     VolumeLabSettings settings{};

@@ -37,8 +37,8 @@ void collect(ecs::World& world, ecs::Entity wizard, ecs::Entity thing, const phy
     blow = {.by = thing, .began = tick, .counts_again = tick + again, .impulse = contact.impulse};
 }
 
-/// Player who is credited with a blow by a thing; no_player if no player moved the thing within the blame
-/// time (WizardRules::blame).
+/// Player who is credited with a blow by a thing that began at tick `began`; no_player if no player moved the
+/// thing in the `blame` ticks before.
 std::uint32_t mover_of(const ecs::World& world, ecs::Entity thing, Tick began, Tick blame) {
     const auto* prop = world.find<Prop>(thing);
     return prop != nullptr && began <= prop->moved_at + blame ? prop->moved_by : no_player;
@@ -67,7 +67,8 @@ void collect_blows(MatchContext& context, Tick tick) {
     }
 }
 
-/// Number of a thing's Surface. For a thing that no longer exists, the first one.
+/// Number of a thing's Surface, which is its kind, such as crate. For a thing that no longer exists, the
+/// number of the first kind.
 std::uint32_t surface_of(const ecs::World& world, ecs::Entity thing) {
     const auto* look = world.find<Look>(thing);
     return static_cast<std::uint32_t>(look != nullptr ? look->surface : Surface{});

@@ -9,7 +9,8 @@ namespace thaum::game::inline match {
 /// component removes the body there.
 void add_body_hooks(MatchContext& context);
 
-/// Adds the systems "physics", "blows" and "places", in this order.
+/// Adds the systems that run Bullet ("physics"), turn blows of things into harm ("blows") and copy the new
+/// motions into the World ("places"), in this order.
 void add_body_systems(MatchContext& context, ecs::Schedule& schedule);
 
 /// Harm by a blow with an impulse of `impulse` N s (HP).
@@ -18,7 +19,8 @@ double harm_of_blow(const WizardRules& rules, double impulse);
 /// Copies position and velocity of every moving body from the physics into Motion.
 void copy_places(MatchContext& context);
 
-/// Replaces the physics by a new one with exactly the bodies of the World, in canonical order.
+/// Replaces the physics by a new one with exactly the bodies of the World, in an order that depends only on
+/// the World, so that a restored match continues with the same bits.
 void rebuild_physics(MatchContext& context);
 
 }  // namespace thaum::game::inline match

@@ -36,7 +36,8 @@ ReplayIndex::ReplayIndex(const Playback& at_start, std::size_t max_bytes) : max_
 
 void ReplayIndex::add_state(const Simulation& match) {
     const auto at = match.now();
-    if (at % spacing_ != 0) return;  // no lock needed, because only this thread changes the spacing
+    // No lock needed, because only this thread changes the distance between stored states.
+    if (at % spacing_ != 0) return;
     Bytes state;
     match.save(state);
     auto kept = std::make_shared<const Bytes>(packed(state));

@@ -1,6 +1,6 @@
 // game/jackets/makers/audio.h: speakers or shakers that are worn on the body, on the channels of a sound
 // device. Each actuator of the layout is one channel. It plays a sine wave with the amplitude and the
-// frequency that the frame has for the actuator (audio/channels.h).
+// frequency that the present frame (the values of all actuators) has for the actuator (audio/channels.h).
 //
 // The device is fed in blocks of 8 ms. A wave ends within a block after its frame's time to live, even if no
 // further frame comes. If the thread that feeds the device stops, the device plays on for at most 0.2 s.

@@ -93,8 +93,8 @@ void follow(MatchContext& context, Arm& arm, bool skipped) {
     note_presence(context, arm, world.get<HandState>(wizard_of(world, arm.player)));
 }
 
-/// Continues an arm in another scene. The arm's thread then starts a new epoch, with a state that the match
-/// chooses.
+/// Continues an arm in a new scene, such as that of the next round. The arm's thread must then go on from the
+/// state that the match chooses here, which is called a new epoch.
 void go_on_with(const Arm& old, Arm& arm) {
     arm.state = old.state;
     begin_epoch(arm.state);

@@ -21,8 +21,8 @@ void carry_arms(const std::vector<Arm>& before, ecs::World& world);
 /// Adds the system that takes each arm's sample and repeats its servo step. It runs every tick, also in a
 /// pause. Writes HandState.
 void add_arm_system(MatchContext& context, ecs::Schedule& schedule);
-/// Creates the haptic models that the arms' threads use next. Must be called last in a tick. `live`: false
-/// switches the forces off, as in a pause.
+/// Creates the haptic models, from which the arms' threads compute forces in the next ticks. Must be called
+/// last in a tick. `live`: false switches the forces off, as in a pause.
 void publish_models(MatchContext& context, const BrewResource& brew, bool live);
 
 /// Restores the arms' models from the bytes in the World, after the World was restored. This is necessary

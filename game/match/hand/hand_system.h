@@ -6,7 +6,8 @@
 
 namespace thaum::game::inline match {
 
-/// Fills and returns the haptic model for the wizard's hand in this tick.
+/// Fills and returns the haptic model of this tick, from which the servo computes the force on the wizard's
+/// hand.
 const haptics::HapticModel& next_model(MatchContext& context, const BrewResource& brew, ecs::Entity wizard,
                                        HandState& hand_state, bool panic);
 
