@@ -117,8 +117,8 @@ void read_solids(const ConfigTable& root, Arena& arena) {
     }
 }
 
-/// Range of a prop's mass (kg). A stack carries up to 200 times the mass of its lightest body
-/// (physics/physics.h).
+/// Range of the mass of a prop (a loose thing) (kg). A stack carries up to 200 times the mass of its lightest
+/// body (physics/physics.h).
 constexpr Range prop_mass{1, 200};
 
 void read_props(const ConfigTable& root, Arena& arena) {

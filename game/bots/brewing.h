@@ -1,6 +1,6 @@
-// game/bots/brewing.h: how a bot brews a potion. It fetches the ingredients one by one,
-// stirs until the moment of the next step has come, drops them in, and then draws the
-// gestures with Trace held, as a person does.
+// game/bots/brewing.h: how a bot brews a potion. It fetches the ingredients one by one, stirs until the
+// moment of the next step has come, drops them in, and then draws the gestures with the button Trace held, as
+// a person does.
 #pragma once
 #include "game/bots/turn.h"
 

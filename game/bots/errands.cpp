@@ -9,9 +9,10 @@
 namespace thaum::game::inline bots {
 namespace {
 
-constexpr Tick choice_period = 256;  ///< ticks between two choices; a multiple of gameplay_period
-constexpr double min_worth = 0.05;   ///< least worth of an errand: share of the full need that it serves, per
-                                     ///< second (1/s)
+/// Ticks between two choices whether to fetch or hide (an errand); a multiple of gameplay_period
+constexpr Tick choice_period = 256;
+/// Least worth of an errand (to fetch or hide): share of the full need that it serves, per second (1/s)
+constexpr double min_worth = 0.05;
 constexpr double in_a_fight = 0.45;  ///< factor on the worth of a power-up while the bot sees the foe and can
                                      ///< shoot
 constexpr double time_lost = 2;      ///< time that a fetch costs for turning away and back (s)

@@ -1,6 +1,6 @@
-// game/bots/spellcasting.h: how a bot casts spells. It draws a stroke with its mouse while it holds Trace, as
-// a person does: its view stands still meanwhile, it does not shoot, and a clumsy stroke casts no spell. It
-// chooses a spell only by what the spell is worth to it (SpellRules::worth).
+// game/bots/spellcasting.h: how a bot casts spells. It draws a stroke with its mouse while it holds the
+// button Trace, as a person does: its view stands still meanwhile, it does not shoot, and a clumsy stroke
+// casts no spell. It chooses a spell only by what the spell is worth to it (SpellRules::worth).
 #pragma once
 #include "game/bots/turn.h"
 

@@ -132,7 +132,7 @@ Reading chord_reading(const MatchContext& context, const GestureSet& gestures, c
     return reading;
 }
 
-/// Casts the spell of a key chord, and records the chord's key for the picture.
+/// Casts the spell of a key chord, and records the chord's key so that the screen can show it.
 void act_by_chord(MatchContext& context, const Caster& caster, const Reading& chord, std::uint32_t slot) {
     auto& ended = context.output.strokes.write()[caster.player];
     ended.chord_at = std::max<Tick>(caster.tick, 1);
@@ -140,7 +140,7 @@ void act_by_chord(MatchContext& context, const Caster& caster, const Reading& ch
     act_on(context, caster, chord, *gestures_of(context, caster.player));
 }
 
-/// Records the finished stroke for the picture.
+/// Records the finished stroke, so that the screen can show it.
 void keep(MatchContext& context, const Caster& caster, const DrawnStroke& trace) {
     const auto& reading = context.world.get<LastReading>(caster.wizard);
     const bool read = reading.at == std::max<Tick>(caster.tick, 1) && reading.gesture != no_gesture;

@@ -61,7 +61,7 @@ bool is_busy(const ecs::World& world, ecs::Entity wizard) {
            at_station(world, wizard);
 }
 
-/// Records for the picture a motion that casts nothing, if it was similar to a gesture.
+/// Records a motion that casts nothing, if it was similar to a gesture, so that the screen can say so.
 void note_miss(const CastingRules& rules, Tick tick, const FreeWindow& window, Miss reason, NearMiss& miss) {
     if (window.gesture == no_gesture || window.probability < rules.free_near_probability) return;
     miss = {.at = std::max<Tick>(tick, 1),

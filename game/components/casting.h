@@ -51,7 +51,7 @@ struct DrawnStroke {
     THAUM_COMPONENT(DrawnStroke, points, count, every, waits, over, on_brew, on_orb, home, beyond, reached);
 };
 
-/// Result of the last reading of a wizard's strokes, for the picture and for recipes.
+/// Result of the last reading of a wizard's strokes, for the screen and for recipes.
 struct LastReading {
     Tick at{};             ///< tick of the reading; 0: none yet
     double probability{};  ///< probability that the gesture was meant, 0 to 1

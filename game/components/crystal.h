@@ -18,7 +18,8 @@ struct Crystal {
     double turned{};       ///< angle by which carvers have turned the crystal in this tick (rad)
     double size{};         ///< edge length (m)
     std::uint64_t seed{};  ///< seed of the initial rough body and of the ghost key to be carved
-    /// Overlap of the body and the key, 0 to 1 (intersection over union); 0 while untouched.
+    /// Overlap of the body and the key (the shape to be carved), 0 to 1 (intersection over union); 0 while
+    /// untouched.
     double overlap{};
     std::uint32_t number{};  ///< index of the crystal's voxels in the blobs
     /// 1: the crystal's voxels are in the blobs; 0: the crystal is still the rough body of its seed.

@@ -56,8 +56,8 @@ struct FreeHand {
                     windows, spare, best, odd);
 };
 
-/// The last motion that almost cast a spell without a button, for the picture. Wizards with a FreeHand have
-/// this component.
+/// The last motion that almost cast a spell without a button, which the screen tells the player. Wizards with
+/// a FreeHand have this component.
 struct NearMiss {
     Tick at{};  ///< tick of play at which the hand rested after the motion; 0: there was no such motion yet
     double probability{};     ///< probability that the gesture was meant, 0 to 1

@@ -50,7 +50,7 @@ enum class EventKind : std::uint32_t {
     object_hit = 3,  ///< a loose thing hit a wizard; detail: Surface of the thing (components/body.h)
     fall = 4,
     death = 5,  ///< a wizard died; detail: EventKind that caused the death
-    spawn = 6,  ///< a wizard appeared at a pad; detail: the pad's number
+    spawn = 6,  ///< a wizard appeared at a pad, a place to start from; detail: the pad's number
     /// Fire was pressed without enough energy for a shot.
     dry = 7,
     round_end = 8,  ///< a round ended; detail: Ending
@@ -81,26 +81,26 @@ enum class EventKind : std::uint32_t {
     /// A player learns the order of a recipe's ingredients, which is drawn at random; detail: number of the
     /// potion, then those of the ingredients, 8 bits each.
     recipe_told = 37,
-    work_half = 38,  ///< a wizard holds one half of the Great Work: Azoth or the Lens
-    work_lost = 39,  ///< a wizard has lost a half of the Great Work (Azoth or the Lens) by dying
+    work_half = 38,  ///< a wizard holds Azoth or the Lens, which held together win a round (the Great Work)
+    work_lost = 39,  ///< a wizard has lost Azoth or the Lens, halves of the Great Work, by dying
     put_away = 40,   ///< a wizard has put a carried ingredient away; detail: its number
     /// A wizard who already carries an ingredient stands at another niche; detail: the niche's ingredient.
     hands_full = 41,
     caught = 42,  ///< a wand has caught a thing that flew at its wizard; amount: the thing's mass (kg)
     // From here on, kinds of event about the orb (48 to 55).
-    core_near = 48,  ///< the probe of a wizard who scries came near the hidden core
-    core_lost = 49,  ///< the probe of a wizard who scries left the hidden core
+    core_near = 48,  ///< the probe of a wizard who searches (scries) the orb came near its hidden core
+    core_lost = 49,  ///< the probe of a wizard who searches the orb left its hidden core
     scried = 50,     ///< the orb gave a wizard its knowledge; amount: health given (HP)
-    unscried = 51,   ///< a wizard who scried has no focus left
+    unscried = 51,   ///< a wizard who searched the orb has no focus left, which this costs
     /// A wizard switched a haptic mode on or off; detail: its number; amount: 1 on, 0 off.
     mode_worn = 52,
     // From here on, kinds of event about crystals and the Great Work (56 and above).
     chipped =
         56,     ///< a hit has melted a part of a crystal; subject: its last carver; amount: volume (voxels)
-    lens = 57,  ///< a wizard has carved the key and holds the Lens
-    lens_lost = 58,    ///< a wizard has lost the Lens by dying
-    work_begun = 59,   ///< a wizard holds both Azoth and the Lens; amount: time that they must be held (s)
-    work_broken = 60,  ///< a wizard no longer holds both Azoth and the Lens
+    lens = 57,  ///< a wizard has carved the key out of a crystal and holds its reward, the Lens
+    lens_lost = 58,    ///< a wizard has lost the Lens, the reward for carving a crystal, by dying
+    work_begun = 59,   ///< a wizard holds Azoth and the Lens; amount: time to hold both in order to win (s)
+    work_broken = 60,  ///< a wizard no longer holds both Azoth and the Lens, so wins nothing by them
     work_done = 61,    ///< a wizard has completed the Great Work, which wins the round
     blunt = 62,        ///< a wizard has no focus left for carving
     tool_taken = 63    ///< a wizard carves with another tool; detail: its number

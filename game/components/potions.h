@@ -18,7 +18,7 @@ inline constexpr std::size_t max_recipe_ingredients = 3;
 struct Potions {
     /// Time at which each potion stops acting, by its number (ticks of play)
     std::array<Tick, max_potions> until{};
-    /// 1: the wizard holds Azoth, which is half of the Great Work.
+    /// 1: the wizard holds Azoth, one of two things that win a round if held together (the Great Work).
     std::uint32_t work_half{};
     std::uint32_t spare{};
     THAUM_COMPONENT(Potions, until, work_half, spare);

@@ -31,7 +31,8 @@ struct Controls {
     std::int32_t hand_right{}, hand_up{}, hand_back{};
     /// Displacement of the hand from its home by a stick, while the button Trace is held (um, device frame).
     std::int32_t stick_right{}, stick_up{};
-    /// 1: fire was pressed while the button Trace was held, so a spell cast by a wand's key is harsh.
+    /// 1: fire was pressed while the button Trace was held, so a spell cast by a wand's key is harsh
+    /// (stronger).
     std::uint32_t harsh{};
     /// 1: the stick has been at its rim since the button Trace went down, so it moves the hand.
     std::uint32_t stick_draws{};

@@ -5,7 +5,7 @@
 
 namespace thaum::game::inline context {
 
-/// Whether a wizard works at a station. Reads AtStation.
+/// Whether a wizard works at a station (cauldron, orb or crystal). Reads AtStation.
 bool at_station(const ecs::World& world, ecs::Entity wizard);
 
 /// Whether a wizard, given by the middle of the body, is within `reach` of a station's middle (m, along the

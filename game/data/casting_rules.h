@@ -8,8 +8,8 @@
 namespace thaum::game::inline data {
 
 struct CastingRules {
-    double focus_cap{};     ///< largest focus, which a new wizard has
-    double focus_regain{};  ///< focus gained per second
+    double focus_cap{};     ///< largest amount of focus, which spells cost; a new wizard has it
+    double focus_regain{};  ///< focus (what spells cost) that a wizard regains (1/s)
     /// Viscosity of the field in which a hand draws a stroke (N s/m). The force of a stroke is this viscosity
     /// times the hand's speed.
     double viscosity{};

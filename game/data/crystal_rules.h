@@ -30,10 +30,12 @@ struct CrystalRules {
     std::vector<std::string> tool_names;  ///< files of assets/carving in the order of the wand keys
     std::vector<field::Tool> tools;       ///< the tools read from the files in `tool_names`
     double focus_per_second{};            ///< focus that a tool takes while it is applied (1/s)
-    /// Share that remains of a tool's change where the change leads away from the key's shape, 0 to 1.
+    /// Share that remains of a tool's change where the change leads away from the key, the shape to be
+    /// carved, 0 to 1.
     double against_key{};
     double turning{};  ///< speed at which a carver turns the crystal (rad/s)
-    double overlap{};  ///< overlap with the key's shape at which the wizard gains the Lens, 0 to 1
+    /// Overlap with the key (the shape to be carved) at which the wizard gains the reward, the Lens; 0 to 1
+    double overlap{};
     CarvingHandRules hand{};
     CrystalSurfaceRules surface{};
     field::Tool chip{};           ///< tool that melts a ball of the crystal at the point of a hit

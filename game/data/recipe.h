@@ -57,7 +57,8 @@ struct PotionGift {
     Tick lasts{};
     double pace{1};     ///< factor on the walking speed
     double gravity{1};  ///< share of the wizard's weight that is left
-    /// True: the potion is half of the Great Work, which the wizard holds until death.
+    /// True: the potion is half of the Great Work (two things that win a round if held together). The wizard
+    /// holds it until death.
     bool work_half = false;
 };
 

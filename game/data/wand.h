@@ -113,11 +113,11 @@ public:
 
     /// Adds to a new wizard the components that this wand needs.
     virtual void outfit(ecs::World& world, ecs::Entity wizard) const = 0;
-    /// Uses the wand. Called every gameplay tick for each living wizard who has it in hand
-    /// and does not work at a station.
+    /// Uses the wand. Called every gameplay tick for each living wizard who has it in hand and does not work
+    /// at a station (cauldron, orb or crystal).
     virtual void use(const WandUse& use) const = 0;
     /// Ends the use of the wand, such as charging or holding. Called once when another wand is selected, and
-    /// every gameplay tick while the wizard is dead or works at a station.
+    /// every gameplay tick while the wizard is dead or works at a station (cauldron, orb or crystal).
     virtual void put_away(const WandUse&) const {}
     /// Components and resources that `use` and `put_away` write, besides WandBelt.
     virtual ecs::Mask writes(const ecs::World& world) const = 0;

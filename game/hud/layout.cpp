@@ -151,7 +151,8 @@ float half_width_of_score(const Arrangement& how, float view_wide) {
     return how.alone && how.lesson && view_wide >= title_view_wide ? title_half_wide : score_half_wide;
 }
 
-/// Places the feed beside the score. In the upper one of two views it is also below the notices.
+/// Places the feed (the list of recent events) beside the score. In the upper one of two views it is also
+/// below the notices.
 void place_feed(const Arrangement& how, InUnits& out) {
     const float w = out.wide;
     const float wide = how.upper()    ? w / 2 - out.ring - 2 * edge
@@ -211,8 +212,8 @@ void place_strokes(const Arrangement& how, InUnits& out) {
                    {out.wide - edge, std::max(out.messages.high.y - captions, middle.y + out.ring)}};
 }
 
-/// Places the panel for cards in the free room right of the ring around the crosshair, left of figure and
-/// strip of wands.
+/// Places the panel for the card of a player at a station in the free room right of the ring around the
+/// crosshair, left of figure and strip of wands.
 void place_aside(const Arrangement& how, InUnits& out) {
     constexpr float min_wide = 180, min_high = 48;
     if (how.alone && how.lesson) return;

@@ -82,8 +82,8 @@ struct LayoutWishes {
     /// true: the text of a lesson is shown. In a window with one view, the other panels are then no larger
     /// than that text allows.
     bool lesson = false;
-    /// For each player, true if the player is at a station. In a tall view, the ring around the crosshair
-    /// then leaves room below it for the card (rim_card.h).
+    /// For each player, true if the player is at a station (cauldron, orb or crystal). In a tall view, the
+    /// ring around the crosshair then leaves room below it for the card, the panel about the work there.
     std::array<bool, players> cards{};
 };
 HudLayout lay_out(const HudSettings& settings, render::Size window, std::size_t wands,

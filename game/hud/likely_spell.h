@@ -1,5 +1,5 @@
 // game/hud/likely_spell.h: finds the spell that an unfinished stroke will probably cast, to show it while the
-// player draws. It is only shown: the match decides on the spell when Trace is released.
+// player draws. It is only shown: the match decides on the spell when the button Trace is released.
 #pragma once
 #include "game/data/presentation.h"
 #include "game/picture/casting_picture.h"

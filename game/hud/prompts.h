@@ -25,7 +25,7 @@ enum class PromptKind : std::uint8_t {
 };
 inline constexpr std::size_t prompt_kinds = 10;
 
-/// A player's attempt to use a station from too far away.
+/// A player's attempt to use a station (cauldron, orb or crystal) from too far away.
 struct MissedStation {
     Tick at{};
     StationKind station{};

@@ -32,16 +32,16 @@ struct RimCard {
     std::string step, brew, potions;
     BrewGauge gauge;
     const RecipePicture* stroke = nullptr;  ///< recipe whose next step is a stroke; null: none
-    /// Curve to plot instead of the ghost of a stroke: heights at equal distances, as shares of the full
-    /// height; empty: no curve.
+    /// Curve to plot instead of the ghost (faint shape) of a stroke: heights at equal distances, as shares of
+    /// the full height; empty: no curve.
     std::span<const float> curve{};
 };
 
 /// A card whose parts are fitted to a box.
 struct FittedCard {
     FittedWords step, brew, potions;
-    float unit{};         ///< length of a unit on the card (px)
-    bool ghost{};         ///< true: there is room for the ghost of the next stroke, or for the curve
+    float unit{};  ///< length of a unit on the card (px)
+    bool ghost{};  ///< true: there is room for the ghost (faint shape) of the next stroke, or for the curve
     bool gauge_in_row{};  ///< true: the gauge is beside the force scale, not below that
     bool whole = true;    ///< true: no text of the card is left out
     fvec2 size{};         ///< size of the card (px); zero: the box is too small for any card
@@ -67,7 +67,8 @@ bool says_all(const FittedCard& fitted);
 /// Whether a box has room for one readable line.
 bool holds_line(const Panel& box);
 
-/// Adds a card with its top left corner at `low` (px). `seconds`: time that moves the ghost's dot (s).
+/// Adds a card with its top left corner at `low` (px). `seconds`: time that moves the dot along the shape of
+/// the next stroke (s).
 void add_rim_card(render::Overlay& out, const RimCard& card, const FittedCard& fitted, fvec2 low,
                   double seconds);
 

@@ -11,7 +11,8 @@ namespace thaum::game::inline hud {
 namespace {
 
 constexpr std::size_t max_stroke_lines = 160;  // maximum number of lines that one stroke is drawn with
-constexpr float ghost_start = 0.12F;           // share of a ghost's path at which the arrow stands
+// Share of the path of a ghost (a gesture drawn faintly) at which the arrow stands
+constexpr float ghost_start = 0.12F;
 
 fvec2 on_screen(const StrokeFit& fit, vec3 at) {
     const vec3 from = fit.scale * (at - fit.middle);

@@ -61,8 +61,9 @@ struct HealthArcs {
 };
 constexpr HealthArcs with_focus{29, 36, 37, 39.5F, 19, 19};
 
-/// Adds the halves of the Great Work that the player holds, in the upper corners of the health's box: Azoth
-/// as the left half of a disc, and the Lens as the right half with a dot, so that both together make a whole.
+/// Adds the halves of the Great Work that the player holds, in the upper corners of the health's box: the
+/// potion Azoth as the left half of a disc, and the Lens as the right half with a dot, so that both together
+/// make a whole.
 void add_halves(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
     const float u = l.unit, radius = 8 * u;
     const auto gold = colour(0xFFD060, 1.0F);
@@ -371,8 +372,9 @@ void add_messages(Overlay& out, const std::vector<Message>& messages, const Pane
     }
 }
 
-/// Adds the card of a player at a station, beside the ring around the crosshair or below it, wherever it is
-/// more readable. Returns the box that is left for messages. `said`: there are messages.
+/// Adds the card, the panel of a player at cauldron, orb or crystal, beside the ring around the crosshair or
+/// below it, wherever it is more readable. Returns the box that is left for messages. `said`: there are
+/// messages.
 Panel add_card(Overlay& out, const Picture& picture, const HudSettings& settings, std::uint32_t player,
                const ViewLayout& l, bool said) {
     const float gap = 3 * l.unit;
@@ -396,7 +398,8 @@ Panel add_card(Overlay& out, const Picture& picture, const HudSettings& settings
     return holds_line(l.aside) && !holds_line(above) ? l.aside : above;
 }
 
-/// Adds the card of a player at a station, and the messages in the room left by the card.
+/// Adds the card (the panel of a player at cauldron, orb or crystal), and the messages in the room left by
+/// the card.
 void add_words_below(Overlay& out, const Picture& picture, const HudSettings& settings, std::uint32_t player,
                      const ViewLayout& l) {
     const auto& p = picture.wizards[player];

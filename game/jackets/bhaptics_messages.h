@@ -20,8 +20,8 @@ inline constexpr std::string_view bhaptics_place = "127.0.0.1:15881";
 inline constexpr std::string_view bhaptics_path = "/v2/feedbacks?app_id=thaum&app_name=Thaum";
 inline constexpr std::size_t max_reply_bytes = 1U << 16U;
 
-/// Request that plays a frame (the amplitudes of all motors at one moment) of the layout `x40`. Amplitudes
-/// may have any value; in the request they are 0 to 100.
+/// Request that plays a frame (the amplitudes of all motors at one moment) of the layout `x40` (40 motors).
+/// Amplitudes may have any value; in the request they are 0 to 100.
 std::string bhaptics_request(const tactile::TactileFrame& frame);
 
 /// The part of a Player's reply that the game uses.

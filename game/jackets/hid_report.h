@@ -26,8 +26,8 @@ namespace thaum::game::inline jackets {
 inline constexpr std::size_t hid_motors = 40;
 using HidReport = std::array<std::uint8_t, 1 + hid_motors / 2>;
 
-/// Report that plays a frame (the amplitudes of all motors at one moment) of the layout `x40`. Amplitudes may
-/// have any value; in the report they are 0 to 15.
+/// Report that plays a frame (the amplitudes of all motors at one moment) of the layout `x40` (40 motors).
+/// Amplitudes may have any value; in the report they are 0 to 15.
 HidReport hid_report(const tactile::TactileFrame& frame);
 
 }  // namespace thaum::game::inline jackets

@@ -25,14 +25,15 @@ enum class FeelKind : std::uint32_t { opacity, attract, shell, wall, gravity, pl
 
 inline constexpr std::size_t max_feel_numbers = 7;
 
-/// One part of a feel. Its kind uses the first `count` numbers of its FeelForm.
+/// One part of a body's feel (the force law by which it is felt), such as a wall. Its kind uses the first
+/// `count` numbers of its FeelForm.
 struct FeelPart {
     FeelKind kind{};
     std::array<double, max_feel_numbers> numbers{};
     bool operator==(const FeelPart&) const = default;
 };
 
-/// Form of one kind of part: its name, and how many numbers it has with which names.
+/// Form of one kind of part of a feel, such as walls: its name, and how many numbers it has with which names.
 struct FeelForm {
     std::string_view name{};
     std::size_t least{}, count{};  ///< how many numbers must be given at least, and how many the part has

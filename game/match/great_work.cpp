@@ -8,7 +8,7 @@
 namespace thaum::game::inline match {
 namespace {
 
-/// Starts or ends the time for which one player holds both halves, and records the event.
+/// Starts or ends the time for which one player holds both halves of the Great Work, and records the event.
 void follow(MatchContext& context, std::uint32_t player, bool holds_both, vec3 place, Tick tick) {
     auto& since = context.world.single<GreatWork>().since[player];
     if ((since != 0) == holds_both) return;

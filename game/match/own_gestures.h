@@ -12,7 +12,7 @@ namespace thaum::game::inline match {
 /// Value of input::ProfileData::kind for gestures.
 inline constexpr std::string_view gesture_kind = "gesture";
 
-/// Profile data of one gesture of a player.
+/// One gesture of a player in the form in which the log and the player's profile store it.
 input::ProfileData profile_of(const gesture::Gesture& gesture, std::uint32_t player);
 
 /// Gives the match in `setup` the players' own gestures. `profile` has them in the order of a log's profile

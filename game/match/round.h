@@ -5,7 +5,8 @@
 
 namespace thaum::game::inline match {
 
-/// Replaces the scene by that of a new round: the arena as its file describes it, both wizards on their pads.
+/// Replaces the scene by that of a new round: the arena as its file describes it, both wizards on the pads
+/// where they start.
 void open_round(MatchContext& context, BrewSolver& solver, CrystalBodies& crystals);
 
 /// Adds the system that ends a round and, after the last round, the match.

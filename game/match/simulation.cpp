@@ -134,7 +134,7 @@ void Simulation::tick(const input::InputFrame& frame) {
     for (const auto& device : frame.devices) world.single<Match>().skipped += device.skips;
     ++now_;
     // At a keyframe the state may be saved. It must then include impulses that systems gave to bodies after
-    // the physics step, such as those on a recalled thing in flight.
+    // the physics step, such as those on a thing that flies back to its wizard by a spell.
     if (now_ % keyframe_interval == 0) copy_places(context_);
 }
 

@@ -16,7 +16,8 @@ struct GestureReport {
     bool has_own_calibration = false;
     double at = 1;  ///< share of each tested stroke that the recogniser was given, from its start
     std::optional<gesture::Certainty>
-        certainty{};  ///< how often an early answer is shown to the player, and how often it is then right
+        /// How often a gesture is shown to the player before the stroke ends, and how often it is then right
+        certainty{};
     /// Median and 99th percentile of the time of a recognition, with normalisation of the stroke (us)
     double median_us{}, p99_us{};
 };

@@ -48,8 +48,8 @@ double feel(MatchContext& context, const BrewResource& brew, ecs::Entity wizard,
     const auto& model = next_model(context, brew, wizard, hand_state, panic);
     const vec3 measured = haptics::measured_position(device, hand_state.device);
     const vec3 force = haptics::servo_step(setup.servos[player], hand_state.servo, model, {measured, 0});
-    // While the clutch is held at a station, the hand does not resist the device, so a ladle drifts with the
-    // brew.
+    // While the button Clutch is held at a station, the hand does not resist the device, so a ladle drifts
+    // with the brew.
     const bool relaxed = (controls.held & bit(Button::clutch)) != 0 && at_station(context.world, wizard);
     const vec3 wanted = hand_state.home + moved;
     hand_state.home = relaxed ? hand_state.device.position : glm::clamp(wanted, -device.reach, device.reach);

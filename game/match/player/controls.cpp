@@ -52,7 +52,8 @@ std::int32_t stick_step(const HapticRules& rules, std::int32_t deflection) {
     return static_cast<std::int32_t>(std::lround(rules.clutch_per_tick * stick_curve(deflection)));
 }
 
-/// Moves the hand by mouse and stick while the clutch is held. The view stands still.
+/// Moves the hand by mouse and stick while the clutch is held, the button for moving the hand instead of the
+/// view. The view stands still.
 void move_hand(const input::DeviceSample& sample, const HapticRules& rules, Controls& controls) {
     const auto& counts = sample.counts;
     const auto moved = [&](std::size_t look, std::size_t turning) {
@@ -133,8 +134,8 @@ std::uint32_t arm_buttons(const MatchContext& context, std::uint32_t player) {
     return buttons;
 }
 
-/// Buttons of the sample. If fire is pressed while Trace is held, a key chord becomes harsh, and no shot is
-/// fired until fire is released and pressed again.
+/// Buttons of the sample. If fire is pressed while the button Trace is held, a spell cast by a wand's key
+/// becomes harsh (stronger), and no shot is fired until fire is released and pressed again.
 std::uint32_t buttons_of(const input::DeviceSample& sample, Controls& controls) {
     constexpr auto fire = bit(Button::fire);
     const bool fired_before = (controls.held & fire) != 0;
