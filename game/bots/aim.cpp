@@ -8,7 +8,8 @@ namespace {
 
 constexpr double close_to = 0.15;  ///< angle between view and aim below which the bot has reached its aim
                                    ///< (rad)
-/// Share of the preferred distance; at a foe nearer than that, a bot shoots even with its reserve of energy.
+/// At a foe nearer than this share of its preferred distance, a bot shoots even with the energy that it
+/// otherwise keeps in reserve.
 constexpr double near_share = 0.7;
 
 /// Random number with mean 0 and standard deviation 1 (the sum of twelve uniform ones).

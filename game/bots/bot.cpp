@@ -177,8 +177,8 @@ vec3 choose_way(const BotTurn& turn) {
     return way_to_goal(turn);
 }
 
-/// Direction out of a cell outside of the large connected regions (WalkGrid), once the bot has stood there
-/// for a while; zero before.
+/// Direction in which the bot leaves a place outside of the large connected regions of walkable ground
+/// (WalkGrid), once it has stood there for a while; zero before.
 vec3 way_out(const BotTurn& turn) {
     const auto& self = turn.self;
     const auto& grid = turn.grid;

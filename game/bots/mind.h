@@ -64,9 +64,10 @@ struct Mind {
     Tick wand_until{};      ///< tick until which the bot keeps its choice of wand
     double readiness{};     ///< charge or draw to which the bot readies the chosen wand, 0 to 1
     Errand errand{};
-    std::int32_t strafe{};                 ///< -1 left, 0 none, 1 right
-    std::int32_t wishes_to_move{};         ///< 1: the bot walks
-    std::int32_t right_left{}, up_left{};  ///< mouse counts still to be given before the next gameplay tick
+    std::int32_t strafe{};          ///< -1 left, 0 none, 1 right
+    std::int32_t wishes_to_move{};  ///< 1: the bot walks
+    /// Mouse counts by which the bot has still to turn its view before its next gameplay tick
+    std::int32_t right_left{}, up_left{};
     std::int32_t move_strafe{}, move_forward{};  ///< input for walking sideways and forward, -127 to 127
     std::uint32_t buttons{};                     ///< buttons that are down (bits of input::Button)
     std::uint32_t round{};                       ///< round of the bot's latest gameplay tick
@@ -128,7 +129,7 @@ struct StirPlan {
     Tick drawing_from{};              ///< tick at which the present stroke began; 0: the bot draws none
     Tick drawing_until{};    ///< tick at which the bot releases the button Trace, which ends the stroke
     Tick hands_off_until{};  ///< tick before which the bot begins no stroke and drops nothing
-    std::uint32_t drops{};   ///< 1: the bot presses fire over the brew
+    std::uint32_t drops{};   ///< 1: the bot presses fire over the brew, to drop its ingredient
     std::uint32_t spare{};
     THAUM_COMPONENT(StirPlan, until, not_before, health, stage, recipe, dropped, stroke, drawing_from,
                     drawing_until, hands_off_until, drops, spare);

@@ -41,7 +41,8 @@ struct DrawnStroke {
     /// went while it was drawn; or by_chord.
     std::uint32_t over{};
     std::uint32_t on_brew{};  ///< 1: the ladle draws on the brew
-    std::uint32_t on_orb{};   ///< 1: drawn by a wizard who scries, so the stroke casts no spell
+    /// 1: drawn by a wizard who searches (scries) the orb, so the stroke casts no spell
+    std::uint32_t on_orb{};
     vec3 home{};  ///< hand position that the player's input asked for before the stroke (m, device frame)
     /// Displacement of the stroke beyond the device's workspace (m, device frame). The simulated hand of a
     /// mouse player stops at the workspace's edge, but the stroke goes on.

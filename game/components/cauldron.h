@@ -137,7 +137,8 @@ struct Ladle {
     std::array<double, spans> work{};
     vec3 patch{};  ///< point around which the flow near the ladle was last sampled for the haptic model (m,
                    ///< brew frame)
-    /// Value of Cauldron::stepped for the fluid state from which the flow near the ladle was last sampled.
+    /// When the fluid state was stored from which the flow near the ladle was last sampled
+    /// (Cauldron::stepped, ticks of play).
     Tick patched{};
     std::uint32_t span{};  ///< index in `work` of the interval that contains the present tick
     std::uint32_t spare{};

@@ -55,8 +55,8 @@ struct Burst {
     vec3 place{};      ///< middle of the missile (m, world)
     double size{};     ///< radius of the missile (m); bodies that the missile touches are at distance zero
     double radius{};   ///< distance up to which the burst has an effect (m)
-    double damage{};   ///< harm at distance zero (HP)
-    double impulse{};  ///< impulse at distance zero (N s)
+    double damage{};   ///< harm to a body at distance zero (HP)
+    double impulse{};  ///< impulse on a body at distance zero (N s)
     double fastest{};  ///< largest speed that a body gains by the burst (m/s)
     std::uint32_t player{};   ///< player who fired the shot
     std::uint32_t shooter{};  ///< physics key of the shooter's body

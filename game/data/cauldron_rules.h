@@ -66,12 +66,12 @@ struct BoonRules {
 struct CauldronRules {
     int cells_across{};
     fluid::Solver solver{};
-    double filled{};                         ///< level of the brew as a fraction of the bowl's height
-    double density{};                        ///< density of the pure brew, for momentum (kg/m^3)
-    double viscosity{};                      ///< kinematic viscosity of the base fluid (m^2/s)
-    vec3 colour{};                           ///< colour of the base fluid, linear light, 0 to 1
-    fluid::SpringSurfaceSettings surface{};  ///< settings of the spring surface, whose `side` is computed
-                                             ///< from the bowl
+    double filled{};     ///< level of the brew as a fraction of the bowl's height
+    double density{};    ///< density of the pure brew, for momentum (kg/m^3)
+    double viscosity{};  ///< kinematic viscosity of the base fluid (m^2/s)
+    vec3 colour{};       ///< colour of the base fluid, linear light, 0 to 1
+    /// Settings of the brew's spring surface, whose `side` is computed from the bowl
+    fluid::SpringSurfaceSettings surface{};
     LadleRules ladle{};
     AuraRules aura{};
     BoonRules boon{};

@@ -19,7 +19,7 @@ struct ControlPiece {
     std::optional<ControlWord> word{};
     std::string wand{};  ///< name of the wand, if `word` is ControlWord::wand
 };
-/// Splits a text at its controls. Braces without a known control stay plain text.
+/// Splits a text at the names of controls in braces. Braces without a known control stay plain text.
 std::vector<ControlPiece> control_pieces_of(std::string_view pattern);
 
 /// Reads a text that may name controls. `wands`: the names allowed in {wand:NAME}. Reports other braces.

@@ -12,7 +12,8 @@
 namespace thaum::game::inline data {
 namespace {
 
-/// Names that a data file may define, and the words that reject any other name.
+/// The names of events for which a data file may have rows, and whose events they are ("the rules"), for the
+/// message that rejects another name.
 struct Known {
     std::vector<std::string_view> names;
     std::string_view whose;

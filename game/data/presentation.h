@@ -153,11 +153,12 @@ std::string file_of_event(EventKind kind);
 /// Table that defines how a kind of event is shown: "bolt_hit", or "event.bolt_hit" in a wand's file.
 std::string table_of_event(EventKind kind);
 
-/// Reads the rows of the rules' events from assets/events.toml. Reports unknown names and missing rows.
+/// Reads how events of the rules (those that no wand brings) are shown, from assets/events.toml, which has a
+/// row for each kind. Reports unknown names and missing rows.
 EventRows read_event_rows(const Config& file);
 
-/// Reads the rows of a wand's hits from the table `event` of its data file. Reports unknown names and missing
-/// rows.
+/// Reads how a wand's hits are shown, a row for each kind, from the table `event` of the wand's data file.
+/// Reports unknown names and missing rows.
 void read_hit_rows(const ConfigTable& wand, const std::vector<HitKind>& hits, EventRows& rows);
 
 /// Row of a kind; an empty row for a number without a kind.

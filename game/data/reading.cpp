@@ -121,7 +121,7 @@ void spread_jumps(std::span<vec3> places, double apart) {
     // Minimum length of a jump; the steps of a slow hand are shorter (m)
     constexpr double min_jump = 0.0015;
     constexpr double longest_rest = 0.064;  // a rest shorter than this belongs to the jump after it (s)
-    std::size_t rest = 0;                   // index of the first point of the rest
+    std::size_t rest = 0;  // index of the first point of the rest, in which the device reports no motion
     for (std::size_t i = 1; i < places.size(); ++i) {
         if (places[i] == places[rest]) continue;
         const auto steps = static_cast<double>(i - rest);

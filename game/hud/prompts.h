@@ -58,8 +58,8 @@ struct Prompt {
 /// to it.
 std::optional<Prompt> prompt_of(const PlayerPicture& player, const ControlNames& controls);
 
-/// Words for a player who has just pressed the button Stir too far from a station, or was pushed away from
-/// it; empty for other players. `now`: the picture's tick.
+/// Words for a player who has just pressed the button Stir too far from a station (cauldron, orb or crystal),
+/// or was pushed away from it; empty for other players. `now`: the picture's tick.
 std::string_view words_of_missed_station(Tick now, std::uint32_t player, const PromptUses& uses);
 
 /// Opacity of a prompt, 0 to 1.

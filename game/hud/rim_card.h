@@ -47,7 +47,7 @@ struct FittedCard {
     fvec2 size{};         ///< size of the card (px); zero: the box is too small for any card
 };
 
-/// Whether a player is at the cauldron, so that a card is shown.
+/// Whether a player is at the cauldron, so that the card, which has the next step of the recipe, is shown.
 inline bool at_cauldron(const PlayerPicture& p) { return p.stations.stirs || p.stations.at_rim; }
 
 RimCard rim_card_of(const Picture& picture, const HudSettings& settings, std::uint32_t player);

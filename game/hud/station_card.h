@@ -11,7 +11,8 @@
 
 namespace thaum::game::inline hud {
 
-/// Whether a player is at a station, so that a card is shown for that player.
+/// Whether a player is at a station (cauldron, orb or crystal), so that a card, a panel about the work there,
+/// is shown for that player.
 bool has_card(const PlayerPicture& p);
 
 /// The card of a player who is at a station.

@@ -145,9 +145,9 @@ field::Placement relative(const field::Placement& whole, const field::Placement&
             part.scale / whole.scale};
 }
 
-/// Placement in the workspace of a volume in addition to the first one, before the volume's own LabPlace is
-/// applied. A registered volume keeps its place relative to the first one, for which both files must give a
-/// placement.
+/// Placement in the workspace of a volume in addition to the first one, before the person's own move of that
+/// volume (LabPlace) is applied. A registered volume keeps its place relative to the first one, for which
+/// both files must give a placement.
 field::Placement fitted_beside(const VolumeLab& lab, const field::Volume& volume, bool registered) {
     const auto whole = placement_in_file(lab.source), part = placement_in_file(volume);
     if (!registered || !whole || !part) return fitted(volume, lab.data.device.workspace);

@@ -73,7 +73,7 @@ private:
     DrawingArm(std::unique_ptr<input::OpenArm> arm, double share);
 
     haptics::Servo servo_;
-    double damping_{};  ///< viscosity of the drawing field, limited to what the arm can render (N s/m)
+    double damping_{};  ///< viscosity felt while drawing, limited to what the arm can render (N s/m)
     SpscQueue<Sample, 4096> samples_;
     // used only by the arm's thread
     haptics::HapticModel model_{};

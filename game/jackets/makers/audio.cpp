@@ -49,7 +49,7 @@ private:
     audio::ChannelTones tones_;
     bool open_ = false;
     std::size_t blocks_left_ = 0;  ///< blocks until the time to live of the last frame is over
-    int idle_looks_ = 0;           ///< calls of is_connected() since the device last took a block there
+    int idle_looks_ = 0;  ///< calls of is_connected() in a row at which the device took no block of sound
 };
 
 Expected<void> AudioJacket::open() {

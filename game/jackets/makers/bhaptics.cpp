@@ -55,7 +55,7 @@ public:
     void send(std::string request);
     /// Sends and receives what is possible at once, without waiting.
     void serve();
-    /// Serves until a condition holds. Returns false if the time was too short.
+    /// Sends and receives until a condition holds. Returns false if the time was too short.
     template <class Condition>
     bool serve_until(Condition condition, Clock::duration longest);
 

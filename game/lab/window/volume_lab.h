@@ -42,7 +42,7 @@ struct VolumeLabPlan {
 /// Opens the volumes of a session and applies its settings. The error says what is wrong with a file or a
 /// setting.
 Expected<VolumeLabPlan> plan_of(const VolumeSession& session);
-/// The session that would open the plan in its present state, with the volumes at their present places.
+/// The settings of a session that would open the plan's volumes as they are now, at their present places.
 VolumeSession session_of(const VolumeLabPlan& plan);
 
 /// Input of the next step, from the plan's path and periods of carving.

@@ -33,7 +33,8 @@ struct VolumeView {
     VolumeEye eye{};
 };
 
-/// A suitable view of a volume: a surface at its usual level, or a thin haze for a flow, seen from near.
+/// A suitable view of a volume, seen from near: the surface between a body and its surroundings, or a thin
+/// haze for a flow.
 VolumeView usual_view(const VolumeLab& lab);
 
 /// Centres the picture on the visible part of the volume, at a distance where it fills 70 % of the height.
