@@ -22,7 +22,7 @@ struct BrewStep {
     BrewTask task{};
     vec3 place{};  ///< place to walk to (m, world)
 };
-/// Next step of the recipe in the bot's StirPlan.
+/// Next step of the recipe that the bot brews, which StirPlan::recipe names.
 BrewStep next_brew_step(const BotTurn& turn);
 
 /// Duration of the stroke that the plan's recipe wants next (ticks), with the rests of the hand before and

@@ -183,8 +183,8 @@ void follow(MatchContext& context, ReadingSpace& space, const Caster& caster, Dr
     world.commands().remove<DrawnStroke>(caster.wizard);
 }
 
-/// Adds the system that gives focus back over time. It gives none while a wizard scries or uses a carving
-/// tool, because both cost focus and would otherwise be free.
+/// Adds the system that gives focus (what spells cost) back over time. It gives none while a wizard searches
+/// the orb or uses a carving tool, because both cost focus and would otherwise be free.
 void add_focus_system(MatchContext& context, ecs::Schedule& schedule) {
     schedule.add(
         {.name = "focus",

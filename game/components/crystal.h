@@ -17,7 +17,7 @@ struct Crystal {
     double yaw{};          ///< angle about the vertical axis (rad)
     double turned{};       ///< angle by which carvers have turned the crystal in this tick (rad)
     double size{};         ///< edge length (m)
-    std::uint64_t seed{};  ///< seed of the initial rough body and of the ghost key to be carved
+    std::uint64_t seed{};  ///< seed of the initial rough body and of the key, the shape to be carved
     /// Overlap of the body and the key (the shape to be carved), 0 to 1 (intersection over union); 0 while
     /// untouched.
     double overlap{};

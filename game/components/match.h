@@ -92,7 +92,8 @@ enum class EventKind : std::uint32_t {
     core_lost = 49,  ///< the probe of a wizard who searches the orb left its hidden core
     scried = 50,     ///< the orb gave a wizard its knowledge; amount: health given (HP)
     unscried = 51,   ///< a wizard who searched the orb has no focus left, which this costs
-    /// A wizard switched a haptic mode on or off; detail: its number; amount: 1 on, 0 off.
+    /// A wizard at the orb switched a haptic mode (a way to feel its flow) on or off; detail: its number;
+    /// amount: 1 on, 0 off.
     mode_worn = 52,
     // From here on, kinds of event about crystals and the Great Work (56 and above).
     chipped =

@@ -34,14 +34,16 @@ inline constexpr std::size_t max_worn_modes = 2;
 struct WornModes {
     std::array<std::uint32_t, max_worn_modes> worn{no_mode,
                                                    no_mode};  ///< numbers of the modes, the oldest first
-    /// For each mode, strength as a function of its property, as the rules give it or as the wizard drew it.
+    /// For each haptic mode, strength as a function of its property, as the rules give it or as the wizard
+    /// drew it.
     std::array<field::TransferFunction, max_orb_modes> strength{};
     std::uint32_t told{};  ///< 1: the orb has already rewarded this wizard since the wizard's last death
     /// 1: the orb has already shown this player the orders of recipes in this match.
     std::uint32_t order_told{};
-    /// 1: focus ran out while scrying; the wizard must release the button Stir to scry again.
+    /// 1: focus ran out while searching the orb (scrying); the wizard must release the button Stir to scry
+    /// again.
     std::uint32_t spent{};
-    std::uint32_t version{};  ///< number of changes of modes and curves so far
+    std::uint32_t version{};  ///< number of changes of the haptic modes and their curves so far
     THAUM_COMPONENT(WornModes, worn, strength, told, order_told, spent, version);
 };
 

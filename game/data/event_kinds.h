@@ -31,7 +31,7 @@ enum class EventWith : std::uint8_t {
     gesture,  ///< Event::detail is the number of a gesture
     potion,
     fault,   ///< Event::detail is a BrewFault
-    mode,    ///< Event::detail is the number of a mode of the orb
+    mode,    ///< Event::detail is the number of a haptic mode of the orb
     recipe,  ///< Event::detail is a recipe with a drawn order, encoded as for EventKind::recipe_told
     tool     ///< Event::detail is the number of a carving tool
 };

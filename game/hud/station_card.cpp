@@ -38,8 +38,8 @@ std::string words_of_search(const ScryingPicture& orb, const ControlNames& contr
     return text("Find the core, stay there for ", time);
 }
 
-/// The keys for choosing among the modes, up to number `last`: "[1] to [6]", or the control for the next
-/// mode.
+/// The keys for choosing among the orb's haptic modes, up to number `last`: "[1] to [6]", or the control for
+/// the next mode.
 std::string keys_of(const ControlNames& controls, std::size_t last) {
     const auto& keys = controls.wands;
     if (last > keys.size() || keys[0].empty() || keys[last - 1].empty())
@@ -140,7 +140,7 @@ RimCard crystal_card_of(const Picture& picture, const HudSettings& settings, std
     return card;
 }
 
-/// Whether a wizard scries, or is near the orb and looks at it.
+/// Whether a wizard searches the orb, or is near it and looks at it.
 bool at_orb(const PlayerPicture& p) {
     return p.stations.scrying.scries || (p.stations.scrying.near && p.stations.scrying.faces);
 }

@@ -22,7 +22,7 @@ struct Choice {
     bool chosen{};
 };
 
-/// Modes at the orb or tools at a crystal, in the order of the wand keys.
+/// Haptic modes at the orb or tools at a crystal, in the order of the wand keys.
 std::vector<Choice> choices_of(const PlayerPicture& p) {
     std::vector<Choice> result;
     const auto& modes = p.stations.scrying.modes;

@@ -31,8 +31,8 @@ vec3 on_file(const std::vector<StirPath::Point>& points, double seconds) {
            (seconds - before.time) / (after->time - before.time) * (after->place - before.place);
 }
 
-/// Adds a row of a trace to the path. A time in a trace is the end of a step, but a path needs its beginning.
-/// Returns whether the row is valid.
+/// Adds a row of a trace (the table of a session of the lab) to the path. A time in a trace is the end of a
+/// step, but a path needs its beginning. Returns whether the row is valid.
 bool add_row(const std::array<double, 6>& row, HandPath& path) {
     const auto [time, x, y, z, tool, history] = row;
     const bool sound = time > 0 && time < 1e6 && tool >= 0 && tool < 1000 && std::abs(history) <= 1;

@@ -20,7 +20,8 @@ struct HandUse {
 struct HandPath {
     HandWay way{};
     StirPath file{};  ///< for HandWay::file: points of the path (lab frame)
-    /// For each point, tool and undo, if the file is a trace of the lab; otherwise empty.
+    /// For each point, tool and undo, if the file is a trace (the table of a session of the lab); otherwise
+    /// empty.
     std::vector<HandUse> uses{};
 };
 
@@ -33,7 +34,8 @@ Expected<HandPath> hand_path(std::string_view word);
 /// ticks as before, and uses the same tools. `name`: file name for errors.
 Expected<HandPath> parse_hand_trace(std::string_view csv, std::string_view name);
 
-/// Tool and undo in the step that begins at this time; neither if the path has no trace.
+/// Tool and undo in the step that begins at this time; neither if the path was not read from a trace of the
+/// lab.
 HandUse use_at(const HandPath& path, double seconds);
 
 /// Target position of the hand (m, lab frame). `workspace`: edge lengths of the workspace (m). A press

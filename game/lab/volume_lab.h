@@ -42,7 +42,7 @@ inline constexpr int max_steps_per_tick = 5;
 inline constexpr Tick ticks_of_a_dab = 8;
 
 struct LabMode {
-    std::string name{};  ///< name of a mode in haptics::modes()
+    std::string name{};  ///< name of a mode, a way to feel a field, in haptics::modes()
     /// Number of the volume that the mode reads: 0 is the first one, then the added ones.
     std::size_t volume{};
     std::vector<field::Filter> filters{};  ///< filters applied to the volume before the mode reads it
@@ -62,7 +62,7 @@ inline constexpr double min_place_scale = 0.05, max_place_scale = 20;
 
 /// Settings that can change during a session.
 struct VolumeLabSettings {
-    std::vector<LabMode> modes{};  ///< modes that act together
+    std::vector<LabMode> modes{};  ///< haptic modes (ways to feel a field) that act together
     std::vector<FeelPart> feel{};  ///< parts of the feel of the body as a whole; empty: only the modes are
                                    ///< felt
     /// Opacity of the picture as a function of density; `feel` may use it.

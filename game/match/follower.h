@@ -13,10 +13,10 @@ inline constexpr double loud_heart_health = 0.25;
 /// it has seen.
 class MatchFollower {
 public:
-    /// Whether the match has simply played on since the reader last looked. False at the first look, after a
-    /// jump of the clock, and for a match that was changed otherwise.
+    /// Whether the match has simply played on since the last look(). False before the first one, after a jump
+    /// of the clock, and for a match that was changed otherwise.
     bool goes_on(const Simulation& match) const;
-    /// Whether the reader has looked before.
+    /// Whether look() has been called before.
     bool has_begun() const { return begun_; }
     /// Marks the end of a look: everything up to now has been read.
     void look(const Simulation& match);

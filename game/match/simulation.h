@@ -71,8 +71,8 @@ public:
     /// The part that computes the cauldron's brew (game/stations/cauldron/cauldron.h); null if no player has
     /// touched the brew.
     const BrewWork* brew() const;
-    /// Data on the crystals that is not part of the state: changed bricks and ghost keys
-    /// (game/stations/crystal/crystal.h).
+    /// Data on the crystals that is not part of the state: changed bricks (blocks of voxels), and keys, the
+    /// shapes to be carved (game/stations/crystal/crystal.h).
     const CrystalBodies& crystals() const;
     /// Write access to the data on crystals, for scenarios and tests that carve.
     CrystalBodies& crystals_to_change();

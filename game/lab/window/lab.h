@@ -18,7 +18,7 @@ struct LabPlan {
     /// length of the session in simulated time (s); std::nullopt: until the window is closed
     std::optional<double> seconds{};
     LabOutputs out{};
-    bool times = false;  ///< true: the trace has columns with computing times
+    bool times = false;  ///< true: the trace, the table of all steps, has columns with computing times
     unsigned threads = 1;
 };
 

@@ -171,7 +171,7 @@ Expected<field::Filter> read_filter(const std::string& words, std::span<const st
     return filter;
 }
 
-/// Filters of a mode, in the order of the command line.
+/// Filters of the field that a haptic mode reads, in the order of the command line.
 Expected<std::vector<field::Filter>> filters_of(const Arguments& arguments, const std::string& mode) {
     std::vector<field::Filter> filters;
     for (const auto& words : arguments.values("--filter")) {
@@ -184,8 +184,8 @@ Expected<std::vector<field::Filter>> filters_of(const Arguments& arguments, cons
     return filters;
 }
 
-/// Splits a word such as "1:follow" into the number of a volume and the name of a mode. Without a number, the
-/// first volume is meant.
+/// Splits a word such as "1:follow" into the number of a volume and the name of a haptic mode. Without a
+/// number, the first volume is meant.
 std::pair<std::size_t, std::string> volume_and_mode(const std::string& words) {
     const bool numbered = words.size() > 2 && words[1] == ':' && words[0] >= '0' && words[0] <= '9';
     if (!numbered) return {0, words};
@@ -246,7 +246,7 @@ Expected<void> read_transfer(const std::string& words, std::vector<LabMode>& mod
     return {};
 }
 
-/// Reads "KIND,N,...", a part of the body's feel.
+/// Reads "KIND,N,...", a part of the force law by which the body is felt.
 Expected<FeelPart> read_feel(const std::string& words) {
     const auto parts = parts_of(words);
     std::vector<double> numbers;
@@ -346,7 +346,8 @@ Expected<void> read_outputs(const Arguments& arguments, VolumeLabPlan& plan) {
     return check_outputs(plan);
 }
 
-/// Chooses a default mode if the command line names none: the surface of a body, the direction of a flow.
+/// Chooses a default haptic mode if the command line names none: the surface of a body, the direction of a
+/// flow.
 Expected<void> put_on_usual_mode(const Arguments& arguments, VolumeLab& lab) {
     if (arguments.has("--session") || arguments.has("--mode") || arguments.has("--feel")) return {};
     auto mode = read_mode(arguments, lab.carvable() ? "isosurface" : "follow", lab);

@@ -149,8 +149,8 @@ double highest_property(const VolumeRef& volume, const haptics::Mode& mode) {
     return range / volume.finest_spacing();
 }
 
-/// The filter that converts the volume into a kind of field that the mode can read; std::nullopt if the mode
-/// reads the volume directly.
+/// The filter that converts the volume into a kind of field that the haptic mode can read; std::nullopt if
+/// the mode reads the volume directly.
 std::optional<field::FilterKind> leads(const LabMode& mode) {
     using enum field::FilterKind;
     if (mode.filters.empty()) return std::nullopt;
@@ -217,7 +217,7 @@ bool show_settings(const VolumeLab& lab, const haptics::Mode& mode, LabMode& cho
     return changed;
 }
 
-/// Text for a mode and the filter that it needs: "snap core by gradient".
+/// Text for a haptic mode and the filter that it needs: "snap core by gradient".
 std::string words_of(const haptics::ModeOffer& offer) {
     std::string words(offer.mode->name);
     std::ranges::replace(words, '_', ' ');
@@ -225,7 +225,7 @@ std::string words_of(const haptics::ModeOffer& offer) {
     return words;
 }
 
-/// Shows one mode that can read a volume. Returns whether something changed.
+/// Shows one haptic mode (a way to feel a field) that can read a volume. Returns whether something changed.
 bool show_offer(const VolumeLab& lab, std::size_t volume, const haptics::ModeOffer& offer,
                 std::vector<LabMode>& modes) {
     const std::string name(offer.mode->name);
@@ -254,8 +254,8 @@ bool show_offer(const VolumeLab& lab, std::size_t volume, const haptics::ModeOff
     return changed;
 }
 
-/// Shows the modes that can read one volume, first those that need no filter. Returns whether something
-/// changed.
+/// Shows the haptic modes (ways to feel a field) that can read one volume, first those that need no filter.
+/// Returns whether something changed.
 bool show_modes_of(const VolumeLab& lab, std::size_t volume, std::vector<LabMode>& modes) {
     const auto offers = haptics::mode_offers(volume_of(lab, volume).kind());
     bool changed = false;

@@ -28,7 +28,7 @@ struct NextVolume {
 /// Settings that a person has made in the panels, and requests for actions.
 struct VolumePanelState {
     std::vector<LabMode> modes{};    ///< chosen modes
-    std::vector<FeelPart> feel{};    ///< chosen parts of the body's feel
+    std::vector<FeelPart> feel{};    ///< chosen parts of the force law by which the body is felt
     std::vector<LabPlace> places{};  ///< placements of all volumes
     /// Changed settings (modes, feel, places) for the next step.
     std::optional<VolumeLabSettings> change{};

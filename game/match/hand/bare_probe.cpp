@@ -11,8 +11,8 @@ namespace {
 /// Margin of the searched sphere around the line from proxy to tip (m). It is larger than any motion of the
 /// tip in a tick.
 constexpr double margin = 0.15;
-/// Displacement of the device frame in one tick above which it was moved by a jump, such as a return to life,
-/// and not by walking (m).
+/// Displacement of the device frame in one tick above which the wizard was moved by a jump, such as a return
+/// to life, and did not walk (m).
 constexpr double leap = 0.5;
 
 /// Contact properties that the wand's tip feels. `roughness`: share of the friction that the player wants to
