@@ -54,7 +54,7 @@ struct Mind {
     double error_right{}, error_up{};  ///< present error of the aim, to the right and upwards (rad)
     vec3 goal{};                       ///< place to which the bot walks (m, world)
     Tick goal_until{};                 ///< tick at which the bot chooses another goal
-    Tick errand_until{};               ///< tick until which the errand Errand::hide lasts
+    Tick errand_until{};               ///< tick until which the bot hides (Errand::hide)
     Tick fire_from{}, fire_until{};    ///< beginning and end of the latest burst of fire (ticks)
     Tick strafe_until{};               ///< tick until which the bot keeps its sideways step
     Tick slow_since{};                 ///< tick since which the bot has been slower than intended

@@ -11,8 +11,9 @@ namespace {
 
 namespace hand = input::hand;
 
-constexpr double beside_rim = 0.75;   ///< distance from the rim at which a bot stands (m)
-constexpr double needs_energy = 0.6;  ///< share of the wand's energy below which stirring is worth the time
+constexpr double beside_rim = 0.75;  ///< distance from the rim at which a bot stands (m)
+/// Share of the wand's energy below which stirring, which refills it, is worth the time
+constexpr double needs_energy = 0.6;
 constexpr double has_enough = 0.97;
 constexpr double unnerved = 8;  ///< loss of health at the rim after which the bot stops stirring and fights
                                 ///< back (HP)

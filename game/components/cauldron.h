@@ -56,7 +56,7 @@ enum class BrewFault : std::uint32_t {
     late,        ///< the next step was done too late
     off,         ///< a stroke for a brew that can no longer become a potion
     full,        ///< a fourth ingredient: the brew holds three
-    soon,        ///< the first stroke came too early
+    soon,        ///< the first stroke was drawn before the last ingredient had spread enough
     unfinished,  ///< a stroke for a brew that lacks an ingredient, or holds none
     foreign,     ///< a stroke for a brew owned by the other player
     gesture,     ///< the recipe asks for another gesture

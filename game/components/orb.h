@@ -55,7 +55,8 @@ struct Scrying {
     Tick near_since{};  ///< when the probe came within reach of the core (ticks of play); 0: not within reach
     vec3 pen{};         ///< position of the hand when it last drew a curve (m, device frame)
     std::uint32_t pen_down{};  ///< 1: the button Trace is held, and `pen` is valid
-    std::uint32_t drawing{};   ///< 1: the hand draws the strength curve of the newest mode, and feels no mode
+    /// 1: the hand draws the strength curve of the newest haptic mode, and feels none meanwhile
+    std::uint32_t drawing{};
     THAUM_COMPONENT(Scrying, place, force, distance, near_since, pen, pen_down, drawing);
 };
 

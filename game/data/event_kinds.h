@@ -44,7 +44,8 @@ struct EventKindInfo {
     std::string_view unit{};  ///< unit of `amount`; empty: the event has no amount
     bool placed{};            ///< true: the event has a position
     bool has_subject{};       ///< true: the event happens to `subject`, a player shown in the column `whom`
-    std::size_t cause_number{max_causes};  ///< index in causes(); max_causes: none
+    /// Index of the cause of harm in causes(); max_causes: the event does no harm
+    std::size_t cause_number{max_causes};
 };
 
 /// Numbers that older saved states already contain.

@@ -22,7 +22,8 @@ std::vector<field::Filter> read_filters(const ConfigTable& table) {
     return filters;
 }
 
-/// Reports an unknown mode, or one that cannot read the kind of field that its filters produce from a flow.
+/// Reports an unknown haptic mode, or one that cannot read the kind of field that its filters produce from a
+/// flow.
 void check_mode(const ConfigTable& table, const OrbMode& mode) {
     const auto* kind = haptics::find_mode(mode.name);
     if (kind == nullptr) {

@@ -65,7 +65,7 @@ Drawing drawing_of(const StrokePicture& stroke, const ViewLayout& l) {
     return drawing;
 }
 
-/// Force at a point relative to the limit of a harsh stroke, 0 to 1.5.
+/// Force at a point of a stroke, relative to the force from which on strokes are harsh, 0 to 1.5.
 float share_of(const CastingPicture& casting, float force) {
     const double harsh = std::max(casting.rules->harsh_from, 1e-6);
     return static_cast<float>(std::clamp(static_cast<double>(force) / harsh, 0.0, 1.5));

@@ -107,7 +107,7 @@ void add_wall_lines(render::Overlay& out, const std::vector<std::string>& lines,
 void add_gesture_wall(render::Overlay& out, const GestureWallPicture& wall,
                       const std::vector<std::string>& lines, const Panel& box, float unit) {
     if (!wall.on || !wall.gestures) return;
-    constexpr float min_high = 260;  // height below which the wall is scaled down (HUD units)
+    constexpr float min_high = 260;  // height below which the gesture wall is scaled down (HUD units)
     unit = std::min(unit, (box.high.y - box.low.y) / min_high);
     const auto l = lay_out_wall(box, wall.gestures->size(), unit);
     out.items.emplace_back(render::RectItem{box.low, box.high, paints.plate, 12 * unit});

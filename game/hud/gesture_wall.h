@@ -20,7 +20,7 @@
 
 namespace thaum::game::inline hud {
 
-/// Adds the wall in its box. `lines`: the wall's text, with the player's control names filled in. `unit`:
+/// Adds the gesture wall in its box. `lines`: its text, with the player's control names filled in. `unit`:
 /// length of a HUD unit (px).
 void add_gesture_wall(render::Overlay& out, const GestureWallPicture& wall,
                       const std::vector<std::string>& lines, const Panel& box, float unit);

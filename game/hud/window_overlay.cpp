@@ -156,7 +156,8 @@ constexpr std::uint32_t wall_player = 0;  // the practice range has only one per
 
 /// Box of the gesture wall: on the left, between the notices and the name.
 Panel wall_box(const HudLayout& layout) {
-    constexpr float wide = 390, beside = 12;  // largest width of the wall, and gap around it (HUD units)
+    // Largest width of the gesture wall, and gap around it (HUD units)
+    constexpr float wide = 390, beside = 12;
     const float u = layout.unit;
     const auto& view = *layout.views[wall_player];
     const float left = static_cast<float>(view.view.x) + beside * u;

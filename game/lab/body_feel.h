@@ -46,9 +46,9 @@ const FeelForm& form_of(FeelKind kind);
 /// Makes a part. The error says what is wrong with the name or the numbers.
 Expected<FeelPart> feel_part(std::string_view name, std::span<const double> numbers);
 
-/// Combines parts into one feel. `opacity`: the picture's opacity as a function of density; `reach`: depth at
-/// which the hand has broken through a wall (m). The fields of the result are left empty. The error says
-/// which parts do not fit together.
+/// Combines parts into one feel, the force law by which a body is felt. `opacity`: the picture's opacity as a
+/// function of density; `reach`: depth at which the hand has broken through a wall (m). The fields of the
+/// result are left empty. The error says which parts do not fit together.
 Expected<haptics::VolumeFeel> feel_of_parts(std::span<const FeelPart> parts,
                                             const field::TransferFunction& opacity, double reach);
 

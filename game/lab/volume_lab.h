@@ -43,7 +43,7 @@ inline constexpr Tick ticks_of_a_dab = 8;
 
 struct LabMode {
     std::string name{};  ///< name of a mode, a way to feel a field, in haptics::modes()
-    /// Number of the volume that the mode reads: 0 is the first one, then the added ones.
+    /// Number of the volume that the haptic mode reads: 0 is the first one, then the added ones.
     std::size_t volume{};
     std::vector<field::Filter> filters{};  ///< filters applied to the volume before the mode reads it
     haptics::ModeSettings settings{};
@@ -94,8 +94,8 @@ struct LabSource {
     BodyMaterials materials{};
 };
 
-/// The field that one mode reads: filters on a volume's samples, placed in the lab. It keeps references to
-/// LabSource and to its own members.
+/// The field that one haptic mode (a way to feel a field) reads: filters on a volume's samples, placed in the
+/// lab. It keeps references to LabSource and to its own members.
 struct LabField {
     field::FilteredField filtered{};
     field::PlacedField placed{};

@@ -99,7 +99,7 @@ ScenarioOptions options_of(const Arguments& arguments, Painter& painter) {
     return chosen;
 }
 
-/// Protects the scripts and the force traces that they are compared with from being overwritten.
+/// Protects the scripts, and the recorded forces with which their runs are compared, from being overwritten.
 void protect_scripts(const std::vector<std::filesystem::path>& scripts, const ScenarioOptions& chosen) {
     for (const auto& script : scripts) {
         protect_input(script);

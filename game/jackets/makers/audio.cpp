@@ -48,7 +48,8 @@ private:
     const std::unique_ptr<audio::SoundDevice> device_;
     audio::ChannelTones tones_;
     bool open_ = false;
-    std::size_t blocks_left_ = 0;  ///< blocks until the time to live of the last frame is over
+    /// Blocks of sound until the last frame (amplitudes of all actuators) no longer holds
+    std::size_t blocks_left_ = 0;
     int idle_looks_ = 0;  ///< calls of is_connected() in a row at which the device took no block of sound
 };
 

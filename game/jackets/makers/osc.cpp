@@ -23,7 +23,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Number of messages that stop all motors, and the time between two of them.
+/// Number of messages that stop all motors, several because UDP may lose some, and the time between two of
+/// them.
 constexpr int messages_of_silence = 8;
 constexpr std::chrono::milliseconds between_silences{50};
 constexpr std::size_t max_of_host_shown = 60;  ///< longest part of a host's name in messages (bytes)
@@ -81,7 +82,7 @@ private:
     std::vector<Peer> peers_{};
     std::string last_{};     ///< the last message that was sent
     double again_at_s_ = 0;  ///< time at which the last message is sent again (s)
-    int silences_left_ = 0;  ///< number of stop messages still to be sent
+    int silences_left_ = 0;  ///< number of messages that stop all motors, still to be sent
     Clock::time_point next_silence_{};
 };
 

@@ -357,7 +357,8 @@ Expected<void> put_on_usual_mode(const Arguments& arguments, VolumeLab& lab) {
     return change_volume_lab(lab, settings);
 }
 
-/// Notes the modes that read smoothed samples of a very large volume, because their first step is slow.
+/// Notes the haptic modes that read smoothed samples of a very large volume, because their first step is
+/// slow.
 void note_slow_filters(VolumeLabPlan& plan) {
     constexpr std::size_t many = std::size_t{1} << 24U;
     constexpr double samples_per_second = 4e6;

@@ -53,8 +53,8 @@ struct Session {
     int history = 0;  ///< undo (-1) or redo (1) that is due
     Seen seen{};
     std::int64_t moved = 0;  ///< time at which the picture last changed (ns)
-    /// Number of the body's newest change (Bricks::newest) when the body was opened or saved. If there is a
-    /// newer one, the body must be saved.
+    /// Number of the body's newest change (Bricks::newest) when the body was opened or saved. A newer
+    /// one means that the body has changes that are not saved.
     std::uint32_t saved = 1;
 };
 
