@@ -14,9 +14,10 @@ double bell_in_ball(double c) {
     return std::pow(pi / c, 1.5) * std::erf(std::sqrt(c)) - 2 * pi / c * std::exp(-c);
 }
 
-/// Integral of 1 - exp(-amount w) over the ball of radius 1, where w is the weight of a place at the radius r
-/// in a tool's Gaussian extent: w = (exp(-4.5 r^2) - rim) / (1 - rim). Each term of the exponential series is
-/// a Gaussian with a closed-form integral.
+/// Integral of 1 - exp(-amount w) over the ball of radius 1. Here w is the weight of a place at the radius r
+/// within a tool that fades out as a Gaussian: w = (exp(-4.5 r^2) - rim) / (1 - rim), where rim = exp(-4.5)
+/// makes w zero at the radius 1. Each term of the exponential series is a Gaussian with a closed-form
+/// integral.
 double melted_volume(double amount) {
     const double rim = std::exp(-4.5), k = amount / (1 - rim);
     double sum = 0, factor = 1;
@@ -75,8 +76,8 @@ TEST(CarvingAccuracy, ASphereTakesItsVolumeAndThatOfItsRim) {
     for (int i = 0; i < 4; ++i) {
         const double radius = 3 << i;
         const Tool tool = density_constant(round_extent(ExtentShape::sphere, radius), 0);
-        // The exact value is the mean of (4/3) pi r^3 over the rim, from one voxel below the radius to one
-        // above.
+        // The tool fades out over a rim from one voxel below its radius to one above. The exact value is the
+        // mean of (4/3) pi r^3 over the radii in that rim.
         error[i] = volume_error(tool, radius, 0, 4 * pi / 3 * (1 + 1 / (radius * radius)));
     }
     EXPECT_LT(error[0], 0.01);
@@ -206,7 +207,8 @@ TEST(CarvingAccuracy, ARadiusInMetresIsASphereAlsoWithUnequalSpacings) {
     Extent extent = round_extent(ExtentShape::sphere, 0.05);
     extent.in_metres = true;
     const Edit e = edit(body.view(), density_constant(extent, 0), {});
-    EXPECT_NEAR(e.removed / (4 * pi / 3 * 0.05 * 0.05 * 0.05), 1.01, 0.002);  // the tool's soft rim adds 1 %
+    // The tool fades out beyond its radius, which adds 1 %
+    EXPECT_NEAR(e.removed / (4 * pi / 3 * 0.05 * 0.05 * 0.05), 1.01, 0.002);
     extent.in_metres = false;
     extent.half = vec3(10);
     std::ranges::fill(body.density, 1.0F);

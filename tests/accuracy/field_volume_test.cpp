@@ -157,8 +157,8 @@ VolumeErrors volume_errors(const VectorField& field, int n, Kernel kernel,
 
 double order(double coarse, double fine) { return std::log2(coarse / fine); }
 
-/// Whether fields are smooth around a point within the reach of the kernel on the coarsest samples. Only such
-/// points are compared.
+/// Whether sphere and vortex are smooth at all samples that the kernel reads for this point, even on the
+/// coarsest grid. Only such points are compared.
 bool is_smooth(vec3 p) {
     if (glm::length(p - sphere.middle) < 0.3) return false;
     return std::abs(glm::length(glm::cross(p - vortex.middle, vortex.axis)) - vortex.radius) > 0.15;

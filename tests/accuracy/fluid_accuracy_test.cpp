@@ -50,8 +50,7 @@ TEST(FluidAccuracy, ADriftingVortexConvergesInSecondOrder) {
 }
 
 TEST(FluidAccuracy, ADoubleShearLayerRollsUpAsOnAFinerGrid) {
-    // For comparison: with neighbours at distances of 1 and 3 cells in the advection scheme, the error was
-    // 0.033.
+    // For comparison: with an advection scheme that reads neighbours 1 and 3 cells away, the error was 0.033.
     const Flow flow = flows::double_shear();
     Fluid fluid = begun(flow, fourth, 64);
     for (const double dt : flows::steps_until(flow.end)) advance(fluid, dt);
@@ -139,8 +138,8 @@ TEST(FluidAccuracy, AVortexBesideTheAxisOfABowlStaysSteady) {
 
 TEST(FluidAccuracy, ATurningFluidSlipsAlongABowl) {
     // For comparison: when advection read closed faces as fluid at rest, the errors with 16 and 32 cells were
-    // 0.306 and 0.287. When small openings were missed or closed, the errors with 16, 32 and 48 cells were
-    // 0.022, 0.012 and 0.016.
+    // 0.306 and 0.287. When cell faces that the wall leaves open only a little were missed or closed, the
+    // errors with 16, 32 and 48 cells were 0.022, 0.012 and 0.016.
     for (const auto& [n, most] : {std::pair{16, 0.0115}, std::pair{32, 0.005}}) {
         auto fluid = flows::slipping_bowl(n).value();
         for (const double dt : flows::steps_until(1)) {
@@ -203,8 +202,8 @@ double edge_error(double ratio, double top, double width) {
 }
 
 TEST(FluidAccuracy, LayersThatMeetWithinACellShareTheShearByTheirDepths) {
-    // For comparison: with means over whole cells the error was up to 0.046 at a viscosity ratio of 11, and
-    // 0.11 from a ratio of 100 on.
+    // For comparison: with the mean viscosity over each whole cell the error was up to 0.046 at a viscosity
+    // ratio of 11, and 0.11 from a ratio of 100 on.
     for (const double ratio : {11.0, 100.0, 1e4, 1e6})
         for (const double part : {0.125, 0.25, 0.5, 0.75, 0.875})
             EXPECT_LE(edge_error(ratio, 0.5 + part / 16, 0), 0.002) << ratio << ", " << part;

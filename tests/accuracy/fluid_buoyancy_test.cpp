@@ -39,7 +39,7 @@ TEST(FluidBuoyancy, FallingSubstancesKeepMostOfTheReleasedEnergy) {
 }
 
 /// The report accounts for all energy. Without forces and viscosity, all missing energy must be reported as
-/// removed by rescaling.
+/// removed by rescaling (the solver slows the whole flow if a step has created energy).
 TEST(FluidBuoyancy, TheReportAccountsForRemovedEnergy) {
     auto fluid = flows::weighing_fluid(flows::Weighing::sloshing, true, 16, 0).value();
     flows::EnergyBalance balance = flows::start_balance(fluid);
@@ -100,8 +100,8 @@ TEST(FluidBuoyancy, DiffusionOfLayersDoesNotBrakeTheFlow) {
     EXPECT_NEAR(flows::kinetic_energy(fluid) / kinetic, 1, 1e-4);
 }
 
-/// The flow that transports substances is free of divergence at either order, so a constant density stays
-/// constant.
+/// The flow that transports substances is free of divergence whether the solver is of order 2 or 4, so a
+/// constant density stays constant.
 TEST(FluidBuoyancy, AConstantDensityStaysConstantInAStirredBox) {
     for (const int order : {2, 4}) {
         Settings settings = flows::settings_of(flows::Flow{}, {Solver::thaum, order}, 16);

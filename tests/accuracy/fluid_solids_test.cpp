@@ -97,7 +97,8 @@ TEST(FluidSolids, AProjectionStartsFromTheLastOneAndABadGuessDoesNoHarm) {
     solids.project(projected, known, share, 100);
     const int without = iterations(make_samples(lattice), flow);
     EXPECT_LE(iterations(known, flow), 1);
-    // The search starts from a potential of another magnitude, as after a change of the sub-step.
+    // Here the solver starts from a potential of the wrong size: the known one belongs to twice this
+    // velocity. The same happens in a match when the length of the sub-step changes.
     auto half = flow;
     for (Samples& u : half)
         for (float& value : u) value *= 0.5F;
@@ -132,7 +133,7 @@ TEST(FluidSolids, OpeningsOfAnySizeHaveTheirAreaAndTheirCentre) {
     }
 }
 
-/// Sum of the squared velocity, each face weighted by its open share.
+/// Sum of the squared velocity, each face weighted by the share of it that no solid covers.
 double square_in_openings(const Fluid& fluid, const Solids& solids) {
     double sum = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -143,8 +144,8 @@ double square_in_openings(const Fluid& fluid, const Solids& solids) {
 }
 
 TEST(FluidSolids, AFastTurningFluidKeepsItsEnergyAlongASlippingBowl) {
-    // When small openings counted as whole ones, they required more sub-steps than allowed. The pressure was
-    // then left out, and a sixth of the energy was lost.
+    // When cell faces that the wall leaves open only a little counted as whole ones, they required more
+    // sub-steps than allowed. The pressure was then left out, and a sixth of the energy was lost.
     auto fluid = flows::slipping_bowl(24).value();
     set_velocity(fluid, [](vec3 place) { return 12.0 * flows::rigid_turn(place); });
     const double before = energy(fluid);
@@ -153,8 +154,8 @@ TEST(FluidSolids, AFastTurningFluidKeepsItsEnergyAlongASlippingBowl) {
 }
 
 TEST(FluidSolids, AStirredBowlWithoutFrictionKeepsMostOfItsEnergy) {
-    // When the energy of small openings counted as that of whole faces, the whole flow was slowed for it, and
-    // kept only two thirds of its energy.
+    // When the energy of cell faces that are nearly covered by the wall counted as that of whole faces, the
+    // whole flow was slowed for it, and kept only two thirds of its energy.
     auto fluid = flows::slipping_bowl(24).value();
     const Solids solids(fluid.lattice, fluid.settings.solid, open_least_where_slipping);
     Random random = random_stream(1, 0);

@@ -48,7 +48,8 @@ struct StirredBox {
         add_fluid_step(rig.fluid(), flow());
     }
 
-    /// Momentum of the hand in the bowl (kg m/s). There its mass counts divided by the force scale s_f.
+    /// Momentum of the hand in the bowl (kg m/s). Forces of the fluid are scaled by a factor s_f < 1 before
+    /// the hand feels them, so to the fluid the hand seems heavier: its mass is divided by s_f.
     vec3 hand_momentum() const {
         const auto& frame = rig.model.fluid.frame;
         return frame.turn * (rig.spec.mass * rig.tip.velocity) / frame.newtons_per_newton;

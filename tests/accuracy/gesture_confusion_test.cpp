@@ -26,7 +26,7 @@ std::vector<Gesture> shipped_gestures() {
 }
 
 struct Figures {
-    /// Number of strokes by [drawn figure][recognised figure]; the last column: not recognised.
+    /// Number of strokes by [drawn gesture][recognised gesture]; the last column: not recognised.
     std::array<std::array<int, figures + 1>, figures> read{};
     int right = 0, right_force = 0, scribbles_taken = 0;
     int drawn = 0, scribbled = 0;
@@ -82,9 +82,9 @@ TEST(GestureConfusion, OtherUsersAreReadAndScribblesAreNot) {
     }
 }
 
-/// Recognises twins, a gentle and a harsh figure of the same shape, from one stroke each by a careless user,
-/// among the other shipped gestures. Twins differ only in force, half and twice the usual, with a scatter of
-/// 15 %.
+/// Twins are a gentle and a harsh gesture of the same shape: they differ only in force, half and twice the
+/// usual, with a scatter of 15 %. They are recognised from one stroke each by one generated user, among the
+/// other shipped gestures.
 TEST(GestureConfusion, TwinsOfOneStrokeEachAreToldApartByForce) {
     const auto shipped = shipped_gestures();
     RecogniserSpace space;
@@ -115,7 +115,7 @@ TEST(GestureConfusion, TwinsOfOneStrokeEachAreToldApartByForce) {
     EXPECT_GE(right, 0.98 * drawn);
 }
 
-/// Probabilities of a recogniser with one stroke of each figure by some user, for strokes of another user.
+/// Probabilities of a recogniser with one stroke of each gesture by one user, for strokes of another user.
 TEST(GestureConfusion, ProbabilitiesHoldForStrokesOfAnotherUser) {
     const auto shipped = shipped_gestures();
     RecogniserSpace space;
@@ -140,7 +140,7 @@ TEST(GestureConfusion, ProbabilitiesHoldForStrokesOfAnotherUser) {
 }
 
 /// The probabilities must also hold for gestures of any shape, with users who differ twice as much as the
-/// synthetic strokes of the calibration.
+/// strokes that the recogniser generates to calibrate its probabilities.
 TEST(GestureConfusion, ProbabilitiesHoldForUsersWhoDifferMoreThanSyntheticOnes) {
     const VariationSettings users{.tilt = 0.1, .stretch = 0.2, .bend = 0.1};
     constexpr std::size_t shapes = 8;

@@ -1,5 +1,5 @@
-// Compares the coupling with exact solutions, for all stiffnesses, masses, dampings and steps that a game may
-// use.
+// Compares the coupling (the spring and damper between a hand and an object) with exact solutions, for all
+// stiffnesses, masses, dampings and steps that a game may use.
 #include <gtest/gtest.h>
 
 #include "haptics/coupling.h"

@@ -99,7 +99,7 @@ TEST(ImplicitSurfaces, ATextureIsOnThePotential) {
     const ScalarField plain = field_of<Scalar>(ball);
     const Decorated decorated{plain, grating, nullptr};
     for (const vec3 place : some_places()) EXPECT_LE(gradient_error(decorated, place), 1e-4);
-    // At a crest the surface is higher than the plain one by twice the amplitude.
+    // At a crest the textured surface is higher than the one without texture by twice the amplitude.
     const vec3 crest(0.001, 0.02, 0);
     EXPECT_NEAR(decorated(crest).value, ball(crest).value - 0.0004, 1e-15);
 }
@@ -263,8 +263,9 @@ TEST(LevelContact, AMagneticSurfaceHoldsATipThatLeavesUpToItsStrength) {
 }
 
 TEST(LevelContact, AMagneticSurfaceTakesHoldAndLetsGoOverATenthOfAMillimetre) {
-    constexpr double step = 1e-6;                  // motion of the tip (m per tick)
-    for (const double magnet : {0.1, 0.4, 3.0}) {  // the last one exceeds the spring at the reach
+    constexpr double step = 1e-6;  // motion of the tip (m per tick)
+    // The last one is stronger than the spring at the reach of the magnet
+    for (const double magnet : {0.1, 0.4, 3.0}) {
         auto use = wall_of(field_of<Scalar>(ball), 20);
         use.settings.magnet = magnet;
         TouchedModes hand{{use}};

@@ -1,4 +1,4 @@
-// Compares haptic modes with analytic fields.
+// Compares haptic modes (rules that turn a field into forces) with analytic fields.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,8 @@ field::AnyField vector_field(const Source& source) {
     return any_field(field_of<Vector>(source));
 }
 
-/// Primitives that one mode adds for an input.
+/// Haptic primitives (points, lines and planes that hold the proxy, and forces) that one mode adds for an
+/// input.
 PrimitiveSet set_of(const ModeUse& use, const ModeInput& input) {
     PrimitiveSet set;
     EXPECT_EQ(add_modes(std::span(&use, 1), input, set), 0U);

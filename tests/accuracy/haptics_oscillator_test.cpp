@@ -11,8 +11,8 @@ namespace {
 
 using oracle::Real;
 
-/// The largest relative error of S, S1 and S2 (oscillator.h). S, and without damping also S1, pass through
-/// zero; near there, the error is relative to their amplitude.
+/// The largest relative error of the response S to a unit velocity and of its integrals S1 and S2. S, and
+/// without damping also S1, pass through zero; near there, the error is relative to their amplitude.
 double worst_error(double x, double q) {
     constexpr double t = 0.003;
     const Oscillator o{.decay = x / t, .frequency2 = q / (t * t)};

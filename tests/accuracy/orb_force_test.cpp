@@ -1,5 +1,6 @@
-// Compares the force at the orb with independent formulas in this test: the flow of three Rankine vortices
-// and six waves, and the position to which spring and haptic primitive move the proxy in each tick.
+// Compares the force at the orb (a station where a hand feels a flow) with independent formulas in this test:
+// the flow of three Rankine vortices and six waves, and the position to which spring and haptic primitive
+// move the proxy in each tick.
 #include <algorithm>
 #include <functional>
 #include <string_view>
@@ -70,7 +71,7 @@ struct FeltFlow {
     }
 };
 
-/// Values from which the expected position of the proxy in a mode is computed.
+/// Values from which the expected position of the proxy in a haptic mode is computed.
 struct Felt {
     vec3 proxy{}, tip{};
     const FeltFlow& flow;

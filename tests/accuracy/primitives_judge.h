@@ -1,5 +1,6 @@
-// accuracy/primitives_judge.h: checks whether a balance of spring and haptic primitives is what the
-// documentation (haptics/primitives/balance.h) promises, without any code of the solver.
+// accuracy/primitives_judge.h: checks whether a balance, the proxy position at which the spring and the
+// haptic primitives cancel each other, is what the documentation (haptics/primitives/balance.h) promises,
+// without any code of the solver.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -62,9 +63,10 @@ inline Real dot(Triple a, Triple b) { return a.x * b.x + a.y * b.y + a.z * b.z; 
 inline Real length(Triple a) { return std::sqrt(dot(a, a)); }
 
 /// A proven bound on the error of the force (N), computed only from the result, with 64 bits of mantissa. The
-/// proxy is assumed to be on no kink. f(x) = spring + sum of potentials is at least k/2 |x - minimum|^2 above
-/// its minimum, and the dual value at the forces is below the minimum. So k |x - minimum| <= sqrt(|missing
-/// force|^2 + 2 k gap).
+/// proxy is assumed to be on no kink (a place where a primitive's force jumps). Let f(x) be the energy of the
+/// spring plus the potentials of the primitives. It is at least k/2 |x - minimum|^2 above its minimum. The
+/// dual value at the returned forces is below the minimum. With `gap`, the difference between f(x) and the
+/// dual value, this gives k |x - minimum| <= sqrt(|missing force|^2 + 2 k gap).
 inline double proven_bound(const PrimitiveSet& set, const Spring& spring, const Balance& balance) {
     const Triple x = triple(balance.proxy);
     const Real k = spring.stiffness;
@@ -85,8 +87,8 @@ inline double proven_bound(const PrimitiveSet& set, const Spring& spring, const 
     return static_cast<double>(std::sqrt(dot(missing, missing) + 2 * k * gap));
 }
 
-/// Largest possible increase of proven_bound by rounding (N): of the proxy and positions, which moves a kink
-/// or plane, and of forces.
+/// Largest possible increase of proven_bound by rounding (N): of the proxy and positions, which moves the
+/// places where forces jump, and of forces.
 inline double bound_rounding(const PrimitiveSet& set, const Spring& spring, const Balance& balance) {
     double reach = glm::length(balance.proxy), strength = 0;
     for (const Primitive& p : set.items()) {

@@ -1,5 +1,5 @@
-// Accuracy of balances of random and degenerate sets: independent residual, properties of a proximal map,
-// brute-force search.
+// Accuracy of the proxy that balances a spring against random and degenerate sets of haptic primitives:
+// independent residual, properties of a proximal map, brute-force search.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -370,7 +370,8 @@ TEST(PrimitivesRandom, TheStepBudgetHolds) {
             most = std::max(most, found.steps);
         }
     }
-    // Beyond the budget, 12 passes over the forces may follow, with one step each.
+    // When the budget of steps is used up, the solver may still make 12 passes over the forces, which count
+    // as one step each.
     EXPECT_LE(most, balance_step_budget + 13);
     EXPECT_GT(most, 100);
 }

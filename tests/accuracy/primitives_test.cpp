@@ -1,4 +1,4 @@
-// Accuracy of proxies of known sets in closed form, and refused input.
+// Compares the proxy of small sets of haptic primitives with closed forms. Also tests which input is refused.
 #include "haptics/primitives/balance.h"
 
 #include <gtest/gtest.h>

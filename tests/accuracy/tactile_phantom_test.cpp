@@ -46,7 +46,8 @@ TEST(TactileBody, RaisedArmsMoveForwardsAndUp) {
     EXPECT_EQ(posed(pose, Part::front, {0, 1, 0.1}), vec3(0, 1, 0.1));
 }
 
-/// Largest error of the felt position over a grid of intended positions inside the cells (m).
+/// Largest error of the felt position (m), over a grid of intended positions among the actuators of the chest
+/// or the back.
 double max_error(const Layout& layout, bool front, double sigma) {
     vec2 low(1e9), high(-1e9);
     for (std::size_t i = 0; i < layout.actuators.size(); ++i) {

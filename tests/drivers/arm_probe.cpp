@@ -1,5 +1,5 @@
-// Holds a force of 1 N with an arm for 300 ticks. Prints one line with the result: "played", "lost: ..." or
-// "refused: ...". Each call of the arm's library may take up to half a second.
+// Holds a force of 1 N with an arm (a haptic device) for 300 ticks. Prints one line with the result:
+// "played", "lost: ..." or "refused: ...". Each call of the arm's library may take up to half a second.
 //
 //     arm_probe LIBRARY [END]
 //

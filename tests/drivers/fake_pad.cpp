@@ -77,7 +77,7 @@ std::vector<guint8> answer(const Pad& pad, unsigned number, std::size_t size) {
 
 // ---- motors -----------------------------------------------------------------------------------------------
 
-/// Adds a line to the file with a single write, since several threads write.
+/// Adds a line to the file about the motors with a single write, since several threads write.
 void tell(const Pad& pad, const std::string& line) {
     const auto whole = pad.prefix + line + "\n";
     if (pad.felt >= 0 && write(pad.felt, whole.data(), whole.size()) < 0) std::perror("pad");

@@ -1,5 +1,5 @@
-// Opens a window and prints the labels of keys in the keyboard layout, one line of "NAME LABEL SIGN" for each
-// key named:
+// Opens a window and prints the labels of keys in the keyboard layout, one line for each key: its name, its
+// label ("Comma") and its sign (","):
 //
 //     key_probe NAME...
 #include <cstdio>

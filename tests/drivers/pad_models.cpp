@@ -30,7 +30,8 @@ using input::PadAxis;
 using input::PadReader;
 using input::PadState;
 
-/// A part of a joystick in a mapping: "b0", "h0.4", "a2", "+a2", "-a2", "a2~".
+/// A part of a joystick as SDL writes it in a mapping, with its number: "b0", "h0.4", "a2", "+a2", "-a2",
+/// "a2~".
 struct Part {
     char kind{};          ///< b (button), h (hat) or a (axis)
     char half{};          ///< '+' or '-': only the positive or negative half of the axis; 0: all of it

@@ -1,5 +1,6 @@
-// Tests the passive sources of every haptic scenario: computes the energy that they have created from the
-// tables of forces written by the scenarios. Arguments: the folder, and the largest energy allowed (J).
+// Tests passive sources of force (such as walls and springs) in every haptic scenario: computes the energy
+// that they have created from the tables of forces written by the scenarios. Arguments: the folder, and the
+// largest energy allowed (J).
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>

@@ -1,5 +1,5 @@
-// A spell that no file of the game knows (mend.cpp, mend.toml, w.toml) is a full spell: a stroke and a chord
-// cast it, bots draw it, the feed names it, and it is heard and felt.
+// A spell that no file of the game knows (mend.cpp, mend.toml, w.toml) is a full spell: a stroke and a
+// combination of keys cast it, bots draw it, the screen names it, and it is heard and felt.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -68,8 +68,9 @@ Outcome read_voxel_snapshot(const std::string& input, const Places&) {
     voxel_hash(body.view(), kept);
     ByteReader reader(std::as_bytes(std::span(input.data(), input.size())));
     const auto restored = restore(body.view(), reader);
-    // A reader may have changed the body before it refused its input, so the bricks that it changed must have
-    // new versions: the hash that uses remembered bricks must equal the hash of all.
+    // A reader may have changed the body before it refused its input. Bricks (blocks of voxels) that it
+    // changed must have new versions, so that their hashes are computed anew: the hash from remembered hashes
+    // of bricks must equal the hash without them.
     if (voxel_hash(body.view(), kept) != voxel_hash(body.view(), none)) return {.fault = "a stale hash"};
     if (!restored) return {.refusal = restored.error().message};
     return {.accepted = true};

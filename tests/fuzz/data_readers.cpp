@@ -86,7 +86,7 @@ Outcome read_bot(const std::string& input, const Places& places) {
     });
 }
 
-/// Plays every kind of dummy on one range, then continues that range with the shipped data.
+/// Plays every kind of dummy on one practice range, then continues it with the shipped data.
 Outcome read_range(const std::string& input, const Places& places) {
     const auto sound = game::load_range(std::filesystem::path(THAUM_SOURCE_DIR) / "assets", {});
     if (!sound) return {.fault = sound.error().message};

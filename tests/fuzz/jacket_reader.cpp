@@ -1,4 +1,4 @@
-// Fuzzes the readers of a jacket's setting and of replies by the bHaptics Player.
+// Fuzzes the readers of the setting of a tactile jacket and of replies by the bHaptics Player.
 #include "core/text.h"
 #include "fuzz/fuzz.h"
 #include "game/jackets/bhaptics_messages.h"

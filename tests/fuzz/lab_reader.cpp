@@ -1,4 +1,4 @@
-// Fuzzes saved states of the lab: an accepted state must be a brew that can continue.
+// Fuzzes the reader of saved states of the fluid lab: an accepted state must be a fluid that can continue.
 #include "core/hash.h"
 #include "fuzz/fuzz.h"
 #include "game/data/match_data.h"

@@ -1,5 +1,5 @@
-// Fuzzes logs. Checksums detect plain damage. So most mutants get correct checksums, and reach zstd, the
-// decoder, and the match that the header describes.
+// Fuzzes the reader of match logs. Checksums detect plain damage. So most mutants get correct checksums, and
+// reach zstd, the decoder, and the match that the header describes.
 #include <zstd.h>
 
 #include <cstring>

@@ -1,5 +1,5 @@
-// A mode that only these tests have: it pulls the hand to the origin, with a strength that depends on the
-// field's value.
+// A haptic mode that only these tests have: it pulls the hand to the origin, with a strength that depends on
+// the field's value.
 #include "haptics/modes.h"
 
 namespace thaum::haptics {

@@ -1,4 +1,4 @@
-// A program that adds a mode by one .cpp of its own (homing.cpp).
+// A program that adds a haptic mode by one .cpp of its own (homing.cpp).
 #include <gtest/gtest.h>
 
 #include <algorithm>

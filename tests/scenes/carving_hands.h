@@ -17,8 +17,9 @@ inline void place_at_the_crystal(game::Simulation& match, bool both = true, std:
     }
 }
 
-/// Input with which both players hold Stir, push their hands into the crystal and pull them out, and walk
-/// around it. Fire is held except in the last quarter of each second, and the tool changes each second.
+/// Input with which both players hold the button Stir, push their hands into the crystal and pull them out,
+/// and walk around it. Fire is held except in the last quarter of each second, and the tool changes each
+/// second.
 inline input::InputFrame carving(Tick tick) {
     input::InputFrame frame;
     for (std::size_t player = 0; player < game::players; ++player) {

@@ -34,8 +34,10 @@ struct Attack {
     Fluid fluid;
     AttackPlan plan{};
     Random random{};
-    double energy{};                               ///< upper bound on the energy after the strike (m^5/s^2)
-    std::array<double, max_substances> amounts{};  ///< amounts after the strike (m^3)
+    /// Upper bound on the energy after the pushes and other changes before a step (m^5/s^2)
+    double energy{};
+    /// Amount of each substance before a step, with what was poured in (m^3)
+    std::array<double, max_substances> amounts{};
     int refused{};
     std::string fault{};  ///< first violation of a bound; empty: none
     double worst_divergence{}, worst_growth{}, worst_drift{};

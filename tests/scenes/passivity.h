@@ -19,7 +19,9 @@ struct PassiveEnergy {
     /// Energy that passed between sources and hand in both directions (J). If it is zero, the test proves
     /// nothing.
     double moved{};
-    double held{};        ///< most energy that tether and touched surface stored (J)
+    /// Most energy that the spring to the anchor (the point to which a tether pulls) and the touched surface
+    /// stored (J)
+    double held{};
     double max_booked{};  ///< largest value of the simulation's own observer (J), only for comparison
     std::size_t rows{};
 };
@@ -36,7 +38,7 @@ struct HandRow {
     bool cut{};  ///< true: the hand got less force than the sources requested
 };
 
-/// Columns of a player in the table.
+/// The columns of one player's hand in a table of forces.
 class HandColumns {
 public:
     HandColumns(TableReader& table, int player) {

@@ -1,6 +1,6 @@
-// tests/scenes/safety_attack.h: hostile input for the safety stage, for the tests and the benchmark. The
-// input goes through phases, because pure noise would keep the stage switched off or limiting, and never test
-// it while motors are warm or forces fade in and out.
+// tests/scenes/safety_attack.h: hostile input for the safety stage (the last part of the servo, which limits
+// forces), for the tests and the benchmark. The input goes through phases, because pure noise would keep the
+// stage switched off or limiting, and never test it while motors are warm or forces fade in and out.
 #pragma once
 #include <limits>
 

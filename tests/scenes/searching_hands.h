@@ -1,4 +1,5 @@
-// tests/scenes/searching_hands.h: two players who search the orb, for benchmarks and tests of a match.
+// tests/scenes/searching_hands.h: two players who search the flow in the orb (a station of the game), for
+// benchmarks and tests of a match.
 #pragma once
 #include "game/match/simulation.h"
 #include "game/stations/orb/orb.h"
@@ -13,7 +14,8 @@ inline void place_at_the_orb(game::Simulation& match) {
     stand(match, 1, {middle.x, match.data().wizard.height / 2, middle.z + 1.4});
 }
 
-/// Input with which both players hold Stir, switch two modes on and move their hands to and fro.
+/// Input with which both players hold the button Stir, switch two haptic modes on and move their hands to and
+/// fro.
 inline input::InputFrame searching(Tick tick) {
     input::InputFrame frame;
     for (std::size_t player = 0; player < game::players; ++player) {

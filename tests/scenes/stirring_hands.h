@@ -14,7 +14,7 @@ inline void place_at_the_rim(game::Simulation& match) {
         stand(match, player, {player == 0 ? -2.2 : 2.2, match.data().wizard.height / 2, 0});
 }
 
-/// Input with which both players hold Stir and move in circles, one faster than the other.
+/// Input with which both players hold the button Stir and move in circles, one faster than the other.
 inline input::InputFrame stirring(Tick tick) {
     input::InputFrame frame;
     for (std::size_t player = 0; player < game::players; ++player) {

@@ -1,5 +1,5 @@
-// A wand that no file of the game knows (hail.cpp, hail.toml) is a full wand: its hits have numbers, names,
-// rows and columns, bots shoot with it, and it is drawn.
+// A wand that no file of the game knows (hail.cpp, hail.toml) is a full wand: its kinds of hit have numbers
+// and names, data rows for sound and effects, columns in statistics, bots shoot with it, and it is drawn.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ Data data_of(std::vector<std::string> overrides = {}) {
         load_match_data(assets(), {.overrides = std::move(overrides)}).value());
 }
 
-/// Overrides that leave bots no other wand to shoot with.
+/// Overridden values of data files that leave bots no other wand to shoot with.
 std::vector<std::string> only_hail() {
     return {"bolt.energy.cap=0", "bolt.energy.regain_per_s=0", "blast.energy.cap=0", "lob.energy.cap=0",
             "hail.shot.damage=40"};

@@ -111,7 +111,7 @@ TEST(CarvingHostile, ExtentsWithoutASizeChangeNothing) {
             expect_nothing(density_constant(extent, 0), {});
         }
     }
-    // A stamp without cells must change nothing.
+    // A stamp, a tool whose extent is given by cells, must have cells. Without any it must change nothing.
     expect_nothing(density_constant(round_extent(ExtentShape::stamp, 3), 0), {});
 }
 

@@ -64,7 +64,8 @@ TEST(FluidTouchHostile, TheLoopThroughTheFluidDoesNotRing) {
     for (const double mass : {0.1, 3.0, 200.0}) {
         EXPECT_LE(flow_after(60, mass, mass, 0), 1e-4) << mass;
         for (const double hand : {0.02, 0.1, 1.0}) EXPECT_LE(flow_after(300, mass, mass, hand), 1e-3);
-        // Reason for the limit: the oscillation decays up to a gain of 0.83 and grows beyond.
+        // Reason for the limit on the gain of the loop (how strongly a change of the flow brakes the flow
+        // itself one step later): the oscillation decays up to a gain of 0.83 and grows beyond.
         EXPECT_LE(flow_after(400, mass * 0.80 / loop_gain, mass, 0), 0.2);
         EXPECT_GE(flow_after(400, mass * 0.86 / loop_gain, mass, 0), 5);
     }

@@ -1,6 +1,7 @@
 // A resting hand must feel a constant force: at a fixed reading in a constant field, the force changes by at
-// most 1 mN per tick after 300 ticks, in every mode, field and curve. A hand that creeps or trembles must
-// feel no chatter. A moving hand and a moving field must still be felt at once.
+// most 1 mN per tick after 300 ticks, in every haptic mode, in every field, and with every curve of strength
+// over the field's value. A hand that creeps or trembles must feel no chatter. A moving hand and a moving
+// field must still be felt at once.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -77,7 +78,7 @@ vec3 random_place(Random& random, double half) {
     return {x, y, random.uniform(-half, half)};
 }
 
-/// A curve with jumps and either sign (N).
+/// A random curve of a mode's strength (N) over the value of its field, with jumps and either sign.
 field::TransferFunction random_curve(Random& random, double from, double to) {
     std::array<vec2, 8> points{};
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -351,7 +352,8 @@ TEST(Settling, TakesTheWholeWayUnlessItTurnsBackAndCalmsDownAtRest) {
     EXPECT_EQ(go({0.01, 0, 0}, {0.012, 0, 0}), vec3(0.012, 0, 0));
     EXPECT_LE(go({0.012, 0, 0}, {}).x, 0.012 - 0.001);
     EXPECT_GT(go({0.011, 0, 0}, {}).x, 0);
-    // However the balance jumps, the proxy must move less and less in each tick at rest.
+    // However the position that balances all forces jumps, the proxy, which follows it, must move less and
+    // less in each tick at rest.
     Random random{3};
     vec3 proxy(0);
     for (int tick = 0; tick < 600; ++tick) {

@@ -170,8 +170,8 @@ TEST(HapticsSwitches, TheBrakeBeginsSlowlyAndPullsNoHandIntoAWall) {
         const double depth = 0.8 * spec.peak_force / spec.max_stiffness, step = depth / 20;
         double height = 1e-4, before = 0;
         for (int tick = 0; tick < 80; ++tick) {
-            // The hand moves in, waits, and moves out, while a source that has ended meanwhile has left an
-            // energy debt.
+            // The hand moves in, waits, and moves out, while a source that has ended meanwhile has created
+            // energy, which the servo's brake must take back.
             const double way = tick < 30 ? -step : tick < 40 ? 0 : step;
             height = std::max(height + way, -depth);
             if (tick == 42) state.energy.created = 0.02;

@@ -1,5 +1,5 @@
-// Hostile curves at the orb: strengths up to 10^6 N of either sign that jump, all pairs of modes, both
-// players at once.
+// Hostile curves (strength over a field's value) of the haptic modes at the orb: strengths up to 10^6 N of
+// either sign that jump, all pairs of modes, both players at once.
 #include <cmath>
 
 #include "core/random.h"
@@ -8,7 +8,7 @@
 namespace thaum::game::test {
 namespace {
 
-/// A curve with jumps at four places.
+/// A random curve of a mode's strength over the value of its field, with jumps at four places.
 field::TransferFunction hostile_curve(Random& random, double max_property) {
     constexpr std::array<double, 6> strengths{1e6, -1e6, 0, 1, 5, 0.3};
     std::array<vec2, 8> points{};
@@ -75,7 +75,7 @@ struct Darting {
         }
         if (t % 300 == 0)
             aim = {random.uniform(-0.07, 0.07), random.uniform(-0.05, 0.05), random.uniform(-0.03, 0.03)};
-        // Excessive forces shut a device off; a press of the panic key switches forces on again.
+        // Excessive forces shut a device off; a press of the emergency key switches forces on again.
         auto& hand = seance.change().get<HandState>(seance.wizard(player));
         hand.home += (t % 300 < 10 ? 0.1 : 0.01) * (aim - hand.home);
         if (hand.servo.safety.latched != 0 && t % 40 < 20)
@@ -85,7 +85,7 @@ struct Darting {
     }
 };
 
-/// Both players switch two modes on, make sudden motions, and change their curves.
+/// Both players switch two haptic modes on, make sudden motions, and change their curves.
 Outcome dart_about(std::array<std::uint32_t, 2> worn, Tick length, std::uint64_t seed) {
     Seance seance(seed);
     seance.begin(0);

@@ -15,7 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Floor (level) of each part of the tree. A part may include itself and parts on lower floors.
+/// Floor (level) of each part (top folder of the engine or program) of the tree. A part may include itself
+/// and parts on lower floors.
 const std::map<std::string, int, std::less<>> floors = {
     {"core", 0},    {"ecs", 1},     {"field", 1}, {"physics", 2}, {"fluid", 2}, {"haptics", 2},  {"audio", 2},
     {"tactile", 2}, {"gesture", 2}, {"input", 2}, {"render", 2},  {"game", 3},  {"examples", 3},
@@ -46,15 +47,15 @@ const std::map<std::string, int, std::less<>> game_floors = {
     {"app", 15},                            // the program and its commands
 };
 
-/// Includes that are allowed between parts on the same floor: from, to.
+/// Includes that are allowed between parts of the tree on the same floor (level): from, to.
 const std::set<std::pair<std::string, std::string>> level_includes = {{"input", "haptics"},
                                                                       {"input", "tactile"}};
 
 /// Parts that take and return plain data. They must not include the ECS.
 const std::set<std::string, std::less<>> numerical = {"field", "fluid", "haptics", "tactile", "gesture"};
 
-/// Folders of the engine with baselines and audits, each a library of its own. Commands, benchmarks and tests
-/// may include them; other parts of a program may not.
+/// Folders of the engine with reference solvers and checks, each a library of its own. Commands, benchmarks
+/// and tests may include them; other parts of a program may not.
 const std::set<std::string, std::less<>> folders_apart = {"fluid/classic", "gesture/trials", "haptics/audit",
                                                           "render/audit"};
 

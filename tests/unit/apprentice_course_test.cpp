@@ -1,5 +1,6 @@
-// A scripted player completes all lessons of the Apprentice. The player acts only by device samples, as a
-// person does. Each lesson's step must stay open until the player has done what it asks.
+// A scripted player completes all lessons of the Apprentice (the game's guided course). The player acts only
+// by device samples, as a person does. Each lesson's step must stay open until the player has done what it
+// asks.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -60,7 +61,7 @@ struct Player {
         sample.press(Button::fire);
         sample.counts[hand::trigger] = 255;
     }
-    /// Presses the key of a wand until the wand is in hand. Returns whether it is.
+    /// Presses the key of a wand until the wizard holds that wand. Returns whether it is.
     bool take(std::string_view wand) {
         const auto slot = slot_of(wand);
         if (self().wand == slot) return true;
@@ -78,7 +79,7 @@ void shoot_bolts(Player& p) {
     if (p.take("bolt") && p.look_at(p.place_of(game::dummys))) p.hold_fire();
 }
 
-/// Holds fire until the wand is ready, aims, and lets go.
+/// Holds the fire button until the wand is charged to the share `readiness`, aims, and releases the button.
 void ready_and_shoot(Player& p, std::string_view wand, double readiness) {
     if (!p.take(wand)) return;
     const auto me = p.self(readiness);
@@ -118,7 +119,7 @@ void brew(Player& p) {
     if (world.has<game::Pouch>(wizard) && p.tick % 200 < 100) p.hold_fire();
 }
 
-/// Draws a circle within a second, with Trace held.
+/// Draws a circle within a second, with the button Trace held, which makes the hand draw.
 void draw_circle(Player& p) {
     constexpr Tick begin = 100, length = 1000;
     constexpr double radius = 350;  // radius of the circle (counts of the mouse)
@@ -179,7 +180,7 @@ protected:
     }
     ecs::Entity wizard() { return game::wizard_of(practice_.match().world(), practising); }
     double health() { return practice_.match().world().get<game::Health>(wizard()).points; }
-    /// Distance of the player from the step's place along the ground (m).
+    /// Distance of the player from the place to which the lesson's step sends it, along the ground (m).
     double feet_off() {
         const auto place = course().lessons().steps[course().at()].player->feet;
         const auto centre = Player{practice_, 0}.self().centre;

@@ -1,5 +1,5 @@
-// Tests of the Apprentice: its file of lessons, and a scripted player who completes all lessons with device
-// samples.
+// Tests of the Apprentice (the game's guided course): its file of lessons, and a scripted player who
+// completes all lessons with device samples.
 #include "game/range/apprentice.h"
 
 #include <gtest/gtest.h>

@@ -270,7 +270,8 @@ TEST(TheWell, IsTheSameForBothPlayers) {
 
 // Paths for bots --------------------------------------------------------------------------------------------
 
-/// Checks that bots can walk from both starts to every power-up, to every niche and to the cauldron's rim.
+/// Checks that bots can walk from both starts to every power-up, to every niche (where ingredients lie) and
+/// to the cauldron's rim.
 void expect_ways_everywhere(const std::shared_ptr<const MatchData>& data) {
     const Simulation match(data, {1, {bot_device(0, 1), bot_device(1, 1)}});
     const auto& arena = data->arena;

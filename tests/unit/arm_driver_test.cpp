@@ -1,5 +1,5 @@
-// Tests of opening arms with any driver: what the engine adds to a driver that only reads and writes
-// (tests/drivers/fake_arm), and what it does if drivers hang, fail or return wrong values.
+// Tests of opening arms (haptic devices) with any driver: what the engine adds to a driver that only reads
+// and writes (tests/drivers/fake_arm), and what it does if drivers hang, fail or return wrong values.
 #include "input/arm_driver.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,8 @@ bool eventually(F holds) {
 
 bool says(const std::string& line, std::string_view part) { return line.find(part) != std::string::npos; }
 
-/// Opens arm `number` of a driver. FAKE_ARMS is read when places are listed and when an arm is opened.
+/// Opens arm `number` of a driver. The fake driver reads its scripts, $FAKE_ARMS, when arms are listed and
+/// when one is opened.
 Expected<std::unique_ptr<OpenArm>> open_of(std::string_view driver, std::size_t number = 0,
                                            const ArmPatience& patience = {}) {
     for (const auto& place : arm_places())
@@ -308,8 +309,8 @@ TEST(ArmDrivers, AStartThatFailsIsALine) {
     EXPECT_EQ(pusher.ticks, 0U);
 }
 
-/// A call of `open` that hangs is given up. The driver is refused until the call returns, and the arm is then
-/// closed.
+/// A call of `open` that hangs is abandoned after a time limit. The driver is refused until the call returns,
+/// and the arm is then closed.
 TEST(ArmDrivers, AnOpenThatHangsIsGivenUp) {
     open_hangs = true;
     const int before = closed;
@@ -404,8 +405,8 @@ TEST(ArmDrivers, AnArmIsGivenUpWhereThatIsAllItsLibraryAllows) {
     read_hangs = false;
 }
 
-/// With a library that does not allow calls from a second thread, none are made: the arm's force stays, as
-/// its driver says.
+/// If an arm's library allows no calls from a second thread, the watchdog may not end the force. It must make
+/// no call, and the force stays, as the driver says.
 TEST(ArmDrivers, ALibraryThatTakesNoSecondThreadGetsNone) {
     const Pushed pushed("keeps");
     const int before = given_up;
@@ -416,7 +417,7 @@ TEST(ArmDrivers, ALibraryThatTakesNoSecondThreadGetsNone) {
     read_hangs = false;
 }
 
-/// An arm without force is not given up: its library may be silent for a while.
+/// An arm without force does not count as lost: its library may be silent for a while.
 TEST(ArmDrivers, AnArmThatRestsIsNotGivenUp) {
     Pushed pushed("lets go");
     pushed.pusher.newton = 0;

@@ -1,6 +1,6 @@
 // Tests a program with an arm whose library misbehaves in every way of tests/drivers/fake_hd/modes.h, and a
-// program that is ended in every possible way. It must print one line or go on, must neither hang nor crash,
-// and the last force must be zero. Each case runs in a process of its own.
+// program that is ended in every possible way. The program must print one line or go on, must neither hang
+// nor crash, and the last force must be zero. Each case runs in a process of its own.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -133,8 +133,8 @@ void expect_modes(const std::vector<Mode>& modes) {
 TEST(ArmModes, AFunctionThatFailsHangsOrCallsBack) { expect_modes(fake_hd::modes_of_calls()); }
 TEST(ArmModes, MeasurementsWordsAndTicksThatAreWrong) { expect_modes(fake_hd::modes_of_answers()); }
 
-/// The ticks arrive before hdScheduleAsynchronous returns. The function may still fail then, so no force may
-/// act yet.
+/// The library calls the servo's ticks before hdScheduleAsynchronous returns. The function may still fail
+/// then, so no force may act yet.
 TEST(ArmModes, NoForceBeforeTheLibraryHasTakenTheTicksUp) {
     std::vector<Probe> probes{{.words = "hdScheduleAsynchronous=returns_late", .opens = false}};
     run_all(probes);

@@ -1,4 +1,5 @@
-// Tests how a match follows the clock of a real arm. Time is simulated; the machine's clock is not read.
+// Tests how a match follows the clock of a real arm (a haptic device). Time is simulated; the machine's clock
+// is not read.
 #include "game/live/arm_pace.h"
 
 #include <gtest/gtest.h>
@@ -19,8 +20,8 @@ struct Rig {
     std::int64_t stall_at = -1, stall_ns = 0;
     double jitter = 0;  ///< largest delay of a sample, as a share of a tick
 
-    std::size_t max_waiting = 0;  ///< largest number of waiting samples in the last second
-    int without_sample = 0;       ///< ticks of the last second without a sample
+    std::size_t max_waiting = 0;  ///< most samples of the arm that waited for the match, in the last second
+    int without_sample = 0;       ///< ticks of the last second for which the arm had sent no sample
 
     void run(double seconds) {
         const auto arm_period = ns_per_second / arm_ticks_per_s;
@@ -61,7 +62,8 @@ TEST(ArmPace, AFasterArmsSamplesDoNotPileUp) {
     for (const double rate : {1001.0, 1008.0, 1030.0}) {
         Rig rig{.arm_ticks_per_s = rate};
         rig.run(20);
-        // The bound of 12 keeps models fresh: they count as fresh up to an age of 20 ticks.
+        // A sample that waits makes the haptic models older by as many ticks. Models count as fresh up to an
+        // age of 20 ticks, so at most 12 may wait.
         EXPECT_LE(rig.max_waiting, 12U) << rate;
         EXPECT_EQ(rig.without_sample, 0) << rate;
     }

@@ -37,7 +37,7 @@ struct Arm {
     }
 };
 
-/// A simulation that makes a new haptic model in each tick.
+/// The side of the match: repeats the arm's servo steps, and makes a new haptic model in each tick.
 struct Mirror {
     ArmServo& servo;
     ArmState arm{};
@@ -48,7 +48,8 @@ struct Mirror {
     bool panic = false, rearm = false;
     double push = 1;
     DeviceSample newest{};
-    std::uint32_t epoch = 1;  // the arm's epoch for which the models in `kept` were made
+    // The epoch (run of samples without a gap) for which the models in `kept` were made
+    std::uint32_t epoch = 1;
 
     const RememberedModel* find(std::uint32_t number) const {
         const auto& model = kept[number % remembered_models];
@@ -300,8 +301,8 @@ TEST_F(ArmServoTest, PanicAndItsEndReachTheArm) {
     mirror.panic = false;
     both(1);
     EXPECT_EQ(arm.forces.back(), vec3(0));
-    // After a panic stop, the force stays zero until the player rearms. That holds after a skipped tick, too,
-    // at which arm and simulation start anew.
+    // After a panic stop, the force stays zero until the player switches forces on again. That holds after a
+    // skipped tick, too, at which arm and simulation start anew.
     mirror.tick(true);
     const auto then = arm.forces.size();
     both(200);

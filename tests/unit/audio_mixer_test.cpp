@@ -228,7 +228,8 @@ TEST_F(MixerTest, ALouderVoiceTakesASourceAndTheOtherFades) {
     recorder.play(frame, 10);
     EXPECT_EQ(mixing.report().stolen, 10U);
     EXPECT_EQ(mixing.report().begun, 74U);
-    // A voice that ends because the frame lacks it does not count as stolen.
+    // A lasting voice that the frame no longer contains ends. It does not count as stolen, because no louder
+    // voice has taken its place.
     frame.lasts.count = 20;
     recorder.play(frame, 5);
     EXPECT_EQ(mixing.report().stolen, 10U);

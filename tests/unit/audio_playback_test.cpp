@@ -16,7 +16,7 @@ struct Room {
     Playback playback{mixer(), std::make_unique<FakeDevice>(card)};
     double now_s{};
     double next_step_s{};
-    bool heard_all = true;  ///< false after a frame found the queue full
+    bool heard_all = true;  ///< false after a frame was lost because the queue was full
 
     void run_until(double until_s) {
         while (next_step_s <= until_s) {

@@ -1,4 +1,5 @@
-// Tests of recipes: which are refused, and with which messages; equal recipes give equal samples.
+// Tests of sound recipes (texts from which sounds are computed): which are refused, and with which messages;
+// equal recipes give equal samples.
 #include <cmath>
 
 #include "audio/analysis.h"
@@ -67,7 +68,7 @@ TEST(AudioRecipe, WorkIsAtLeastTheSamplesAdded) {
     EXPECT_EQ(work_of(recipe), 3 * 48'000);
 }
 
-/// A recipe with all kinds of parts.
+/// A sound recipe with all kinds of parts.
 std::string everything(bool loops) {
     return head(0.6, loops) + "drive = 2\necho_s = 0.1\necho = 0.4\n" +
            part("tone",

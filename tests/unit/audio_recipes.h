@@ -1,4 +1,4 @@
-// unit/audio_recipes.h: short recipes for tests.
+// unit/audio_recipes.h: short sound recipes (texts from which sounds are computed) for tests.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 namespace thaum::audio {
 
-/// Head of a recipe, before its parts.
+/// The first lines of a sound recipe, before its parts.
 inline std::string head(double seconds, bool loops = false) {
     return text("version = 1\ndescription = \"test\"\ngroup = \"effects\"\nseconds = ", seconds,
                 "\nlevel = 0.8\nloops = ", loops, "\n");
@@ -24,7 +24,7 @@ inline Sound made(const std::string& toml) {
     return recipe ? make_sound(*recipe) : Sound{};
 }
 
-/// Message of a refused recipe; empty: none.
+/// Message of a refused sound recipe; empty: none.
 inline std::string refusal(const std::string& toml) { return message_of(read_recipe(toml, "test")); }
 
 }  // namespace thaum::audio

@@ -1,5 +1,5 @@
-// Tests of the effects that players can try on the mixer's page: which cells light up, the faders, and the
-// end.
+// Tests of the effects that players can try on the menu page with the body's faders: which cells of the body
+// figure (a drawing of the body) light up, the faders, and the end.
 #include "game/live/body_trial.h"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ class BodyTrialTest : public testing::Test {
 protected:
     BodyTrialTest() { body_.emplace(LiveBody::load(THAUM_SOURCE_DIR "/assets").value()); }
 
-    /// Plays a tried effect to its end. Returns the strongest value of each cell, and the effect's length
-    /// (ms).
+    /// Plays a tried effect to its end. Returns the strongest value of each cell of the body figure, and the
+    /// effect's length (ms).
     std::pair<BodyTrial::Figure, std::int64_t> played(tactile::Purpose purpose, double share) {
         tactile::Faders faders;
         faders.of(purpose) = share;

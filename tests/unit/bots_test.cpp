@@ -368,7 +368,8 @@ struct Trip {
     double health{};   ///< health at the end (HP)
 };
 
-/// Sends a bot without bolts to the only spark of the arena, on the other side of the pit.
+/// Sends a bot without bolts to the arena's only spark (a power-up with energy), on the other side of the
+/// pit.
 Trip errand_over_the_pit(double swing_gain) {
     auto skill = skill_of(3);
     skill.swing_gain = swing_gain;
@@ -418,7 +419,7 @@ TEST(Bot, SavedAndRestoredItGoesOnAsItWould) {
     EXPECT_EQ(again.match->state_hash(), duel.match->state_hash());
 }
 
-// ---- the league -------------------------------------------------------------------------------------------
+// ---- the league: results of bots of all levels against each other -----------------------------------------
 
 TEST(League, TheResultOfAMatchIsReported) {
     const auto data = duel_data({"quick.seconds=20"});

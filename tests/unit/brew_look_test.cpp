@@ -1,5 +1,5 @@
-// Tests of the values from which the brew is drawn: colours, layers that follow the surface, arrows and
-// streamlines.
+// Tests of the values from which the brew (the cauldron's fluid) is drawn: colours, layers that follow the
+// surface, arrows and streamlines.
 #include "game/scene/brew_look.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Tests of undo and redo.
+// Tests of undo and redo of edits to a body of voxels.
 #include "field/carving_history.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t copy_bytes = sizeof(BrickCopy);
 
-/// A solid body of 3 x 3 x 3 bricks with a history.
+/// A solid body of 3 x 3 x 3 bricks (blocks of 8 x 8 x 8 voxels) with a history.
 struct Rig {
     Voxels body = block({24, 24, 24}, 1);
     CarvingHistory history;

@@ -5,7 +5,7 @@
 
 namespace thaum::game::hud_tests {
 
-/// The picture of a new match, into which a test writes what was recognised.
+/// The picture of a new match, into which a test writes strokes and what was recognised in them.
 inline Picture new_casting_picture() { return picture_of(*new_match()); }
 
 inline std::uint32_t gesture_number(const CastingPicture& casting, std::string_view name) {

@@ -202,8 +202,8 @@ TEST(Casting, AStrokeOfAnyLengthHasRoom) {
     EXPECT_NEAR(stroke.count * stroke.every * 8.0, 20'000, 200);
 }
 
-/// Draws a star 10 cm wide with Trace held, in steps of 8 ms like a slow mouse, and returns what was
-/// recognised.
+/// Draws a star 10 cm wide with the button Trace held, in steps of 8 ms like a slow mouse, and returns what
+/// was recognised.
 LastReading read_star(Drawer& drawer, int jumps) {
     const auto place = [](double share) {
         const auto corner = [](double k) {
@@ -295,7 +295,7 @@ TEST(Casting, ARecallGoesOnFromAKeyframeToTheSameBits) {
         if (body.mass > 0 && body.mass < 20) thing = e;
     });
     ASSERT_TRUE(thing);
-    const auto key_chord = [&](int t) {  // the combination of keys for the star
+    const auto key_chord = [&](int t) {  // the keys that cast the star's spell without drawing
         input::InputFrame frame;
         if (t >= 1900 && t < 1960) frame.devices[0].press(input::Button::trace);
         frame.devices[0].wand = t >= 1930 && t < 1940 ? 4 : 0;

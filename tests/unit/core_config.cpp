@@ -247,8 +247,9 @@ TEST(CoreConfig, AMisspeltKeyIsNamedInPlaceOfTheMissingOne) {
               (std::vector<std::string>{"wand.toml:2: unknown key 'schot'; did you mean 'shot'?"}));
 }
 
-/// A reader that a wrong word has misled asks for other keys. The keys that belong to the correct word are
-/// not reported as unknown.
+/// Which keys a reader asks for may depend on a word in the file, here the shape. If that word is wrong, the
+/// reader takes another one and asks for keys that do not belong to the intended word. The keys of the
+/// intended word must not be reported as unknown.
 TEST(CoreConfig, AfterAWrongWordOnlyNearKeysAreUnknown) {
     const auto read = [](const ConfigTable& t) {
         if (t.choice("shape", {"ball", "rod"}) == 0)

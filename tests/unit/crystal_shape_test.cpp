@@ -1,4 +1,4 @@
-// Tests of the keys inside crystals and of the rough crystals around them, over many seeds.
+// Tests of the keys (the shapes hidden in crystals) and of the rough crystals around them, over many seeds.
 #include "game/stations/crystal/crystal_shape.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Tests of crystals in a match: touching, carving, chips, the Lens, rounds, restored states, and hostile
-// input.
+// Tests of crystals in a match: touching, carving, chips (pieces that shots break off), the Lens (the prize
+// for a finished crystal), rounds, restored states, and hostile input.
 #include "game/stations/crystal/crystal.h"
 
 #include <gtest/gtest.h>
@@ -165,7 +165,7 @@ TEST(Crystal, WorkEndsWithStirWithDeathAndOutOfReach) {
 
 // ---- the Lens ---------------------------------------------------------------------------------------------
 
-/// Makes the body equal to the key, so that the next dab completes the crystal.
+/// Makes the crystal's body equal to the shape hidden in it, so that the next dab completes the crystal.
 void carve_whole(Simulation& match) {
     std::ranges::copy(match.crystals().list[0].key, densities(match).begin());
     rebuild_crystals(match.context_to_change(), match.crystals_to_change());
@@ -207,8 +207,8 @@ std::unique_ptr<Simulation> nobody_near() {
     return match;
 }
 
-/// Turns the first wizard's view to a crystal and shoots with the wand in a slot until the crystal is
-/// chipped.
+/// Turns the first wizard's view to a crystal and shoots with the wand in slot `slot` until a piece of the
+/// crystal breaks off.
 bool shoot_until_chipped(Simulation& match, std::uint32_t slot, Tick limit) {
     auto& world = match.world_to_change();
     const auto wizard = wizard_of(world, 0);

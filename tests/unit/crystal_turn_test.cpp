@@ -1,4 +1,4 @@
-// Tests of turning a crystal and of its grain.
+// Tests of turning a crystal and of its grain, which resists cuts into the hidden shape.
 #include "game/stations/crystal/grain.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Tests of sounds that are felt on a jacket: which row of cells a tone drives and how its level changes;
-// distance, walls and groups; silence.
+// Tests of sounds that are felt on a jacket: which row of a jacket's cells a tone drives and how its level
+// changes; distance, walls and groups; silence.
 #include "game/senses/tactile/felt_sound.h"
 
 #include <cmath>

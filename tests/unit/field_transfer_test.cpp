@@ -165,7 +165,8 @@ TEST(TransferFunction, AStrokeKeepsWhatTheMouseDrew) {
 }
 
 TEST(TransferFunction, AFullFunctionKeepsItsShape) {
-    // A saw-tooth curve of 8 teeth is drawn in 200 columns. Its corners are the points that should be kept.
+    // A saw-tooth curve of 8 teeth is drawn in steps of 1/200 of its width, which are more points than a
+    // function can hold. Its corners are the points that should be kept.
     const auto saw = [](double x) { return std::abs(x * 8 - std::round(x * 8)); };
     TransferFunction f = constant(0);
     for (int i = 0; i <= 200; ++i) {

@@ -107,7 +107,8 @@ TEST(FlowPatch, ContinuesBeyondItsNodesAndIsEmptyWithoutAFluid) {
     EXPECT_EQ(flow_at({}, {}).density, 0);
     EXPECT_EQ(patch_of({}, {}).spacing, 0);
     EXPECT_EQ(patch_of(source_of(fluid), vec3(1e300)).spacing, 0.125);
-    // A substance that reduces the density by more than the density of the brew.
+    // A substance that takes away more than the whole density of the fluid. The density must not become
+    // negative.
     auto source = source_of(fluid);
     source.substances[2].density = -1e9;
     for (const FlowNode& node : patch_of(source, vec3(0.6)).nodes) EXPECT_GE(node.density, 0);

@@ -98,7 +98,9 @@ TEST(FluidMixing, IsOneMinusDeviationDividedByMean) {
         set_substance(fluid, 0, [](vec3 p) { return p.x < 0.5 ? 1.0 : 3.0; });
         EXPECT_NEAR(mixing(fluid, 0), 0.5, 1e-6);
         set_substance(fluid, 0, [](vec3 p) { return p.x < 0.1 && p.z < 0.6 ? 1.0 : 0.0; });
-        EXPECT_EQ(mixing(fluid, 0), 0);  // less than half is filled, so the deviation exceeds the mean
+        // Where less than half holds the substance, its standard deviation exceeds its mean; the result is
+        // kept at 0
+        EXPECT_EQ(mixing(fluid, 0), 0);
     }
 }
 

@@ -97,7 +97,7 @@ TEST(FluidSaved, ARestoredFluidContinuesWithTheSameBits) {
         EXPECT_EQ(saved.shape, c.shape);
         Brew again{std::move(saved.fluid), std::move(saved.surface)};
         if (c.settings.solver == Solver::thaum) {
-            // This comparison includes the ghosts.
+            // This comparison includes the ghost cells, the samples outside the walls.
             EXPECT_EQ(again.fluid.state.velocity, through.fluid.state.velocity);
         }
         EXPECT_EQ(save(again.fluid, again.surface, c.shape), save(through.fluid, through.surface, c.shape));

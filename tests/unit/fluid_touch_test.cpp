@@ -12,7 +12,8 @@
 namespace thaum::haptics {
 namespace {
 
-/// Damping at the hand (N s/m) for 1 N s/m in the bowl: the product s_f s_x of both scales.
+/// Damping that the hand feels (N s/m) for 1 N s/m in the bowl: the force scale s_f times the length scale
+/// s_x between hand and bowl.
 constexpr double felt_share = 16.0 / 256;
 
 vec3 in_device(const FluidTouch& fluid, vec3 bowl) { return glm::transpose(fluid.frame.turn) * bowl; }
@@ -391,7 +392,7 @@ TEST(FluidTouch, TheLadleIsFeltAsItDipsIn) {
     EXPECT_NEAR(drag_at(-0.05), 1, 1e-9);
     EXPECT_NEAR(drag_at(-0.1), 2, 1e-9);
     EXPECT_NEAR(drag_at(-0.5), 4, 1e-9);
-    rig.fluid().surface.inside = 0;  // the probe has not broken through yet
+    rig.fluid().surface.inside = 0;  // the probe has not broken through the surface yet
     EXPECT_EQ(drag_at(-0.1), 0);
     EXPECT_EQ(rig.state.fluid.immersed, 0);
 }
@@ -469,7 +470,8 @@ TEST(FluidTouch, AtZeroStrengthThereIsNoForce) {
             rig->model.tether = {.stiffness = 100, .damping = 1};
             rig->model.pulse = {{1, 0, 0}, 10, static_cast<std::uint32_t>(1 + tick / 50)};
             rig->model.steady_force.number =
-                1 + static_cast<std::uint64_t>(tick) / 7;  // another number also counts as a switch
+                // Another number says that the force has jumped, which counts as a switch, too
+                1 + static_cast<std::uint64_t>(tick) / 7;
         }
         off.fluid().number = none.model.steady_force.number;
         ASSERT_EQ(none.feel_at(at), off.feel_at(at));

@@ -189,7 +189,7 @@ TEST(FreeCasting, FindsTheStrokesOfManyUsersAndSeldomTakesOneForAnother) {
     EXPECT_LE(tally.wrong, tally.drawn / 40);
 }
 
-/// Place on a figure of height 2, at a share of its path.
+/// Place on the outline of a gesture of height 2, at a share of its path.
 vec2 figure_at(std::string_view name, double share) {
     const auto corner = [](double k) {
         return vec2(std::sin(4 * pi * (k + 0.5) / 5), std::cos(4 * pi * (k + 0.5) / 5));
@@ -204,7 +204,7 @@ vec2 figure_at(std::string_view name, double share) {
     return glm::mix(corner(side), corner(side + 1), 5 * share - side);
 }
 
-/// Draws a figure at a constant speed in steps of some ticks, as when a program moves the mouse.
+/// Draws a gesture at a constant speed in steps of some ticks, as when a program moves the mouse.
 void draw_by_program(Free& play, std::string_view name, double half, double s, vec2 begin, int step = 10) {
     const auto steps = static_cast<int>(s * 1000 / step);
     for (int i = 1; i <= steps; ++i) {

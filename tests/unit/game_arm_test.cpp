@@ -44,7 +44,8 @@ struct ArmMatch {
     bool resting = false;      ///< true: the arm does not move
     std::int32_t back_um = 0;  ///< displacement towards the user (um)
     std::array<std::int32_t, 3> turned_urad{};
-    std::vector<vec3> told{{}};  ///< force of each sample (N); the index is the sample's height in um
+    /// Force that the arm has exerted at each sample (N); the index is the sample's height in um
+    std::vector<vec3> told{{}};
     std::map<std::int32_t, vec3> computed{};
     std::vector<input::InputFrame> frames{};
     std::map<Tick, std::uint64_t> hashes{};
@@ -100,8 +101,8 @@ struct ArmMatch {
     }
 };
 
-/// Plays shots, a pause, the end of a round and the next round, a press of the panic key and its end, an arm
-/// that stops, and skipped samples.
+/// Plays shots, a pause, the end of a round and the next round, a press of the emergency key and its end, an
+/// arm that stops, and skipped samples.
 void play(ArmMatch& m) {
     m.run(200);
     m.arm_buttons = 1;  // the button that fires
@@ -177,7 +178,8 @@ TEST(Arm, ARestoredMatchGoesOnTheSame) {
     EXPECT_EQ(second.state_hash(), m.match.state_hash());
 }
 
-/// The force depends on the model that a sample used. With another model the replay differs.
+/// The force at a sample depends on the haptic model that the arm used then. If the log names another model,
+/// the replay differs.
 TEST(Arm, AnotherModelGivesAnotherForce) {
     ArmMatch m;
     play(m);
@@ -340,7 +342,8 @@ TEST(Arm, TheClutchMovesTheArmFreeOfTheHand) {
     m.expect_same_forces();
 }
 
-/// Repeated strokes with the clutch move the hand no farther than its reach.
+/// The clutch lets go of the hand while the arm moves back. Repeated strokes with it move the hand no farther
+/// than its reach.
 TEST(Arm, TheClutchDoesNotLengthenTheReach) {
     ArmMatch m;
     m.run(100);

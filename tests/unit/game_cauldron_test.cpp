@@ -79,8 +79,8 @@ TEST(GameCauldron, TheBrewGetsTheLadlesPushAndNotTheForceOnTheHand) {
 
 using Percents = std::array<std::uint32_t, input::fluid_faders>;
 
-/// Player 1 stirs with an arm on a fixed path, whatever its forces. `percents` are the shares of the brew's
-/// effects that the player feels.
+/// Player 1 stirs with an arm on a fixed path, whatever its forces. `percents` are how strongly the player
+/// feels each effect of the brew.
 struct HeldLadle {
     std::unique_ptr<Simulation> match;
     input::ArmServo servo{};
@@ -216,7 +216,7 @@ TEST(GameCauldron, AFourthIngredientStaysInTheHand) {
 }
 
 TEST(GameCauldron, AnotherRoundBeginsWithAStillBrew) {
-    // A burst recorded in the last round must not act again.
+    // A burst (a stone that explodes over the brew), recorded in the previous round, must not act again.
     const auto match = at_the_rim(0, {"quick.seconds=1", "quick.rounds=3", "quick.interval_s=0.1"});
     const auto middle = match->world().single<Cauldron>().middle;
     record(match->context_to_change(),

@@ -20,7 +20,8 @@ HandFrame any_frame(Random& random) {
             .metres_per_metre = 10};
 }
 
-/// Position (m), a tick later, of a point fixed to a frame that moves as a patch of surfaces says.
+/// Position (m) after one tick of a point on a rigid body with this velocity and spin about a pivot, which is
+/// at `pivot_now` after the tick. A patch of surfaces gives the motion of its bodies in this form.
 vec3 moved(vec3 velocity, vec3 spin, vec3 pivot_now, vec3 place) {
     const double speed = glm::length(spin);
     const vec3 arm = place - (pivot_now - tick_seconds * velocity);

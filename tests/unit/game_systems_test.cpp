@@ -1,5 +1,5 @@
-// Tests of the access that systems of a match declare: shared data besides components are checked too, and
-// all systems access only what they declare.
+// Tests of the access to data that the systems (steps of a tick) of a match declare: shared data besides
+// components are checked too, and all systems access only what they declare.
 #include <set>
 
 #include "game/components/fog.h"

@@ -92,8 +92,8 @@ Moment moment_of(const Simulation& match, std::uint32_t player) {
 constexpr Tick recorded_ticks = 12'000;
 constexpr Tick state_every = 500;
 
-/// A recorded duel with a pause, skipped samples, two marks and a lost device: its log, and what happened in
-/// the match.
+/// A recorded duel with a pause, skipped samples, two marks (ticks that a player has marked) and a lost
+/// device: its log, and what happened in the match.
 class TableRecording {
 public:
     TableRecording() {

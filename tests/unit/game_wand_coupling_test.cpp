@@ -1,4 +1,4 @@
-// Tests of a coupling that moves rigid bodies by forces alone.
+// Tests of a wand's coupling (spring and damper to a held body) that moves rigid bodies by forces alone.
 #include "game/wands/wand_coupling.h"
 
 #include <gtest/gtest.h>

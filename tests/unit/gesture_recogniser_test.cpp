@@ -131,8 +131,8 @@ TEST(Gesture, ForceGivesGentleNormalAndHarsh) {
     EXPECT_EQ(read(banded, pressed(ess(), 5)).force, ForceClass::normal);
 }
 
-/// Variations of a circle are recognised among a gentle circle, a harsh circle and a V. The hand's force
-/// scatters by 15 %.
+/// Twins are gestures of one shape that differ only in force. Variations of a circle are recognised among a
+/// gentle circle, a harsh circle and a V. The hand's force scatters by 15 %.
 TEST(Gesture, TwinsOfOneShapeAreToldApartByForce) {
     const std::vector<Gesture> gestures{gesture_of("gentle", {pressed(circle(), 0.5)}),
                                         gesture_of("harsh", {pressed(circle(), 2)}),
@@ -160,8 +160,8 @@ TEST(Gesture, TwinsOfOneShapeAreToldApartByForce) {
     EXPECT_FALSE(between.probability > 0.6) << "as near to one as to the other";
 }
 
-/// A gentle and a harsh twin whose templates, too, are random variations of the shape, as a hand would draw
-/// it.
+/// Twins (a gentle and a harsh gesture of one shape) whose templates, too, are random variations of the
+/// shape, as a hand would draw it.
 TEST(Gesture, TwinsAreToldApartByForceWhicheverTemplateIsMoreAlike) {
     const VariationSettings hand{
         .tilt = 0.02, .stretch = 0.03, .bend = 0.006, .hurry = 0.1, .ends = 0.01, .force = 0.15};

@@ -158,7 +158,8 @@ TEST(GestureShape, ForceInAnotherUnitIsTheSame) {
     EXPECT_LT(elastic_distance(shape_of(newtons), shape_of(grams)), 1e-6F);
 }
 
-/// The elastic distance by its recurrence, computed plainly over all pairs of points, without a band.
+/// The elastic distance by its recurrence, computed plainly over all pairs of points; the engine visits only
+/// pairs of nearly equal index.
 double full_distance(const Shape& a, const Shape& b) {
     constexpr std::size_t n = shape_points;
     std::vector<std::vector<double>> sum(n + 1, std::vector<double>(n + 1, 1e30));
@@ -230,7 +231,8 @@ FineShape fine_shape_of(const Course& stroke, FineKind kind = {{false, true}}) {
     return fine;
 }
 
-/// Root mean square of one channel of a planar fine shape.
+/// Root mean square of one channel (a coordinate, a part of the direction, the turn or the force) of a flat
+/// stroke's fine shape.
 double size_of(const FineShape& shape, std::size_t channel) {
     double sum = 0;
     for (std::size_t i = 0; i < fine_points; ++i)

@@ -14,7 +14,8 @@ namespace thaum::gesture {
 
 using Course = std::vector<StrokePoint>;
 
-/// The elastic distance of two shapes, as elastic.h computes it for one template, but in plain loops.
+/// The elastic distance (by dynamic time warping) of two shapes, as elastic.h computes it for one template,
+/// but in plain loops.
 template <std::size_t points>
 float elastic_distance(const float* a, const float* b, std::size_t channels) {
     constexpr float far = 1e30F;  // more than any sum of costs

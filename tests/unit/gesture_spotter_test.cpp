@@ -1,5 +1,5 @@
-// Tests of the spotter: gestures within continuous motion, the choice among candidates, and the limits of its
-// work.
+// Tests of the spotter, which finds gestures within continuous motion: what it finds, the choice among
+// candidates, and the limits of its work.
 #include <gtest/gtest.h>
 
 #include "core/hash.h"

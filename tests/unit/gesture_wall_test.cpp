@@ -1,5 +1,5 @@
-// Tests of the gesture wall of the practice range: a refused gesture, and strokes that the match does not
-// recognise.
+// Tests of the gesture wall, where players of the practice range try and record gestures: a refused gesture,
+// and strokes that the match does not recognise.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -141,7 +141,8 @@ TEST(HapticsEnergy, TheControllerTakesOutWhatWasCreatedAndNoMore) {
 
 TEST(HapticsEnergy, TheControllerBeginsWhileASpringStillHoldsWhatItMayGive) {
     PassivityObserver observer;
-    // 0.05 J are not returned yet, and the energy in the spring is 5 mJ larger than that.
+    // The springs have got 0.05 J from the hand that they have not given back. They hold 5 mJ more than that,
+    // which they must have created.
     observer.created = -0.05;
     EXPECT_NEAR(surplus(observer, 0.055), 0.005 - energy_slack, 1e-15);
     EXPECT_LE(surplus(observer, 0.05), 0) << "a spring that created nothing is left alone";

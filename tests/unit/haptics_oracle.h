@@ -32,7 +32,8 @@ inline Motion free_motion(Real decay, Real frequency2, Motion start, Real t) {
             of_p * p * std::exp(p * t) + of_q * q * std::exp(q * t)};
 }
 
-/// (S, S1, S2) of haptics/oscillator.h by small steps of a Taylor series: slow, but accurate at any damping.
+/// The oscillator's motion S after a start with unit velocity, and its integrals S1 and S2, by small steps of
+/// a Taylor series: slow, but accurate at any damping.
 inline std::array<Real, 3> response(Real decay, Real frequency2, Real t) {
     const Real size = std::max(2 * decay, std::sqrt(frequency2)) * t;
     const auto steps = static_cast<int>(std::ceil(4 * size)) + 1;

@@ -11,7 +11,7 @@ namespace thaum::haptics::round_rig {
 inline constexpr double dt = tick_seconds;
 inline constexpr double stiffness = 500;  // stiffness of the surfaces (N/m)
 
-/// A patch with one body with the given friction, without surfaces.
+/// A surface patch whose one body has the given friction. It has no surfaces yet.
 inline SurfacePatch rubbing_patch(double friction) {
     SurfacePatch patch;
     patch.bodies[0].material = {

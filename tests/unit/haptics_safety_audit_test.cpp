@@ -39,7 +39,8 @@ void expect_caught(SafetyRule rule, const Arrange& arrange, const Spoil& spoil) 
 
 void as_usual(int, SafetyInput&) {}
 
-/// At tick 500 the wanted force ends with a switch.
+/// At tick 500 the wanted force ends, announced as a switch (its source has gone), so that the output must
+/// fade.
 void force_ends(int tick, SafetyInput& input) {
     input.switched = tick == 500;
     if (tick >= 500) input.wanted = {};
@@ -93,7 +94,8 @@ TEST(HapticsSafetyAudit, ReportsForcesThatNobodyWanted) {
 
 TEST(HapticsSafetyAudit, ReportsJumpsAtSwitches) {
     expect_caught(SafetyRule::slew, force_ends, shifted_at(500, {-0.001, 0, 0}));
-    // Opening the gate counts as a switch.
+    // The stage starts with its gate shut: no force passes before the first one in range. When the gate
+    // opens, that counts as a switch of the source, so the force must grow slowly.
     expect_caught(SafetyRule::slew, as_usual,
                   [](int tick, vec3 output) { return tick == 0 ? vec3(1.5, 0, 0) : output; });
 }

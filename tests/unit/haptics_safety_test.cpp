@@ -67,12 +67,14 @@ TEST(HapticsSafety, AnUnknownContinuousForceIsASmallOne) {
 
 TEST(HapticsSafety, NothingIsFeltBeforeAForceInRange) {
     Stage at_once;
-    EXPECT_NEAR(at_once.feel({2, 0, 0}).x, 0.04, 1e-12);  // the start counts as a switch too
+    // The first force grows slowly, as after a switch of its source
+    EXPECT_NEAR(at_once.feel({2, 0, 0}).x, 0.04, 1e-12);
     Stage stage;
     EXPECT_EQ(stage.feel({3.31, 0, 0}), vec3(0));
     EXPECT_EQ(stage.cause(), SafetyCause::waiting);
     EXPECT_EQ(stage.feel({not_a_number, 0, 0}), vec3(0));
-    EXPECT_NEAR(stage.feel({2, 0, 0}).x, 0.04, 1e-12);  // the gate opens, which counts as a switch
+    // The start gate opens; the force grows slowly, as after a switch
+    EXPECT_NEAR(stage.feel({2, 0, 0}).x, 0.04, 1e-12);
     EXPECT_NEAR(stage.feel({2, 0, 0}).x, 0.08, 1e-12);
     EXPECT_NEAR(stage.feel({.wanted = {2, 0, 0}}, 48).x, 2, 1e-12);
     EXPECT_EQ(stage.feel({-2, 0, 0}).x, -2);  // after the ramp, the output follows the wanted force at once
@@ -203,15 +205,18 @@ TEST(HapticsSafety, PanicIsZeroAtOnceAndComesBackSlowly) {
     Stage stage;
     stage.feel({.wanted = {2, 0, 0}}, 60);
     EXPECT_EQ(stage.feel({.wanted = {2, 0, 0}, .panic = true}), vec3(0));
-    EXPECT_EQ(stage.feel({.wanted = {2, 0, 0}}, 100'000), vec3(0));  // forces stay off after a panic
+    // Forces stay off after the emergency key
+    EXPECT_EQ(stage.feel({.wanted = {2, 0, 0}}, 100'000), vec3(0));
     EXPECT_EQ(stage.cause(), SafetyCause::panic);
-    // A panic key that is still down has priority, and a force out of range keeps the gate shut.
+    // An emergency key that is still down has priority. A wanted force out of range keeps the start gate
+    // shut, so no force passes.
     EXPECT_EQ(stage.feel({.wanted = {2, 0, 0}, .panic = true, .rearm = true}), vec3(0));
     EXPECT_EQ(stage.feel({.wanted = {5, 0, 0}, .rearm = true}), vec3(0));
     EXPECT_EQ(stage.cause(), SafetyCause::waiting);
     EXPECT_EQ(stage.feel({5, 0, 0}), vec3(0));
     EXPECT_NEAR(stage.feel({2, 0, 0}).x, 0.04, 1e-12);
-    // A needless request to re-arm changes nothing. A re-arm key that is held must not keep the gate shut.
+    // A needless request to switch forces on again changes nothing. The key for it, when held, must not keep
+    // the start gate shut.
     EXPECT_NEAR(stage.feel({.wanted = {2, 0, 0}, .rearm = true}).x, 0.08, 1e-12);
 }
 
@@ -245,7 +250,7 @@ TEST(HapticsSafety, AHandThatFliesIsLeftAloneUntilItHasBeenSlow) {
         EXPECT_EQ(stage.feel(at(1.9), 99), vec3(0));
         EXPECT_EQ(stage.feel(at(2)), vec3(0));  // 2 m/s is not slow enough: the waiting time starts again
         EXPECT_EQ(stage.feel(at(1.9), 100), vec3(0));
-        // After the cut, an ordinary speed is allowed again.
+        // Once forces are on again after the cut for too high a speed, an ordinary speed is allowed again.
         EXPECT_NEAR(stage.feel(at(3.9)).x, 0.04, 1e-12);
     }
 }
@@ -276,7 +281,7 @@ TEST(HapticsSafety, ThreeBurstsOfExcessInTenSecondsShutItOff) {
     ASSERT_TRUE(bursts(stage, {100, 100}));
     EXPECT_EQ(stage.feel({.wanted = calm}, 50'000), vec3(0));
     EXPECT_NEAR(stage.feel({.wanted = calm, .rearm = true}).x, 0.04, 1e-12);
-    EXPECT_FALSE(bursts(stage, {100}));  // rearming has set the number of bursts to zero
+    EXPECT_FALSE(bursts(stage, {100}));  // switching forces on again has set the number of bursts to zero
 }
 
 TEST(HapticsSafety, ASpringThatTheWorldStretchesClipsAndIsNoFault) {

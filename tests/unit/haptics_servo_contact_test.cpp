@@ -64,14 +64,14 @@ TEST(HapticsServo, AWallThatComesIsFeltButNotOneThatThePlayerWalksInto) {
             const double expected = 300 * (0.001 + (walks ? 0 : 5e-5 * tick));
             EXPECT_NEAR(rig.feel().y, expected, gap_newtons) << tick;
         }
-        // The player stands still again. While the hand presses, the contact offset stays, and so does the
-        // force.
+        // The player stands still again. The contact offset, which keeps the player's own walking from
+        // pressing the hand into the wall, stays while the hand presses, and so does the force.
         rig.model.patch.bodies[0].velocity = {};
         rig.model.frame_motion = {};
         for (int tick = 0; tick < 600; ++tick)
             EXPECT_NEAR(rig.feel().y, walks ? 0.3 : 1.2, 60 * gap_newtons) << tick;
-        // Once the hand is away from the wall, the offset decays, and the hand feels the wall at its true
-        // position.
+        // Once the hand is away from the wall, the contact offset decays, and the hand feels the wall at its
+        // true position.
         if (!walks) continue;
         EXPECT_NEAR(rig.state.contact_offset.y, 0.003, 1e-6);
         rig.sample.position.y = 0.01;

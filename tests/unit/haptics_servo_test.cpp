@@ -1,4 +1,5 @@
-// Tests of the servo step: pulses, velocity of the tip, tether, steady force, detents and safety.
+// Tests of the servo step: kicks, velocity of the tip, tether (a spring to an anchor point), steady force,
+// detents and safety.
 #include "haptics/servo.h"
 
 #include <gtest/gtest.h>
@@ -61,8 +62,9 @@ TEST(HapticsServo, AnEncodersQuantumIsNoSpeed) {
 }
 
 TEST(HapticsServo, WhatATetherHoldsIsThatOfWhereItIsByNow) {
-    // With a model of 10 ticks ago the anchor has moved on, and stretches the spring by as much. The observer
-    // counts the energy of that stretch as received, so the spring may give it back, but no more.
+    // The tether is a spring to a moving anchor. By a model of 10 ticks ago the anchor is extrapolated, which
+    // stretches the spring. The observer counts the energy of that stretch as received, so the spring may
+    // give it back, but no more.
     Rig rig;
     rig.feel();
     rig.model.tether = {
@@ -72,7 +74,8 @@ TEST(HapticsServo, WhatATetherHoldsIsThatOfWhereItIsByNow) {
     rig.state.energy.created = -1;
     rig.feel();
     EXPECT_NEAR(rig.state.energy.created, -200 * stretch * stretch / 2, 1e-15);
-    // With a model too old for any force, the anchor stops, and the wanted force stays moderate.
+    // With a model too old for any force, the anchor (the end of the tether) stops, and the wanted force
+    // stays moderate.
     rig.sample.model_age = 4'000'000'000;
     for (int tick = 0; tick < 100; ++tick) rig.feel();
     EXPECT_EQ(rig.state.safety.excess_count, 0U);
@@ -237,7 +240,8 @@ TEST(HapticsServo, PulsesAddAndAFifthTakesTheOldestsPlaceWithoutAJump) {
     EXPECT_NEAR(before.y, 0.4, 0.001);
     EXPECT_NEAR(before.x, 0.9, 0.001);
     const vec3 force = rig.feel_pulse({0, 0, 0.1}, 200);
-    // The oldest pulse was cut off at 0.3 N, which counts as a switch.
+    // The oldest pulse was cut off at 0.3 N, which, like a switch of the source, lets the force change only
+    // slowly.
     EXPECT_NEAR(glm::length(force - before), 0.04, 1e-12);
     for (int tick = 0; tick < 20; ++tick) before = rig.feel();
     EXPECT_NEAR(before.x, 0.57, 0.01);

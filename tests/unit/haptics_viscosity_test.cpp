@@ -21,7 +21,8 @@ TEST(Viscosity, AnEvenMotionIsResistedInProportionToItsSpeed) {
             ServoState state;
             const HapticModel model{.viscosity = viscosity};
             vec3 force{};
-            // Long enough for the fade-in after the switch, short enough for the motors to stay cold.
+            // Long enough for the force to fade in after the viscosity is switched on, short enough for the
+            // motors to stay cold.
             for (int tick = 0; tick < 400; ++tick)
                 force = servo_step(servo, state, model, {vec3(0, speed * tick * tick_seconds, 0), 0});
             EXPECT_NEAR(force.y, -felt * speed, 1e-9) << spec.name << ", " << speed;

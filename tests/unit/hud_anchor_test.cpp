@@ -1,4 +1,4 @@
-// Tests of the mark on the anchor that a rope would take.
+// Tests of the mark on the anchor (a point in the arena) to which the wand's rope would attach.
 
 #include "unit/hud_rig.h"
 

@@ -8,7 +8,7 @@
 
 namespace thaum::game::hud_tests {
 
-inline constexpr float readable = 12;  ///< least em of readable text at 1280 x 720 (px)
+inline constexpr float readable = 12;  ///< least font size (em) of readable text at 1280 x 720 (px)
 
 inline HudSettings busy_settings(render::Split split, Watch watch, double scale) {
     HudSettings settings{.split = split, .watch = watch, .text_scale = scale};
@@ -29,7 +29,7 @@ void each_view(F f) {
     }
 }
 
-/// Em of the smallest text that contains `part` (px), and the number of such texts.
+/// Font size (em) of the smallest text that contains `part` (px), and the number of such texts.
 struct Found {
     float least{1e6F};
     std::size_t number{};

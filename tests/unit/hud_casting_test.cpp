@@ -1,5 +1,5 @@
-// Tests of what a player sees of strokes and spells: captions, the strip of spells, focus, trail, shield and
-// fog.
+// Tests of what a player sees of strokes and spells: captions, the strip of spells, focus (the energy for
+// spells), trail, shield and fog.
 #include "game/hud/casting_overlay.h"
 
 #include "core/text.h"

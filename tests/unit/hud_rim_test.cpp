@@ -1,5 +1,5 @@
-// Tests of the card at the cauldron, and of the HUD with as much content as possible: all texts are readable,
-// and none overlap.
+// Tests of the card (the panel of text) at the cauldron, and of the HUD with as much content as possible: all
+// texts are readable, and none overlap.
 #include "game/hud/rim_card.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Tests of the cards at the orb and at a crystal: all texts are readable, and none overlap.
+// Tests of the cards (panels of text) at the orb and at a crystal: all texts are readable, and none overlap.
 #include "game/hud/station_card.h"
 
 #include <algorithm>
@@ -22,8 +22,8 @@ HudSettings with_keys(HudSettings settings) {
     return settings;
 }
 
-/// Many other texts beside the card: a potion, both halves of the Great Work, a kill feed, captions of
-/// sounds.
+/// Many other texts beside the card: a potion, both halves of the Great Work (a goal of the match), a kill
+/// feed, captions of sounds.
 Picture busy() {
     auto picture = picture_of(*new_match());
     for (auto& p : picture.wizards) {

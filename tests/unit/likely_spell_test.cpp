@@ -52,7 +52,8 @@ TEST(LikelySpell, DependsOnTheStrokeAlone) {
             draw_part(other, "star", share);
             likely_spell(other, *picture.shown);
         }
-        for (const auto* gesture : {"circle", "v"}) {  // makes the memory forget the stroke
+        // Other strokes, after which the first one is no longer remembered
+        for (const auto* gesture : {"circle", "v"}) {
             draw_part(other, gesture, 0.5);
             likely_spell(other, *picture.shown);
         }

@@ -1,5 +1,5 @@
-// Tests of the option --hands, of the real arms that a live session opens for it, of the arms' players, and
-// of the notices about arms that are lost.
+// Tests of the option --hands, of the real arms (haptic devices) that a live session opens for it, of the
+// arms' players, and of the notices about arms that are lost.
 #include "game/live/arm.h"
 
 #include <gtest/gtest.h>
@@ -82,7 +82,8 @@ TEST(LiveArms, EachSeatGetsItsArm) {
     EXPECT_EQ(*opened("mouse,pad"), Names{});
 }
 
-/// An arm with a number is reserved for its seat, whichever seat comes first.
+/// An arm that --hands names by its number (arm:0) is reserved for that player. The word `arm` alone takes a
+/// free one, even if it comes first.
 TEST(LiveArms, TheWordWithoutANumberTakesAFreeArm) {
     plug_in_arms("name=Left;name=Right");
     EXPECT_EQ(*opened("arm,arm:0"), (Names{"Right A1 for 1", "Left A0 for 2"}));

@@ -1,5 +1,5 @@
-// Tests of what players of a session feel on the body during a match: the body figure on the screen, a
-// jacket, and sounds on the jacket, each only while it is switched on.
+// Tests of what players of a session feel on the body during a match: the body figure (a drawing of the body)
+// on the screen, a jacket, and sounds on the jacket, each only while it is switched on.
 #include "game/live/body.h"
 
 #include <gtest/gtest.h>

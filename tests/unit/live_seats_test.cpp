@@ -1,4 +1,5 @@
-// Tests of seats: which devices players get from the command line or the start screen, and which are in use.
+// Tests of seats (each player's input devices): which devices players get from the command line or the start
+// screen, and which are in use.
 #include "game/live/seats.h"
 
 #include <gtest/gtest.h>

@@ -25,7 +25,8 @@ protected:
         shared_.ready = true;
     }
 
-    /// Begins a match with the seats of the plan or of the start screen, with one pad plugged in.
+    /// Begins a match with the players' devices as the command line or the start screen gives them, with one
+    /// pad plugged in.
     void begin(const Pads& pads = {rig::pad_with()}) {
         session_.emplace(shared_, plan_);
         session_->take_seats(pads);

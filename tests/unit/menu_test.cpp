@@ -74,7 +74,7 @@ TEST(StartScreen, ShowsSeatsLevelsAndRules) {
     EXPECT_EQ(s.request, MenuRequest::none);
 }
 
-/// The first arm goes to the player with the mouse, and the second one to the other player.
+/// The first arm (haptic device) goes to the player with the mouse, and the second one to the other player.
 TEST(StartScreen, NamesTheRealArmsOfBothPlayers) {
     auto with_arms = context();
     with_arms.arms = {"Touch 1", "Touch 2 (gone)"};
@@ -312,7 +312,7 @@ TEST(PauseMenu, OnTheRangeAPressDrawsAnOwnGesture) {
     EXPECT_EQ(s.request, MenuRequest::ask_match);
     ASSERT_TRUE(s.match_request.as<DrawGesture>());
     EXPECT_EQ(s.match_request.as<DrawGesture>()->number, 2U);
-    // While it is drawn, the same row of the next pause gives it up.
+    // While the player draws an own gesture, the row that started this gives it up in the next pause.
     range.drawn_gesture = 3;
     s = opened(std::move(s), "pause");
     EXPECT_EQ(s.pages.back().cursor, own);

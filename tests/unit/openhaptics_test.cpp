@@ -439,7 +439,7 @@ TEST(ArmEnds, AFaultInTheLibrarysThreadLeavesNoArmWithAForce) {
 
 // ---- the fake library itself ------------------------------------------------------------------------------
 
-/// The fake library detects the faults that it was made to detect.
+/// The fake library must count each violation of OpenHaptics' rules; otherwise the tests above prove nothing.
 TEST(FakeHd, SeesWhereRulesAreBroken) {
     tell("");
     using Handle = unsigned int;

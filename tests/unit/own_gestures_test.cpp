@@ -50,7 +50,7 @@ gesture::Gesture triangle() {
     return g;
 }
 
-/// Frame of a tick in which player 1 draws the triangle with Trace held.
+/// Frame of a tick in which player 1 draws the triangle with the button Trace held.
 input::InputFrame triangle_frame(int tick) {
     input::InputFrame frame;
     const int at = tick - 100;

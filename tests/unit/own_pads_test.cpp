@@ -1,4 +1,4 @@
-// Tests of the file of mappings that players have made.
+// Tests of the file of joystick mappings that players have made.
 #include "game/settings/own_pads.h"
 
 #include <gtest/gtest.h>

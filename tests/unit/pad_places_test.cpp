@@ -1,4 +1,4 @@
-// Tests of the places of pads: a pad that is plugged in again gets its old place.
+// Tests of the places of pads (first to fourth pad): a pad that is plugged in again gets its old place.
 #include <gtest/gtest.h>
 
 #include "input/detail/pad_places.h"

@@ -1,5 +1,5 @@
-// Tests of the patches of a large mesh: no visible patch is left out, near patches come first, and the plain
-// copy is drawn only where nobody can see a difference.
+// Tests of the patches of a large mesh: no visible patch is left out, near patches come first, and its
+// coarser copy is drawn only where nobody can see a difference.
 #include "render/detail/patches.h"
 
 #include <gtest/gtest.h>

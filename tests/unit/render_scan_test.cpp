@@ -1,5 +1,5 @@
-// Tests of scans in pictures: skipped bricks, edits, materials, detail, invalid input; and of the bricks
-// themselves.
+// Tests of scans in pictures: skipped bricks (blocks of samples), edits, materials, detail, invalid input;
+// and of the bricks themselves.
 #include "render/scan.h"
 
 #include <gtest/gtest.h>
@@ -135,7 +135,8 @@ TEST_F(ScanPicture, FillingAnEmptyBrickShowsIt) {
     ++scan.version;
     ++versions[(2 * 5 + 2) * 5 + 2];
     EXPECT_GT(max_difference(nothing, drawn(scan)), 20);
-    // After a change of the table the hole is hidden again, although no sample is sent.
+    // After a change of the table from density to colour and opacity the hole is hidden again, although no
+    // sample is sent.
     table.fill({});
     EXPECT_EQ(max_difference(nothing, drawn(scan)), 0);
     EXPECT_EQ(renderer->statistics().scan_bricks_sent, 0U);

@@ -16,7 +16,7 @@ const RecordedDuel& shared_duel() {
     return duel;
 }
 
-/// A replay whose index is complete.
+/// A replay whose index (the stored states from which jumps continue) is complete.
 struct Indexed {
     explicit Indexed(const RecordedDuel& duel, std::size_t max_bytes = ReplayIndex::usual_bytes)
         : playback(duel.opened()), index(playback, max_bytes) {

@@ -1,5 +1,5 @@
 // Tests of showing a replay with its threads, without a window: the main thread, the thread that plays, and
-// the thread that fills the index.
+// the thread that fills the index (states from which jumps continue).
 #include <thread>
 
 #include "game/live/replay.h"

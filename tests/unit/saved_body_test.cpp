@@ -1,5 +1,5 @@
-// Tests of saving a body of the volume lab to files, and of volumes whose positions relative to each other
-// are those in their files.
+// Tests of saving a carved body of the volume lab to files, and of volumes whose positions relative to each
+// other are those in their files.
 #include "game/lab/saved_body.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Tests of the scenario runner: what it accepts and what it reports.
+// Tests of the scenario runner, which plays scripted experiments: what it accepts and what it reports.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -94,7 +94,8 @@ TEST_F(ScenarioRunner, ADifferenceBetweenTheRunsIsFoundAndNamed) {
     EXPECT_TRUE(has(result.message, "points: 100 and 99.99")) << result.message;
 }
 
-/// The log does not hold a change from outside, so its replay cannot repeat the change.
+/// The log holds only input, and not a change that the test makes to the state directly, so its replay cannot
+/// repeat the change.
 TEST_F(ScenarioRunner, ADifferenceBetweenTheRunAndItsReplayIsFound) {
     options.spoil = [](Simulation& match, int) {
         if (match.now() == 700)

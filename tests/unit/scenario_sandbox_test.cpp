@@ -1,4 +1,4 @@
-// Tests of what a script can and cannot do in the sandbox.
+// Tests of what a Lua script of a scenario can and cannot do in its sandbox.
 #include <gtest/gtest.h>
 
 #include <lua.hpp>

@@ -124,8 +124,8 @@ void Player::use_menu(const Screen& seen, Hands& hands) {
         hold(row->chosen ? confirm_ : key_towards(seen, *row), hands);
 }
 
-/// The menu row to choose next: into the Apprentice, out of it, or to a duel against the bot. The words of
-/// the start screen name the bot.
+/// The menu row to choose next: into the Apprentice (the guided lessons), out of it, or to a duel against the
+/// bot. The words of the start screen name the bot.
 const Words* Player::wanted_row(const Screen& seen) {
     const auto row = [&](std::string_view begin) -> const Words* {
         for (const auto& line : seen.words)
@@ -233,8 +233,8 @@ void Player::shoot(const Screen& seen, Hands& hands) {
     if (aim(seen, foe->place, 0.4F * foe->high, hands)) hold(learnt_.fire, hands);
 }
 
-/// Holds fire until the ring is full, aims, and releases. A shot that flies in an arc is aimed by the end of
-/// the arc.
+/// Holds the fire button until the ring that shows the wand's charge is full, aims, and releases. A shot that
+/// flies in an arc is aimed by the end of the arc.
 void Player::ready_and_shoot(const Screen& seen, Hands& hands) {
     if (!take(seen, wand_, hands)) return;
     const auto* foe = nearest(seen, "wizard");
@@ -268,7 +268,8 @@ void Player::lift(const Screen& seen, Hands& hands) {
     if (firing_ > 0 && firing_ < looks_of(0.5)) hold(learnt_.fire, hands);
 }
 
-/// Hangs on the anchor by the rope, swings forward, and releases the rope where the ground beyond is near.
+/// Hangs by the wand's rope from an anchor (a point in the arena), swings forward, and releases the rope
+/// where the ground beyond is near.
 void Player::swing(const Screen& seen, Hands& hands) {
     if (!take(seen, wand_, hands)) return;
     if (seen.holds && !let_go_) {

@@ -42,7 +42,7 @@ public:
     /// Texts of the panel with the result, after a round.
     const std::string& result() const { return result_; }
     const std::string& name() const { return name_; }
-    /// Whether the screen has shown that the Apprentice is completed.
+    /// Whether the screen has shown that the Apprentice (the guided lessons) is completed.
     bool has_done_lessons() const { return done_lessons_; }
     /// The bot that the start screen has named for the duel: "level 0".
     const std::string& bot() const { return bot_; }

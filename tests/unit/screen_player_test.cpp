@@ -1,7 +1,7 @@
-// A player who knows only what is on the screen goes from the first start through the Apprentice to
-// a won round against the bot of level 0. The test takes the place of the window, its clock, the
-// render thread and the simulation thread: it passes events to the session as the window does, and
-// plays the match that the session starts.
+// A player who knows only what is on the screen goes from the first start through the Apprentice (the guided
+// lessons) to a won round against the bot of level 0. The test takes the place of the window, its clock, the
+// render thread and the simulation thread: it passes events to the session as the window does, and plays the
+// match that the session starts.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -192,7 +192,7 @@ void ScreenPlayer::pass_start_screen() {
 
 // From the first start to a won round -----------------------------------------------------------------------
 
-/// Plays the Apprentice until the player leaves it.
+/// Plays the guided lessons until the player leaves them.
 void ScreenPlayer::do_apprentice() {
     auto play = begin_match();
     auto& course = *play.practice->apprentice();

@@ -16,13 +16,13 @@ namespace thaum::game::screen {
 /// Parts of the screen, which a person distinguishes by where they are.
 enum class Part : std::uint8_t {
     menu,
-    score,     ///< score and clock; in the Apprentice, the step and its progress
-    lesson,    ///< text of the Apprentice's step, and its hint
+    score,     ///< score and clock; in the guided lessons, the step and its progress
+    lesson,    ///< text of a step of the guided lessons, and its hint
     messages,  ///< captions and prompts
     crosshair,
     strip,   ///< the strip of wands: the name and energy of the wand in hand, and the keys
     name,    ///< the player's name
-    feed,    ///< the feed, which names deaths
+    feed,    ///< the list of recent deaths
     result,  ///< the panel after a round
     other
 };

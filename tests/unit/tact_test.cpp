@@ -1,4 +1,5 @@
-// .tact files: what is read, what is refused, and that reading what the designer would write gives the clip.
+// Tests of .tact files, the effects of bHaptics' designer: what is read and what is refused. Reading what the
+// designer would write for a clip must give that clip.
 #include "tactile/detail/tact.h"
 
 #include <cmath>
@@ -188,7 +189,8 @@ TEST(TactClip, PlaysOnEveryLayoutAndExactlyOnAJacket) {
             if (!frame.is_silent()) lit.push_back(frame.tick);
             EXPECT_LE(energy_of(frame), 1.5);
             if (name != std::string("x40") || f != 60) continue;
-            // The sum is below its limit, so each motor has the strength of its cell.
+            // The mixer's limit on the energy of all motors together is not reached, so each motor has the
+            // strength of its cell.
             for (std::size_t i = 0; i < 40; ++i) {
                 // A frame of the motor's signal, from 472 to 480 ms, lies in two frames of the clip.
                 const int strength = std::max(clip[23].strength[i], clip[24].strength[i]);

@@ -1,4 +1,5 @@
-// Tests of the tactile mixer's rules: sums, limits, gaps, merging, priorities, faders, time to live.
+// Tests of the tactile mixer's rules: sums, limits, gaps between two effects at an actuator, merging,
+// priorities, faders, time to live.
 #include <cmath>
 
 #include "unit/tactile_rig.h"

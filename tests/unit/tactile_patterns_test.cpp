@@ -13,8 +13,8 @@ vec3 direction(int sixteenth) {
     return {std::sin(angle), 0, std::cos(angle)};
 }
 
-/// Expects the peaks that a hit from this direction must cause: the largest in the nearest cell, and none on
-/// the far side.
+/// Expects the peaks that a hit from this direction must cause: the largest in the nearest cell (actuator) of
+/// the jacket, and none on the far side.
 void expect_hit(const TactileRig& rig, const std::vector<double>& peaks, vec3 from, const std::string& what) {
     const vec3 at = rig.layout.torso.facing(from, 1.15);
     double nearest = 1e9, strongest = 0;
@@ -113,7 +113,7 @@ TEST(TactileSpread, TheWaveFadesWithDistance) {
     EXPECT_NEAR(peaks[6], 0.3 * 0.5, 2e-3);
 }
 
-/// Centroid of the energies of a frame (m, chart of the torso).
+/// Centroid of the energies of a frame (m, on the flat map of the torso).
 vec2 felt(const TactileRig& rig, const TactileFrame& frame) {
     std::array<double, max_actuators> amplitudes{};
     std::copy(frame.amplitude.begin(), frame.amplitude.end(), amplitudes.begin());

@@ -1,4 +1,5 @@
-// Tests of the volume lab without a window: what a hand feels, carves, undoes and saves.
+// Tests of the volume lab (scans to feel and carve) without a window: what a hand feels, carves, undoes and
+// saves.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -277,7 +278,8 @@ TEST(VolumeLab, ARealHeadIsTouchedPokedCarvedAndSaved) {
     const fs::path path = fs::path(THAUM_SOURCE_DIR) / "../shared/data/volumes/head-ct-128.nrrd";
     if (!fs::exists(path)) GTEST_SKIP() << "there is no folder of volumes beside the source tree";
     auto lab = lab_of(*field::read_volume(path));
-    choose(lab, "isosurface", 1.5, 300);  // the surface of bone, at the value 300
+    // The mode for a surface of constant value; bone begins at the value 300
+    choose(lab, "isosurface", 1.5, 300);
     // Along z the scan runs from the neck to the top of the head.
     double bone = 0.5 * lab.source.extent().z * lab.placement.scale;
     while (value_at(lab, {0, 0, bone}) < 300 && bone > 0) bone -= 1e-4;

@@ -1,4 +1,4 @@
-// Tests of the overlap of two bodies, which is recounted after each edit.
+// Tests of the overlap of two bodies of voxels, which is recounted after each edit.
 #include "field/voxel_overlap.h"
 
 #include <gtest/gtest.h>

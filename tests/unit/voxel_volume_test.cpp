@@ -58,7 +58,7 @@ TEST(VoxelVolume, ThreeVolumesGiveTheBodyBack) {
     ASSERT_TRUE(set_materials(again, material_volume(body)).has_value());
     EXPECT_EQ(hash_of(again), hash_of(body));
     EXPECT_EQ(again.placement.turn, body.placement.turn);
-    EXPECT_EQ(again.bricks.newest, 3U);  // readers see both changes
+    EXPECT_EQ(again.bricks.newest, 3U);  // both changes have raised the version, so readers see them
 }
 
 TEST(VoxelVolume, ACarvedBodyIsTheSameAfterSavingAndReading) {

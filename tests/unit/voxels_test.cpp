@@ -1,4 +1,5 @@
-// Tests of bodies of voxels: bricks, versions, hashes, snapshots, and the table of materials.
+// Tests of bodies of voxels: bricks (blocks of voxels), their versions, hashes, snapshots, and the table of
+// materials.
 #include "field/voxels.h"
 
 #include <gtest/gtest.h>
@@ -117,7 +118,8 @@ TEST(VoxelHash, BricksWithoutANewVersionAreNotReadAgain) {
     Voxels body = random_body({16, 8, 8}, 3);
     BrickHashes kept;
     const std::uint64_t before = voxel_hash(body.view(), kept);
-    body.material[0] ^= 1U;  // a change without a new version
+    // A change that does not raise the brick's version, so the hash kept for the brick is still used
+    body.material[0] ^= 1U;
     EXPECT_EQ(voxel_hash(body.view(), kept), before);
     EXPECT_NE(fresh_hash(body), before);
 }
@@ -167,7 +169,7 @@ TEST(VoxelSnapshot, CutOrForeignBytesAreRefused) {
         ByteReader reader({saved.data(), size});
         EXPECT_FALSE(restore(body.view(), reader).has_value()) << size;
     }
-    saved[12] = std::byte{2};  // a number of a packing that does not exist
+    saved[12] = std::byte{2};  // the number of a way of packing that does not exist
     ByteReader unknown(saved);
     EXPECT_FALSE(restore(body.view(), unknown).has_value());
     Voxels other = make_voxels({9, 9, 8}, vec3(1));

@@ -7,7 +7,7 @@
 //     name=MODEL        model of the arm (Fake);  its serial number is A0, A1, ...
 //     peak=N            peak force of 3.3 N, or that many N
 //     path=FILE         positions of the hand: lines "ms x_mm y_mm z_mm buttons", with straight motion between them
-//     live=FILE         a FakeHdLive, kept up to date while the program lives
+//     live=FILE         its forces (a FakeHdLive), kept up to date while the program lives
 //     felt              ticks of the following words are counted from the first force on
 //     vanish=N          from tick N on, reading fails: the arm is gone
 //     back=K            after a vanish, opening fails K times and then succeeds

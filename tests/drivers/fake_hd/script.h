@@ -15,7 +15,7 @@
 //     rate=HZ           rate of the library's ticks
 //     record=FILE       force of the arm and position of its tip, one line per tick: "fx fy fz x y z"
 //                       (N, m); written when the device is released
-//     live=FILE         a FakeHdLive, kept up to date while the program runs
+//     live=FILE         the arm's forces as a FakeHdLive, kept up to date while the program runs
 //     path=FILE         target of the simulated hand: lines "ms x_mm y_mm z_mm buttons", with straight
 //                       lines between the points
 //
