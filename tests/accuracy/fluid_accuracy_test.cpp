@@ -97,8 +97,9 @@ TEST(FluidAccuracy, ABowlBrakesTheFluidAsTheSeriesSays) {
         errors.push_back(flows::bowl_error(fluid, flows::bowl_end));
         between.push_back(flows::bowl_error_between(fluid, flows::bowl_end));
     }
-    // For comparison: walls of first order gave 0.100 with 16 cells and 0.041 with 32. Treating faces that
-    // are open by less than an eighth as closed gave 0.0118, 0.0032, and 0.00089 with 64 cells.
+    // For comparison: walls of first-order accuracy gave 0.100 with 16 cells and 0.041 with 32. Treating cell
+    // faces as closed of which the wall leaves less than an eighth open gave 0.0118, 0.0032, and 0.00089 with
+    // 64 cells.
     EXPECT_LE(errors[0], 0.0116);
     EXPECT_LE(errors[2], 0.0030);
     EXPECT_LE(errors[3], 0.0022);
@@ -121,7 +122,7 @@ double walled_error(const flows::WalledFlow& flow, int n) {
 
 TEST(FluidAccuracy, FluidDrivenBetweenTwoCylindersFollowsTaylorAndCouette) {
     const flows::WalledFlow flow = flows::taylor_couette();
-    // For comparison: walls of first order gave 0.177, 0.055 and 0.029.
+    // For comparison: walls of first-order accuracy gave 0.177, 0.055 and 0.029.
     EXPECT_LE(walled_error(flow, 16), 0.021);
     EXPECT_LE(walled_error(flow, 32), 0.0099);
     EXPECT_LE(walled_error(flow, 64), 0.0031);
@@ -130,7 +131,7 @@ TEST(FluidAccuracy, FluidDrivenBetweenTwoCylindersFollowsTaylorAndCouette) {
 TEST(FluidAccuracy, AVortexBesideTheAxisOfABowlStaysSteady) {
     const flows::WalledFlow flow = flows::bowl_vortex();
     const double coarse = walled_error(flow, 16), fine = walled_error(flow, 32);
-    // For comparison: walls of first order gave 0.089 and 0.032.
+    // For comparison: walls of first-order accuracy gave 0.089 and 0.032.
     EXPECT_LE(coarse, 0.0215);
     EXPECT_LE(fine, 0.0053);
     EXPECT_GE(order_between(coarse, fine), 1.9);

@@ -1,5 +1,5 @@
-// Compares the spring surface with closed forms: normal modes of the lattice, the recurrence of the
-// Runge-Kutta method, and the static response to a push.
+// Compares the spring surface (a liquid's surface as a lattice of masses and springs) with closed forms:
+// normal modes of the lattice, the recurrence of the Runge-Kutta method, and the static response to a push.
 #include "fluid/spring_surface.h"
 
 #include <gtest/gtest.h>

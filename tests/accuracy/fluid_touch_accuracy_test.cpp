@@ -1,4 +1,4 @@
-// Tests of a hand and a computed fluid that push each other in the way that fluid_touch.h requires of a game.
+// Tests that a hand and a computed fluid, which push each other as in a match, together conserve momentum.
 #include <gtest/gtest.h>
 
 #include "fluid/fields.h"

@@ -109,8 +109,8 @@ TEST_F(GesturePublicData, ProbabilitiesHoldAndUnknownGesturesAreNothing) {
     EXPECT_LE(result->open_set->false_accepts, 0.03);
 }
 
-/// Probabilities from one template of each gesture, calibrated by generated strokes only, without a fit to
-/// strokes of users.
+/// Probabilities that the recogniser makes from its templates alone (one or three of each gesture), without a
+/// fit to strokes of users.
 TEST_F(GesturePublicData, ProbabilitiesHoldWithoutStrokesOfUsers) {
     const auto error = [](const StrokeSet& set, Protocol protocol, std::size_t templates) {
         const auto result = evaluate(set.strokes, {.protocol = protocol,

@@ -1,5 +1,5 @@
-// Compares bodies with closed forms and, without the correction of free flight, with Bullet's own recurrence:
-// semi-implicit Euler.
+// Compares bodies with closed forms and, without our correction of free flight (which makes falls exact),
+// with Bullet's own recurrence: semi-implicit Euler.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -69,7 +69,8 @@ TEST(PhysicsAccuracy, DampedFallFollowsTheClosedFormForAnyDamping) {
 }
 
 TEST(PhysicsAccuracy, PushedBodiesFollowBulletsStep) {
-    // A contact acts on a resting body in every step; the correction of free flight must not lift the body.
+    // A contact acts on a resting body in every step; the correction that makes free flight exact must not
+    // lift the body.
     for (const bool exact : {true, false}) {
         Physics physics({.exact_flight = exact});
         add_floor(physics);

@@ -48,8 +48,8 @@ TEST(PrimitivesRandom, SixteenPrimitivesBalance) {
     EXPECT_LE(worst.fault, 1e-9);
 }
 
-/// Checks one of the few sets in a million on which the solver's check of optimality once failed. The spring
-/// has 300 N/m.
+/// Checks one of the few sets of primitives in a million on which the solver's check of optimality once
+/// failed. The spring has 300 N/m.
 void expect_balanced(std::initializer_list<Primitive> primitives, vec3 centre) {
     PrimitiveSet set;
     for (const Primitive& p : primitives) ASSERT_EQ(set.add(p), PrimitiveFault::none);

@@ -1,6 +1,7 @@
 // forge_log HOW LOG FORGED: copies a closed log with one change and correct checksums, as a forger would do
-// who wants a false match to be accepted. HOW: same, no_hashes, no_middle, no_last, early_input, late_input,
-// result, codes.
+// who wants a false match to be accepted. HOW: same (no change); no_hashes, no_middle, no_last (all hashes,
+// one or the last are left out); early_input, late_input (the input of one tick differs); result (a false
+// one); codes (control codes of a terminal in the result).
 #include <cstdio>
 #include <string_view>
 

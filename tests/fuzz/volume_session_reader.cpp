@@ -1,4 +1,5 @@
-// Fuzzes saved sessions of the volume lab. An accepted session, when written, must be readable again.
+// Fuzzes the reader of saved sessions of the volume lab (scans to feel and carve). An accepted session, when
+// written, must be readable again.
 #include "fuzz/fuzz.h"
 #include "game/lab/volume_session.h"
 

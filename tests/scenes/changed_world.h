@@ -1,7 +1,7 @@
 // tests/scenes/changed_world.h: a hand that presses into a spring of the device's stiffness while conditions
-// change repeatedly: the force limit changes, forces are switched off and on, the model becomes stale, the
-// spring disappears and returns. The energy is summed as F dx from the device's own motion. The servo's own
-// energy observer is not used.
+// change repeatedly: the force limit changes, forces are switched off and on, the haptic model (what the
+// match tells the servo of the world) becomes old, the spring disappears and returns. The energy is summed as
+// F dx from the device's own motion. The servo's own energy observer is not used.
 #pragma once
 #include <algorithm>
 #include <array>

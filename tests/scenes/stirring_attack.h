@@ -99,8 +99,8 @@ private:
         tip_ = haptics::step(device_, tip_, goal_, force);
         const double out = glm::dot(tip_.force, tip_.position - from);
         energy_.moved += std::abs(out);
-        // The newest flow carries the ladle along, which receives energy through resistance, the only force
-        // in a flow.
+        // The newest flow carries the ladle along. The ladle gets energy from it through resistance, the only
+        // force of a flow here.
         const vec3 flow = flow_at(fluid.newer, state_.fluid.place).velocity;
         last_ =
             out - glm::dot(fluid.frame.turn * state_.fluid.force, flow) * (tick_seconds / metres_per_metre);

@@ -1,5 +1,5 @@
-// tests/scenes/worse.h: the larger of two figures, or NaN if one is NaN. std::max drops a NaN, so a failed
-// run would report its last valid figure.
+// tests/scenes/worse.h: the larger of two measured values, or NaN if one is NaN. std::max drops a NaN, so a
+// failed run would report its last valid value.
 #pragma once
 #include <cmath>
 

@@ -1,5 +1,5 @@
-// The fluid under attack (tests/scenes/fluid_attack.h) in a short run; `thaum bench fluid --stress` is the
-// long one.
+// The fluid with hostile input (tests/scenes/fluid_attack.h) in a short run; `thaum bench fluid --stress` is
+// the long one.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-// The spring surface under hostile input: any stiffness and time step, probes that jump or are NaN. Also
-// tests the surface's symmetry and its sleep at rest.
+// The spring surface (a liquid's surface as a lattice of masses and springs) under hostile input: any
+// stiffness and time step, probes that jump or are NaN. Also tests the surface's symmetry and its sleep at
+// rest.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -72,7 +72,7 @@ struct Watch {
     }
 };
 
-/// An arena without props and with two scripted wizards, each of whom may hold an arm.
+/// An arena without props (loose things) and with two scripted wizards, each of whom may hold an arm.
 struct HandsRig {
     Simulation match;
     Watch watch{};
@@ -125,7 +125,7 @@ struct HandsRig {
         match.world_to_change().get<Gaze>(wizard(p)) = {
             det::atan2(-way.x, -way.z), det::atan2(way.y, std::sqrt(way.x * way.x + way.z * way.z))};
     }
-    /// Adds a prop, or a fixed part of the arena if the mass is 0.
+    /// Adds a box as a prop (a loose thing), or as a fixed part of the arena if the mass is 0.
     ecs::Entity box(vec3 size, double mass, vec3 at) {
         Thing thing;
         thing.prop = mass > 0;

@@ -1,4 +1,4 @@
-// Hostile strokes: for each, every method must answer, or correctly refuse, in bounded time.
+// Hostile strokes: for each, every method of recognition must answer, or correctly refuse, in bounded time.
 #include <gtest/gtest.h>
 
 #include <limits>

@@ -1,5 +1,5 @@
-// Stability of the simulated device and the coupling: they stay finite, bounded and passive for hostile
-// input.
+// Stability of the simulated device and the coupling (spring and damper between hand and object): they stay
+// finite, bounded and passive for hostile input.
 #include <gtest/gtest.h>
 
 #include "core/file.h"

@@ -1,5 +1,5 @@
-// Stability of the safety stage and the servo step: no input may make them break a safety rule, on any
-// shipped device.
+// Stability of the servo step and of its last part, the safety stage, which limits forces: no input may make
+// them break a safety rule, on any shipped device.
 #include <gtest/gtest.h>
 
 #include <cmath>

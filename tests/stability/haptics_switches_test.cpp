@@ -1,5 +1,5 @@
-// Stability of switches: switching passive sources must create hardly any energy at the hand, for every
-// device and hand.
+// Stability of switches: switching from one passive source (wall, spring) to another must create hardly any
+// energy at the hand, for every device and hand.
 #include <gtest/gtest.h>
 
 #include <cmath>

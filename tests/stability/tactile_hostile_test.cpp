@@ -1,4 +1,5 @@
-// Hostile values, times and rates: frames must keep their limits, and every invalid value must be counted.
+// Hostile values, times and rates: tactile frames must keep their limits, and every invalid value must be
+// counted.
 #include <cmath>
 #include <limits>
 

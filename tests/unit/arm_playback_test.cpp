@@ -1,5 +1,5 @@
-// Tests the playback of recorded forces at an arm: each force acts for one tick, and the safety stage
-// limits forces that are too strong, too fast or invalid.
+// Tests the playback of recorded forces at an arm: each force acts for one tick, and the safety stage (the
+// last part of the servo) limits forces that are too strong, too fast or invalid.
 #include "input/arm_playback.h"
 
 #include <gtest/gtest.h>

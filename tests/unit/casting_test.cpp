@@ -176,7 +176,7 @@ struct Drawer {
 
     input::DeviceSample& hand() { return frame.devices[0]; }
     ecs::Entity wizard() { return wizard_of(match.world(), 0); }
-    /// Draws circles with a radius of `counts` for some ticks, each circle in `period` ticks.
+    /// Draws circles with a radius of `counts` (of the mouse) for some ticks, each circle in `period` ticks.
     void circle(int ticks, int period, double counts) {
         for (int i = 0; i < ticks; ++i) {
             const double angle = 2 * pi * i / period;

@@ -120,7 +120,7 @@ TEST(GestureNetwork, TransitionsFollowTheGrid) {
         x += windows[0][i];
         y += windows[0][i + 1];
     }
-    EXPECT_EQ(x, 4);  // the stroke went from the first to the fifth column
+    EXPECT_EQ(x, 4);  // the stroke went from the first to the fifth column of the grid
     EXPECT_EQ(y, 0);
     EXPECT_TRUE(transition_windows({}).empty());
 }

@@ -30,7 +30,8 @@ vec3 pull(const CouplingFrame& f, const Coupling& c, vec3 moved) {
     return couple(step, {.hand = interface_point(f, f.taken_device + moved), .object = object}).mean_force;
 }
 
-/// Force on the hand, F_device = -s_f R_d^T R_g^T F_world (N).
+/// Force on the hand (N) that belongs to a force on the object: reversed, rotated from the world to the
+/// device and scaled, F_device = -s_f R_d^T R_g^T F_world.
 vec3 felt_by_hand(const CouplingFrame& f, vec3 force) { return -f.newtons_per_newton * to_device(f, force); }
 
 constexpr Coupling lift{.stiffness = 4000, .damping = 40, .drag = 0};

@@ -1,4 +1,5 @@
-// Unit tests of the safety stage's audit: it reports each violation.
+// Unit tests of the audit of the safety stage (an independent check of the stage that limits forces): it
+// reports each violation.
 #include "haptics/audit/safety_audit.h"
 
 #include <gtest/gtest.h>

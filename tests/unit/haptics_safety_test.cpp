@@ -1,4 +1,4 @@
-// Tests of the safety stage, rule by rule.
+// Tests of the safety stage (the last part of the servo, which limits forces), rule by rule.
 #include "haptics/safety.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,8 @@ namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// A safety stage with its audit. A test fails if the audit counts a violation.
+/// A safety stage with its audit, an independent check of its output. A test fails if the audit counts a
+/// violation of a rule.
 struct Stage {
     SafetyLimits limits = safety_limits(omni_like(), 1);
     SafetyState state{};

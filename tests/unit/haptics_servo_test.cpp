@@ -152,7 +152,8 @@ TEST(HapticsServo, ALeanIsFeltAsItIsAndGoesSlowlyWhereItJumps) {
         before = force;
     }
     EXPECT_EQ(before, vec3(0, 0, 0.5));
-    rig.model.steady_force.force.z = 0.9;  // a larger force with the same number, so it is no switch
+    // A larger force of the same source (same number), so it is no switch.
+    rig.model.steady_force.force.z = 0.9;
     EXPECT_EQ(rig.feel(), vec3(0, 0, 0.9));
 }
 
@@ -216,7 +217,8 @@ TEST(HapticsServo, APulseIsPlayedOnceAndOnlyIfItIsNewer) {
     EXPECT_EQ(impulse(), 0);
     rig.model.pulse.number = 12;
     EXPECT_NEAR(impulse(), 2 / pi * 10, 1e-12);
-    // Numbers in the middle and at the end of the range, where a difference of two numbers wraps around.
+    // Kicks are numbered. These numbers are in the middle and at the end of the range, where the difference
+    // of two numbers wraps around.
     for (const std::uint32_t number : {1U << 31U, (1U << 31U) + 100, ~0U}) {
         rig.model.pulse.number = number;
         EXPECT_NEAR(impulse(), 2 / pi * 10, 1e-12);

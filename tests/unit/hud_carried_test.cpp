@@ -1,5 +1,5 @@
 // Tests of ingredients in the picture: above the player's own hand, in the other wizard's hand, and in their
-// niches.
+// niches, where players take them.
 #include <algorithm>
 
 #include "game/context/match_context.h"

@@ -1,5 +1,5 @@
-// Tests of the orb and the crystals in the picture: they are drawn in every view, follow the match, and cost
-// no time where they are out of view.
+// Tests of the orb and the crystals (stations of the game) in the picture: they are drawn in every view,
+// follow the match, and cost no time where they are out of view.
 #include <array>
 #include <cmath>
 #include <cstdlib>

@@ -1,5 +1,5 @@
-// Tests of the menu's seams: a page and a request that no file of the game knows, and that
-// every row that opens a page finds it.
+// Tests of the menu's seams, at which pages and requests can be added without a change elsewhere: a page and
+// a request that no file of the game knows, and that every row that opens a page finds it.
 #include <gtest/gtest.h>
 
 #include <set>

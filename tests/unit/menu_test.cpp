@@ -47,7 +47,8 @@ TEST(StartScreen, ASeatIsGivenUpByBackAndByUnplugging) {
     EXPECT_EQ(s.seats[0], first_pad);
     s = with(s, Kind::gone, first_pad);
     EXPECT_FALSE(s.seats[0]);
-    // A pad without a seat joins the game with any button, including Back. Back on a keyboard does not join.
+    // A pad that no player uses yet joins the game with any button, including Back. Back on a keyboard does
+    // not join.
     EXPECT_EQ(with(s, Kind::back, first_pad).seats[0], first_pad);
     s = with(s, Kind::back, keyboard);
     EXPECT_FALSE(s.seats[0]);
@@ -184,7 +185,7 @@ TEST(StartScreen, AnotherDeviceJoinsWhateverRowIsChosen) {
     EXPECT_EQ(s.request, MenuRequest::none);
     EXPECT_EQ(s.seats[0], first_pad);
     EXPECT_EQ(with(s, Kind::confirm, half).seats[1], half);
-    // Both a device that has a seat and a third device can use the row Quit.
+    // Both a player's device and a device that no player uses can choose the row Quit.
     EXPECT_EQ(with(s, Kind::confirm, first_pad).request, MenuRequest::quit);
     EXPECT_EQ(with(with(s, Kind::confirm, half), Kind::confirm, second_pad).request, MenuRequest::quit);
     // A click acts on the row under the mouse.

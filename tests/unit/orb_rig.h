@@ -1,4 +1,5 @@
-// tests/unit/orb_rig.h: a match whose wizards stand at the orb, for tests.
+// tests/unit/orb_rig.h: a match whose wizards stand at the orb (a station where hands feel a flow), for
+// tests.
 #pragma once
 #include <array>
 #include <cmath>

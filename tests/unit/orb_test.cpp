@@ -1,5 +1,5 @@
-// Tests of the orb: where its core is, which wizards scry (feel its flow), what that costs, which haptic
-// modes a wizard has switched on, and what the orb shows.
+// Tests of the orb, a station with a flow and a hidden core: where the core is, which wizards scry (feel its
+// flow), what that costs, which haptic modes a wizard has switched on, and what the orb shows.
 #include <set>
 #include "game/stations/orb/scrying.h"
 

@@ -1,4 +1,5 @@
-// Tests of reports drawn as pictures: every row is shown, and the output is well-formed XML for any report.
+// Tests of benchmark reports drawn as pictures: every row is shown, and the output is well-formed XML for any
+// report.
 #include <gtest/gtest.h>
 
 #include <algorithm>

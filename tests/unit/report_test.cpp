@@ -1,5 +1,5 @@
-// Tests of reading reports: the output of to_json is read back unchanged, and an invalid report is refused
-// in one line that names the place.
+// Tests of reading reports of the benchmark: the output of to_json is read back unchanged, and an invalid
+// report is refused in one line that names the place.
 #include <gtest/gtest.h>
 
 #include <cmath>

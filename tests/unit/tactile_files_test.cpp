@@ -1,4 +1,5 @@
-// Files of layouts and effects: the shipped ones are read, and each fault is named.
+// Files of layouts (where the actuators are) and of effects: the shipped ones are read, and each fault is
+// named.
 
 #include <set>
 
