@@ -105,7 +105,7 @@ TEST(FluidAccuracy, ABowlBrakesTheFluidAsTheSeriesSays) {
     EXPECT_LE(errors[3], 0.0022);
     EXPECT_LE(errors[4], 0.00083);
     EXPECT_GE(order_between(errors[0], errors[4]) / 2, 1.9);
-    // For comparison: with the wall at the nearest closed faces, the error with 32 cells was 0.22.
+    // For comparison: with the wall moved to the nearest cell faces, the error with 32 cells was 0.22.
     EXPECT_LE(between[1], 0.042);
     EXPECT_LE(between[3], 0.022);
 }

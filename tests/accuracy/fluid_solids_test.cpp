@@ -224,7 +224,7 @@ void stir_a_bowl(int n) {
 }
 
 TEST(FluidSolids, AStirredBowlKeepsItsSubstancesAndLosesItsEnergy) {
-    // Sizes whose rows are, and are not, a multiple of the vector length.
+    // Sizes whose rows are, and are not, a multiple of the length of the processor's vectors.
     for (const int n : {16, 13}) {
         SCOPED_TRACE(n);
         stir_a_bowl(n);

@@ -71,7 +71,8 @@ TEST_F(ScanSurface, HasTheSilhouetteAndDepthOfTheSphere) {
             const auto hit = meets(camera.position, ray, centre, radius);
             if (!hit || !meets(camera.position, ray, centre, 0.95F * radius)) continue;
             ++hits;
-            // The chord of a cell lies up to 1 / (8 radius) samples inside the sphere.
+            // Between samples the surface is drawn as a chord of the sphere, which lies up to 1 / (8 radius)
+            // samples inside the sphere.
             const float there = depth[number_of(x, y)];
             EXPECT_NEAR(there, *hit, 0.05F * 2 / (n - 1)) << x << ", " << y;
         }

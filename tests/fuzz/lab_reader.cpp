@@ -7,7 +7,7 @@
 namespace thaum::fuzz {
 namespace {
 
-constexpr std::size_t head = 20, hash_size = 8;  // sizes in the format of engine/fluid/saved.cpp (bytes)
+constexpr std::size_t head = 20, hash_size = 8;  // sizes of a saved fluid's head and hash (bytes)
 
 std::string text_of(std::span<const std::byte> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};

@@ -41,8 +41,9 @@ inline FaceMean face_mean(const Inside& inside, const Exact& exact, vec3 middle,
     return result;
 }
 
-/// Relative L2 error of the velocities on all open faces, weighted by open area. With means over only 8 x 8
-/// points, small openings would contribute more error than the flow does.
+/// Relative L2 error of the velocities on all open faces, weighted by open area. If the mean over a face came
+/// from only 8 x 8 points, it would be so inaccurate on faces with a small open part that it would cause more
+/// error than the flow.
 inline double faces_error(const Fluid& fluid, const Inside& inside, const Exact& exact) {
     double off = 0, of = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -1,5 +1,6 @@
-// tests/scenes/passivity.h: energy that passive sources created, summed from a table of forces (`thaum replay
-// --forces`). The simulation's own passivity observer is not used. For the benchmark and the test.
+// tests/scenes/passivity.h: energy that passive sources of force (springs, walls, drag) created, summed from
+// a table of forces (`thaum replay --forces`). The simulation's own passivity observer is not used. For the
+// benchmark and the test.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -14,7 +15,8 @@ namespace thaum::bench {
 
 /// Energies from a table of forces.
 struct PassiveEnergy {
-    /// Most energy that passive sources gave beyond what they received and still stored (J)
+    /// Most energy that passive sources (springs, walls, drag) gave beyond what they received and still
+    /// stored (J)
     double created{};
     /// Energy that passed between sources and hand in both directions (J). If it is zero, the test proves
     /// nothing.
@@ -31,7 +33,7 @@ namespace detail {
 /// State of one hand in one tick.
 struct HandRow {
     vec3 at{};       ///< position of the device (m)
-    vec3 passive{};  ///< force by passive sources (N)
+    vec3 passive{};  ///< force by passive sources, such as springs and walls (N)
     vec3 anchor{}, surface{};
     double stiffness{}, booked{};
     bool touches{}, real{};

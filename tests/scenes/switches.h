@@ -1,6 +1,6 @@
-// tests/scenes/switches.h: the energy at the hand that is created by switching from one passive source to
-// another, summed from the positions of a simulated device and the forces on it. The servo's own energy
-// observer is not used. Used by benchmark and tests.
+// tests/scenes/switches.h: the energy at the hand that is created by switching from one passive source of
+// force (such as a spring or a wall) to another, summed from the positions of a simulated device and the
+// forces on it. The servo's own energy observer is not used. Used by benchmark and tests.
 //
 // Every source here pulls towards a point or out of a plane with stiffness times distance, up to a largest
 // force, so its stored energy has a closed form. A new source may hold energy at the switch, because it
@@ -38,7 +38,7 @@ inline constexpr std::array switch_hands{
 /// may miss it.
 inline constexpr std::array<std::uint64_t, 8> switch_seeds{6, 11, 13, 16, 19, 26, 32, 38};
 
-/// A passive source with its exact potential.
+/// A passive source of force, such as a spring or a wall, with its exact potential.
 struct SwitchedSource {
     enum class Kind : std::uint8_t { none, tether, point, plane };
     Kind kind{};

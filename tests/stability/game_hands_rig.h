@@ -19,8 +19,9 @@ using input::Button;
 
 inline constexpr double wall = 20;            // distance from the middle of the arena to its walls (m)
 inline constexpr double fastest_wizard = 30;  // largest allowed speed (m/s); a fall of 12 m ends with 15 m/s
-inline constexpr double most_created = 0.02;  // largest energy that passive sources may create (J)
-// Largest energy that active sources may give in about a second (J)
+// Largest energy that springs and other passive sources of force may create (J)
+inline constexpr double most_created = 0.02;
+// Largest energy that active sources (forces that push the hand by themselves) may give in about a second (J)
 inline constexpr double max_given = 1.0;
 // Speed of a jump of 10 cm within a tick, averaged over the time in which the force follows (m/s).
 inline constexpr double jump_speed = 0.1 / 0.03;

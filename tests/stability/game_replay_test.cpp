@@ -11,7 +11,8 @@ namespace {
 
 constexpr Tick length = 3 * keyframe_interval + 500;
 
-/// A match with its input frames, its hash after every tick, and its states at keyframes.
+/// A match with its input frames, its hash after every tick, and its states at keyframes (ticks at which a
+/// replay may start).
 struct Recorded {
     explicit Recorded(std::uint64_t seed) : duel(make_duel(seed)) {
         for (Tick t = 0; t < length; ++t) {

@@ -12,7 +12,8 @@ using bench::HostileFields;
 using bench::HostileHand;
 using bench::HostileResult;
 
-/// Largest energy that passive sources may create (engine/haptics/HAPTICS.md, "Energy and switches") (J).
+/// Largest energy that springs and other passive sources of force may create (engine/haptics/HAPTICS.md,
+/// "Energy and switches") (J).
 constexpr double most_created = 0.02;
 
 TEST(HapticModesHostile, AllModesTogetherStayWithinTheCaps) {

@@ -412,7 +412,8 @@ struct Ground {
 /// the points out of the solids, and takes the best.
 double downhill(const std::array<Ground, 2>& grounds, vec3 proxy, vec3 tip, Random& random) {
     constexpr double step = 1e-7, exact = 1e-13;  // length of a random step, and tolerance for a depth (m)
-    // Allowed depths (m): the proxy's, or the gap outside if the proxy is farther out.
+    // Allowed depth of a tried point in each solid (m): that of the proxy, or that of a point just outside of
+    // the surface if the proxy is farther out.
     std::array<double, 2> allowed{};
     for (std::size_t i = 0; i < 2; ++i)
         allowed[i] = std::max(grounds[i].nearest_face(proxy).depth, -surface_gap);

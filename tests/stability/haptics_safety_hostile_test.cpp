@@ -37,7 +37,7 @@ void attack_stage(const DeviceSpec& spec, std::uint64_t seed) {
     }
     const std::string rig = spec.name + ", seed " + std::to_string(seed);
     expect_none(audit, rig);
-    // An attack in which no force ever passes the stage would prove nothing.
+    // Hostile input of which the safety stage lets no force pass would prove nothing.
     EXPECT_GT(felt, attack_ticks / 10) << rig;
     for (std::size_t cause = 0; cause < met.size(); ++cause) {
         const bool cannot =

@@ -104,7 +104,8 @@ TEST(HapticsZWidth, WithDampingAndControllerAWallOf1000IsDeliveredAtOneTickOfDel
     EXPECT_LE(delivered_limit(spec, {}, newtons),
               exact_limit(spec));  // without damping and controller: 334 N/m, and less after a landing
     EXPECT_GE(delivered_limit(spec, {.damping = 2, .controller = 5}, newtons), 2000);
-    EXPECT_GE(delivered_limit(spec, {.controller = 5}, newtons), 1500);  // with the controller only
+    // With the passivity controller, without damping of the wall.
+    EXPECT_GE(delivered_limit(spec, {.controller = 5}, newtons), 1500);
     for (const double stiffness : {1000.0, 1500.0, 2000.0}) {
         const Pressed at = pressed(spec, {stiffness, 2, 5}, newtons);
         EXPECT_LE(at.depth + at.shake, 1.1 * newtons / stiffness) << stiffness;
@@ -118,8 +119,8 @@ TEST(HapticsZWidth, WithDampingAndControllerAWallOf1000IsDeliveredAtOneTickOfDel
 }
 
 TEST(HapticsZWidth, AFalconsEncoderKeepsAWallOf1000AtOneTickOfDelay) {
-    // The controller may add up to 20 N s/m here, at which one encoder count of 53 um per tick would mean 1
-    // N.
+    // The passivity controller may add damping of up to 20 N s/m here, at which one encoder count of 53 um
+    // per tick would mean 1 N.
     auto spec = reference_device(0.5, 1);
     spec.position_quantum = 5.3e-5;
     constexpr double newtons = 2;

@@ -25,7 +25,7 @@ const std::map<std::string, int, std::less<>> floors = {
 /// Floor of each room of the game; a room is a folder with its subfolders. A room may include itself and
 /// rooms on lower floors.
 const std::map<std::string, int, std::less<>> game_floors = {
-    {"components", 0},                      // plain data of the World
+    {"components", 0},                      // components, which are plain data of entities
     {"arena", 1},                           // shape of the arena
     {"data", 2},                            // contents of data files, and texts made from them
     {"brew", 3},          {"context", 3},   // fluid of the cauldron; data that all systems share
@@ -36,15 +36,15 @@ const std::map<std::string, int, std::less<>> game_floors = {
     {"senses", 7},        {"bots", 7},      // what is heard and felt of a match; opponents
     {"jackets", 7},                         // drivers of tactile jackets
     {"picture", 8},       {"scenario", 8},  // plain data for drawing; Lua scenarios
-    {"settings", 8},                        // the settings file, and folders of profiles and gestures
-    {"scene", 9},                           // meshes of the arena, wizards, brew, crystals and orb
-    {"hud", 10},                            // texts, cards and menus over the scene
-    {"range", 11},                          // the practice range: dummy, lessons, gesture wall
-    {"menu", 12},                           // start screen, pause and pages of settings
-    {"live", 13},                           // a match in real time: windows, devices, threads, sound
-    {"command_line", 13},                   // a command's words, and how it ends
-    {"lab", 14},                            // brew and volumes alone
-    {"app", 15},                            // the program and its commands
+    {"settings", 8},       // the settings file, and folders of players' feel profiles and gestures
+    {"scene", 9},          // meshes of the arena, wizards, brew, crystals and orb
+    {"hud", 10},           // texts, cards and menus over the scene
+    {"range", 11},         // the practice range: dummy, lessons, gesture wall
+    {"menu", 12},          // start screen, pause and pages of settings
+    {"live", 13},          // a match in real time: windows, devices, threads, sound
+    {"command_line", 13},  // a command's words, and how it ends
+    {"lab", 14},           // labs: the cauldron's fluid alone, and scans to feel and carve
+    {"app", 15},           // the program and its commands
 };
 
 /// Includes that are allowed between parts of the tree on the same floor (level): from, to.

@@ -301,8 +301,8 @@ TEST_F(ArmServoTest, PanicAndItsEndReachTheArm) {
     mirror.panic = false;
     both(1);
     EXPECT_EQ(arm.forces.back(), vec3(0));
-    // After a panic stop, the force stays zero until the player switches forces on again. That holds after a
-    // skipped tick, too, at which arm and simulation start anew.
+    // After an emergency stop, the force stays zero until the player switches forces on again. That holds
+    // after a skipped tick, too, at which arm and simulation start anew.
     mirror.tick(true);
     const auto then = arm.forces.size();
     both(200);

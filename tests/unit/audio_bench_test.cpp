@@ -1,5 +1,5 @@
-// Runs the benchmark of the mixer in its short form: its rows must meet their invariants. The time of a block
-// is not tested here.
+// Runs the benchmark of the mixer in its short form: the rows of its report must keep the bounds that hold on
+// any machine. The time of a block is not tested here.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -33,7 +33,7 @@ struct EcsSnapshot : testing::Test {
             w->declare<Levels>();
         }
     }
-    /// Gives the World a blob of ten elements, 0 to 9.
+    /// Gives the World a blob (an array of its own, without entities) of ten elements, 0 to 9.
     void fill_levels() {
         world.resize<Levels>(10);
         std::iota(world.blob<Levels>().begin(), world.blob<Levels>().end(), 0.0F);

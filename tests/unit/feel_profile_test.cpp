@@ -9,7 +9,7 @@
 namespace thaum::game {
 namespace {
 
-/// A profile in which every value differs from its default.
+/// A profile of haptic settings in which every value differs from its default.
 FeelProfile unlike_defaults(std::string name) {
     FeelProfile profile{.name = std::move(name)};
     for (const auto& setting : player_settings()) {

@@ -82,7 +82,7 @@ private:
     std::shared_ptr<Felt> felt_;
 };
 
-/// A frame of the layout `pad`.
+/// A tactile frame for the two motors of a pad.
 inline tactile::TactileFrame frame_of(float left, float right, Tick time_to_live = 48) {
     tactile::TactileFrame frame{.time_to_live = time_to_live, .count = 2};
     frame.amplitude[0] = left;

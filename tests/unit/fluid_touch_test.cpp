@@ -228,8 +228,8 @@ TEST(FluidTouch, AnOldModelContinuesLikeANewOne) {
 
 // ---- wall -------------------------------------------------------------------------------------------------
 
-/// Distance of a place from the inside of the bowl, the largest over the segments of the profile (m);
-/// negative inside.
+/// Distance of a place from the inside of the bowl, the largest over the straight pieces of the bowl's
+/// outline (m); negative inside.
 double outside_by(const BowlWall& wall, vec3 place) {
     const vec3 off = place - wall.centre;
     const vec2 at{std::sqrt(off.x * off.x + off.z * off.z), off.y};
@@ -407,7 +407,7 @@ TEST(FluidTouch, TheLadleHasItsMass) {
         rig.fluid().ladle = {.mass = 3.2, .stiffness = 4800, .damping = 60};
         const double mass = strength * 0.2;
         for (int tick = 0; tick < 10; ++tick) rig.tick();
-        // A small force, within the energy budget of active sources.
+        // A force so small that it stays within the energy that forces may give to a hand.
         rig.model.steady_force = {{0.2, 0, 0.25}, 1};
         vec3 halfway{};
         for (int tick = 0; tick < 1000; ++tick) {

@@ -78,7 +78,7 @@ TEST(GestureComparison, AClosedGestureMayStartAnywhereButEndsWhereItBegan) {
 TEST(GestureComparison, TellsTheWrongEnd) {
     auto back = ess();
     std::reverse(back.begin(), back.end());
-    // An S turned by half a turn looks the same, so an asymmetrical figure is needed to detect that the wrong
+    // An S turned by half a turn looks the same, so an asymmetrical stroke is needed to detect that the wrong
     // end comes first.
     const auto hook = drawn([](double u) { return vec3(u < 0.7 ? 0 : u - 0.7, u < 0.7 ? -2 * u : -1.4, 0); });
     auto wrong = hook;

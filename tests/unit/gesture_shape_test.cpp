@@ -1,5 +1,5 @@
-// Tests of resampling, normalisation, the dot product of paper 000, and the elastic distance compared with a
-// plain computation.
+// Tests of resampling, normalisation, the dot product by which paper 000 compares strokes, and the elastic
+// distance compared with a plain computation.
 #include <gtest/gtest.h>
 
 #include <algorithm>

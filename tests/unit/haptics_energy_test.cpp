@@ -1,5 +1,5 @@
-// Tests of the passivity observer and controller: created energy, removed energy, and the energy budget of
-// active sources.
+// Tests of the passivity observer and controller: created energy, removed energy, and the energy that active
+// sources (forces that push by themselves) may give.
 #include "haptics/energy.h"
 
 #include <gtest/gtest.h>
@@ -26,10 +26,10 @@ DeviceSpec reference_device(int latency) {
 struct Outcome {
     double created{};   ///< sum of F dx, computed independently here (J)
     double most{};      ///< largest value of `created` (J)
-    double farthest{};  ///< largest distance in the last quarter (m)
+    double farthest{};  ///< largest distance of the tip from x = 0 in the last quarter of the run (m)
 };
 
-/// Moves a tip at 0.1 m/s into a spring along x, with or without the controller.
+/// Moves a tip at 0.1 m/s into a spring along x, with or without the passivity controller.
 Outcome meet_spring(double stiffness, bool controlled, int latency) {
     const auto spec = reference_device(latency);
     const auto device = simulated_device(spec, no_hand);

@@ -274,7 +274,8 @@ TEST(HapticsSafety, ThreeBurstsOfExcessInTenSecondsShutItOff) {
     EXPECT_FALSE(shuts_off({21}));
     EXPECT_TRUE(shuts_off({20, 20}));
     EXPECT_FALSE(shuts_off({19, 19, 19, 19, 19}));  // a single long burst
-    EXPECT_TRUE(shuts_off({4999, 4999}));           // three bursts within 10 s, counted from start to start
+    // Three bursts of too large a force within 10 s, counted from start to start.
+    EXPECT_TRUE(shuts_off({4999, 4999}));
     EXPECT_FALSE(shuts_off({4999, 5000}));
     EXPECT_TRUE(shuts_off({9000, 2000, 100}));  // four bursts, of which the last three are within 10 s
 
@@ -473,8 +474,8 @@ TEST(HapticsSafety, TheSameTicksGiveTheSameBits) {
         return hash;
     };
     EXPECT_EQ(run(), run());
-    // The hash must be the same in every build and on every processor. It changes only if the rules are
-    // changed on purpose.
+    // The hash must be the same in every build and on every processor. It changes only if the safety rules
+    // are changed on purpose.
     EXPECT_EQ(run(), 14337129754849735888ULL);
 }
 

@@ -29,9 +29,9 @@ TEST(HapticsServo, ATipThatIsHereAndThereInTurnIsTooFast) {
 }
 
 TEST(HapticsServo, AnEncodersQuantumIsNoSpeed) {
-    // Speeds just below the limit, in an oblique direction, rounded to a quantum. Every second sample may be
-    // late. At rest the encoders flicker.
-    const double quantum = 2e-4;  // quantum (m): four times the coarsest of the shipped devices
+    // Speeds just below the limit, in an oblique direction, rounded to a quantum (step of an encoder). Every
+    // second sample may be late. At rest the encoders flicker.
+    const double quantum = 2e-4;  // step of the encoders (m): four times the coarsest of the shipped devices
     const auto rounded = [quantum](vec3 place) { return quantum * glm::round(place / quantum); };
     for (const bool late : {false, true}) {
         Rig rig;
@@ -272,8 +272,8 @@ TEST(HapticsServo, TheVelocityIsThatOfTheWindow) {
             EXPECT_EQ(rig.cause() == SafetyCause::over_speed, share > 1 && tick > 0) << tick;
         }
     }
-    // A sample that is read twice, as from a device that is read too often, and the quantum of an encoder do
-    // not count as speed.
+    // A sample that is read twice, as from a device that is read too often, and a single step of an encoder
+    // do not count as speed.
     Rig rig;
     for (int tick = 0; tick < 200; ++tick) {
         if (tick % 8 == 0) rig.sample.position.y += 0.02;

@@ -1,5 +1,5 @@
-// Tests of textures on surfaces against closed forms: paper 004's sinusoidal grating with both normals, and
-// the bump map.
+// Tests of textures on surfaces against closed forms: paper 004's sinusoidal grating, which pushes along the
+// normal of the wall or of the texture, and the bump map.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -20,7 +20,7 @@ protected:
         ADD_FAILURE() << "no anchor";
         return {};
     }
-    /// Marks (cages around the anchor) that a player's view shows.
+    /// Marks around the anchor for a rope, drawn as cages, that a player's view shows.
     std::vector<render::Instance> marks(std::uint32_t viewer) const {
         std::vector<render::Instance> instances;
         add_instances(arena_scene, picture, viewer, instances);

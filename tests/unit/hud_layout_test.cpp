@@ -144,7 +144,7 @@ TEST(HudLayout, LargerTextIsLargerUpToWhatTheViewHolds) {
             float before = 0;
             for (double scale = 1; scale <= 2.5; scale += 0.25) {
                 const auto layout = lay_out(settings_of(how, scale), window, 5);
-                // In a replay the bar takes more room from the views as the text grows.
+                // In a replay the bar of times below takes more room from the views as the text grows.
                 if (layout.replay) continue;
                 EXPECT_GE(layout.unit, before);
                 before = layout.unit;
@@ -427,7 +427,7 @@ TEST(HudLayout, ANameOfFifteenLettersIsAsLargeAsAShortOne) {
     EXPECT_GE(size_of(settings_of(arrangements[1], 2.5), {640, 480}, "WWWWWWWWWWWWWWWW"), 5);
 }
 
-/// The longest text of the Apprentice, with the keys of one half of the keyboard.
+/// The longest text of the guided lessons, with the keys of one half of the keyboard.
 Picture in_lesson() {
     auto picture = picture_of(*new_match());
     picture.practice.on = true;

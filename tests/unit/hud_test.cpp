@@ -77,7 +77,7 @@ TEST_F(Drawn, AChangeOfOneViewChangesOnlyItsHalf) {
         picture = picture_of(*new_match());
         const auto before = draw(split(s));
         picture.wizards[0].vitals.yaw += 1;
-        // The other wizard faces away, so the turned figure is not in view.
+        // The other wizard faces away, so its figure, which has turned, is not in view.
         const auto after = draw(split(s));
         const auto views = views_of(split(s), size);
         EXPECT_GT(differing(before, after, views[0]), views[0].width * views[0].height / 3);

@@ -37,7 +37,7 @@ std::string refusal(const Bytes& like, std::span<const std::byte> body) {
     return message_of(decoded(signed_header(like, body)));
 }
 
-/// Offset after a string in the body.
+/// Offset just after a string in the body of a log's header.
 std::size_t behind(const Bytes& body, std::string_view name) {
     const auto bytes = std::as_bytes(std::span(name));
     const auto found = std::search(body.begin(), body.end(), bytes.begin(), bytes.end());
@@ -193,7 +193,8 @@ TEST(InputLogFormat2, AListThatIsTooLongIsRefusedBeforeItsItemsAreRead) {
     const auto at = [](Bytes& bytes, std::size_t offset) {
         return bytes.begin() + static_cast<std::ptrdiff_t>(offset);
     };
-    // Makes a header with `count` empty overrides, and returns the number of allocations until it is refused.
+    // Makes a header with `count` empty overrides (changed values of data files), and returns the number of
+    // allocations until it is refused.
     const auto allocations_of = [&](std::uint32_t count, bool accepted) {
         auto overrides = section(6, 1, 4 + 4 * count, 4 + 4 * std::size_t{count});
         samples::put_at(overrides, 8, count);

@@ -38,8 +38,8 @@ TEST(InputStick, EveryCurveGrowsAndIsTheSameOnBothSides) {
     }
 }
 
-/// The documented law (1 - curve) x + curve x^3, which results from the collector and the curve of the match
-/// together.
+/// The documented law (1 - curve) x + curve x^3, which results from two steps together: the input collector
+/// shapes the stick's position, and the match shapes the rate of turning.
 TEST(InputStick, TheRateOfATurnFollowsTheChosenCurve) {
     for (const double curve : curves) {
         for (int i = 1; i <= 1000; ++i) {

@@ -139,7 +139,7 @@ TEST(Lab, InvalidInputIsRefusedAndTheOldStateStays) {
     has(refused([](LabSettings& s) { s.substances[1].substance.diffusion = -1; }), "substance 2: diffusion");
     has(refused([](LabSettings& s) { s.order = 3; }), "order must be 2 or 4");
     has(refused([](LabSettings& s) { s.gravity = std::nan(""); }), "gravity");
-    // A refused change in the input is reported in the figures.
+    // A refused change in the input is reported in the values that the step returns.
     Jobs jobs(0);
     LabSettings thin = lab.settings;
     thin.viscosity = -1;

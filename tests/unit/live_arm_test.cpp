@@ -131,7 +131,8 @@ TEST(LiveArms, AreWatchedEachForItself) {
 
 // ---- players of arms --------------------------------------------------------------------------------------
 
-/// Players of `count` arms, for the seats of the start screen or of a plan in which arm i belongs to seat i.
+/// Players of `count` arms, if the start screen gives out the devices, or if the command line has given arm i
+/// to player i.
 std::vector<std::uint32_t> players_of(const TakenSeats& seats, std::uint32_t count, bool start_screen) {
     LiveArms arms;
     for (std::uint32_t i = 0; i < count; ++i) {

@@ -221,8 +221,8 @@ TEST_F(PlayerHandsTest, NewSettingsReachTheHands) {
     EXPECT_EQ(current.counts[input::hand::forward], 127);
     EXPECT_EQ(current.counts[input::hand::look_right], 20);
     EXPECT_EQ(current.counts[input::hand::look_up], 20);
-    // The devices of the next match are made with the new sensitivity, so the collector applies no additional
-    // factor.
+    // The devices of the next match are made with the new sensitivity, so the input collector applies no
+    // additional factor.
     hands_.begin_match(settings, {});
     hands_.each([&](auto& hands) { hands.mouse_move(10, 10); });
     EXPECT_EQ(sample(0).counts[input::hand::look_right], 10);

@@ -1,4 +1,5 @@
-// Tests of the menu in a live session: held directions, the mouse, bindings, saved settings and requests.
+// Tests of the menu in a live session: directions that are held down, the mouse, bindings, saved settings and
+// requests.
 #include "game/live/menu.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// unit/live_rig.h: keys, pads and seats for tests of a live session's parts.
+// unit/live_rig.h: keys, pads and seats (players' devices) for tests of a live session's parts.
 #pragma once
 #include <gtest/gtest.h>
 

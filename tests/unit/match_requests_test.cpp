@@ -1,5 +1,5 @@
 // Tests of requests to the running match: a request that no file of the game knows, their order, and what a
-// match that is not on the range does with them.
+// match that is not on the practice range does with them.
 #include "game/live/match_requests.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Tests of gestures that players have drawn themselves: from the profile through a match and its log to a
-// replay without the profile.
+// Tests of gestures that players have drawn themselves: from the player's profile (the stored own gestures)
+// through a match and its log to a replay without that profile.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

@@ -84,8 +84,8 @@ TEST(Physics, LayersDecideWhichBodiesCollide) {
     ghost.collides_with = 8;
     physics.add(2, ghost, at({0, 1, 0}));
     BodyDesc one_sided = ball(0.2, 1);
-    // This body would collide with the ghost, but the ghost does not collide with this body's layer. So it
-    // lands on the floor.
+    // This body would collide with the body `ghost`, but the ghost does not collide with this body's layer.
+    // So it lands on the floor.
     one_sided.layer = 4;
     physics.add(3, one_sided, at({0, 2, 0}));
     run(physics, 2000);

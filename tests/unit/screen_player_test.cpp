@@ -178,7 +178,7 @@ void ScreenPlayer::count_down(Play& play) {
         publish(play, static_cast<int>((end - all_ticks_ + ticks(1.0) - 1) / ticks(1.0)));
         look(&play.match());
         session_->step_match({}, now_);
-        shared_.seats[practising].hands->take();  // drops the input from before the match
+        shared_.seats[practising].hands->take();  // drops the input of the time before the match
     }
 }
 
