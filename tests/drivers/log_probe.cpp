@@ -71,7 +71,7 @@ void print(std::size_t device, const input::DeviceSpec& spec, const Seen& s) {
 /// A match that is replayed as far as its log has been written.
 struct Followed {
     std::unique_ptr<game::Simulation> match;
-    std::deque<std::string> states;  ///< rows of the table of states, the newest last
+    std::deque<std::string> states;  ///< states of the match, a row of CSV each, the newest last
 };
 
 /// Replays what has been added to the log. Returns false while there is no log.

@@ -31,7 +31,7 @@ inline double hostile_strength(Random& random, bool bounded) {
     }
 }
 
-/// A function with jumps at four places.
+/// A random curve of strength over the value of a field, with jumps at four places.
 inline field::TransferFunction hostile_function(Random& random, double from, double to, bool bounded) {
     std::array<vec2, 8> points{};
     for (std::size_t i = 0; i < points.size(); ++i) {

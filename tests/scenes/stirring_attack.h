@@ -32,10 +32,11 @@ inline haptics::BowlWall round_bowl(double radius, double depth) {
 }
 
 struct StirredWorld {
-    haptics::FluidModes modes{};  ///< passive modes; viscosity only if the flow is at rest
-    double flow{};                ///< largest velocity along each axis, random in each step (m/s)
-    bool waves{};                 ///< true: pushes on the surface make waves
-    std::uint32_t delay{};        ///< age of each model when the servo gets it (ticks)
+    /// Which forces of the fluid act, only passive ones; viscosity only if the flow is at rest.
+    haptics::FluidModes modes{};
+    double flow{};          ///< largest velocity along each axis, random in each step (m/s)
+    bool waves{};           ///< true: pushes on the surface make waves
+    std::uint32_t delay{};  ///< age of each model when the servo gets it (ticks)
 };
 
 struct StirredEnergy {
@@ -48,8 +49,8 @@ struct StirredEnergy {
 
 class StirringAttack {
 public:
-    /// The device must never reach a limit, because a force limit would remove force that the world has
-    /// given.
+    /// The device must never reach a limit, because then the hand would not get all energy that the fluid
+    /// gives, and the balance of energy would be wrong.
     StirringAttack(const StirredWorld& world, const haptics::DeviceSpec& spec)
         : world_(world),
           stiffness_(std::min(spec.max_stiffness, 1000.0)),  // limited to the largest stiffness in matches

@@ -73,7 +73,8 @@ TEST(FluidTouchHostile, TheLoopThroughTheFluidDoesNotRing) {
 
 // ---- energy -----------------------------------------------------------------------------------------------
 
-/// A device with limits so high that no force limit removes energy that the world has given.
+/// A device with limits so high that the hand always gets all energy that the fluid gives. Otherwise the
+/// balance of energy would be wrong.
 DeviceSpec without_limits(DeviceSpec spec) {
     spec.peak_force = spec.continuous_force = 1000;
     return spec;

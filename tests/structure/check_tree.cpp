@@ -1,4 +1,4 @@
-// Applies the rules to this source tree.
+// Checks that this source tree keeps the rules of structure: includes, names, lengths of files and more.
 #include <gtest/gtest.h>
 
 #include "structure/rules.h"

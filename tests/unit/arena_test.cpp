@@ -186,7 +186,8 @@ double volume_of(const physics::TriangleMesh& mesh) {
 }
 
 TEST(ArenaFile, ARampRisesWhereItsNameSaysAndItsTwinWhereItMust) {
-    const std::array<vec2, 4> ways{vec2(1, 0), {-1, 0}, {0, -1}, {0, 1}};  // directions of rise_names
+    // Directions in which a ramp may rise, as in rise_names.
+    const std::array<vec2, 4> ways{vec2(1, 0), {-1, 0}, {0, -1}, {0, 1}};
     for (std::size_t rise = 0; rise < rise_names.size(); ++rise) {
         const auto mesh = ramp({2, 3, 4}, static_cast<Rise>(rise));
         EXPECT_NEAR(volume_of(mesh), 2 * 3 * 4 / 2.0, 1e-12) << rise_names[rise];

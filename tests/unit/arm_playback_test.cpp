@@ -62,7 +62,8 @@ TEST(ArmPlayback, EachForceActsForATick) {
 }
 
 TEST(ArmPlayback, BeginsAndEndsSlowly) {
-    constexpr double max_step = 0.04 * (1 + 1e-9);  // largest change of force in a tick (N), from 40 N/s
+    // Largest change of force in a tick (N), from the slew limit of 40 N/s.
+    constexpr double max_step = 0.04 * (1 + 1e-9);
     Hand hand;
     vec3 before(0);
     const auto expect_slow = [&](vec3 told) {

@@ -353,7 +353,8 @@ TEST_F(MixerTest, ManyFullVoicesNeverClip) {
     EXPECT_LE(recorder.largest(), 1);
     EXPECT_GT(recorder.largest(), 0.5);
     EXPECT_GT(mixing.report().limited_blocks, 150U);
-    // A voice that follows the noise has its full loudness again after 0.3 s.
+    // The limiter has made everything quieter during the noise. A voice that follows has its full loudness
+    // again after 0.3 s.
     recorder.play({}, 40);
     recorder.play(frame_with({voice(hum, {1, 0, 0})}), 20);
     EXPECT_NEAR(recorder.levels(10).right, 0.5, 2e-3);

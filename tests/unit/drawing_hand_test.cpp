@@ -29,7 +29,7 @@ TEST(DrawingMouse, ACountMovesTheHandATenthOfAMillimetreAgainstTheField) {
     const auto& stroke = recorder.strokes()[0];
     EXPECT_EQ(stroke.size(), 1200U) << "a point a millisecond";
     EXPECT_NEAR(stroke.back().t, 1.199, 1e-9);
-    // Dry friction of the mechanism keeps the hand a little short of the target.
+    // Dry friction of the simulated device's mechanism keeps the hand a little short of the target.
     EXPECT_NEAR(stroke.back().at.x, 0.1, 1e-3);
     EXPECT_NEAR(stroke.back().at.y, 0.05, 1e-3);
     EXPECT_EQ(stroke.back().at.z, 0);

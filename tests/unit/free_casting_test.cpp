@@ -13,7 +13,7 @@
 namespace thaum::game {
 namespace {
 
-/// A match of two scripted hands, in which the first one casts without a button.
+/// A match of two players whose input the test gives. The first one casts without a button.
 class Free {
 public:
     explicit Free(bool freely = true) {

@@ -16,7 +16,7 @@ inline std::shared_ptr<const MatchData> duel_data(std::vector<std::string> overr
         load_match_data(assets(), {.overrides = std::move(overrides)}).value());
 }
 
-/// Setup of a match of two scripted hands.
+/// Setup of a match of two players whose input a script gives.
 inline MatchSetup two_hands() {
     return {.seed = 1,
             .devices = {{.player = 0, .kind = input::DeviceKind::script, .name = "one"},

@@ -39,7 +39,8 @@ TEST(HapticsServo, APatchIsFeltAndItsEndIsASwitch) {
     EXPECT_NEAR(after, 0.6 - rig.servo.limits.slew * tick_seconds, 1e-6) << "slowly";
     for (int tick = 0; tick < 100; ++tick) rig.feel();
     EXPECT_EQ(rig.feel(), vec3(0));
-    // A new patch, whose bodies have nothing to do with those of the previous patch.
+    // A new patch (the surfaces near the tip), whose bodies have nothing to do with those of the previous
+    // patch.
     rig.model.patch = wall_below(0);
     ++rig.model.patch_number;
     rig.model.start = {0, 0.01, 0};

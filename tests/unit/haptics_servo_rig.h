@@ -1,4 +1,4 @@
-// unit/haptics_servo_rig.h: a servo whose model and sample a test sets.
+// unit/haptics_servo_rig.h: a servo (the step from sample to force) whose model and sample a test sets.
 #pragma once
 #include "haptics/servo.h"
 

@@ -338,7 +338,7 @@ TEST(HapticsServo, TheSameTicksGiveTheSameBits) {
         return hash;
     };
     EXPECT_EQ(run(), run());
-    // The hash must be the same in every build and on every processor. It changes only if the rules are
+    // The hash must be the same in every build and on every processor. It changes only if the servo is
     // changed on purpose.
     EXPECT_EQ(run(), 1484776655602309500ULL);
     EXPECT_EQ(forces, 7033616599626527150ULL);

@@ -118,7 +118,7 @@ Bytes section(std::uint16_t tag, std::uint16_t flags, std::uint32_t size, std::s
     return bytes;
 }
 
-/// Offsets at which the sections of a body begin, and its end.
+/// Offsets at which the sections of a header's body begin, and the offset of its end.
 std::vector<std::size_t> sections_of(const Bytes& body) {
     std::vector<std::size_t> begins{0};
     while (begins.back() < body.size())

@@ -28,7 +28,7 @@ public:
     Scratch& operator=(const Scratch&) = delete;
     ~Scratch() { ::close(fd_); }
 
-    /// Returns false if the bytes could not be written.
+    /// Replaces the contents of the file. Returns false if the bytes could not be written.
     bool set(std::span<const std::byte> bytes) const {
         return set_from(0, bytes) && ::ftruncate(fd_, static_cast<off_t>(bytes.size())) == 0;
     }

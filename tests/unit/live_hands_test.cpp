@@ -195,7 +195,8 @@ TEST_F(PlayerHandsTest, AFreePadStandsInForALostOne) {
     EXPECT_EQ(sample().counts[input::hand::trigger], 255);
     look(full_trigger_, idle_);
     EXPECT_EQ(sample().counts[input::hand::trigger], 0) << "the pad that came back has no player";
-    // The other player's pad is not free, so it stands in for none.
+    // The second pad belongs to the other player, so a press on it does not make it replace the pad that was
+    // unplugged.
     seats_ = rig::seats_for(rig::first_pad_seat, rig::second_pad_seat);
     hands_.begin_match(settings_, {idle_, idle_});
     EXPECT_FALSE(look(unplugged_, pressed_).all_back);

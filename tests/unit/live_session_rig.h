@@ -1,5 +1,6 @@
-// unit/live_session_rig.h: a live session (the main thread's part), without window, threads and clock. The
-// test acts as the simulation thread: it sets the match's state and reads the requests to the match.
+// unit/live_session_rig.h: the main thread's part of a live session (a played match with its menus), without
+// window, threads and clock. The test acts as the simulation thread: it sets the match's state and reads the
+// requests to the match.
 #pragma once
 #include <gtest/gtest.h>
 

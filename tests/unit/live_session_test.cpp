@@ -1,5 +1,6 @@
-// Tests of a whole live session (the main thread's part), without window, threads and clock. The test acts as
-// the simulation thread: it sets the match's state and reads the requests to the match.
+// Tests of the main thread's part of a live session (a played match with its menus), without window, threads
+// and clock. The test acts as the simulation thread: it sets the match's state and reads the requests to the
+// match.
 #include "game/live/session.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Tests of the motors of the players' pads: which player has which motors, how strong they are, and that they
-// follow the seats of a session. The motors are fakes. Tests wait for the threads' actions, not for a fixed
-// time.
+// follow when players get other devices. The motors are fakes. Tests wait for the threads' actions, not for a
+// fixed time.
 #include "game/live/tactile.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Tests of the interface of Physics: keys, sleep and waking, contacts, rays.
+// Tests of the interface of Physics: keys of bodies, sleep and waking, contacts, rays.
 #include "physics/physics.h"
 
 #include <gtest/gtest.h>

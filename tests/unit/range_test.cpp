@@ -333,7 +333,7 @@ TEST(CarryOver, TheDeadStayDeadAndComeBack) {
 
 // ---- files that change ------------------------------------------------------------------------------------
 
-/// A range with its own copy of the data files.
+/// A practice range with its own copy of the data files.
 class RangeFilesTest : public testing::Test {
 protected:
     RangeFilesTest() {
