@@ -52,11 +52,12 @@ TEST(FluidBuoyancy, TheReportAccountsForRemovedEnergy) {
         if (report.rescaled == 0) continue;
         ++told;
         const double after = flows::kinetic_energy(fluid) + flows::potential_energy(fluid);
-        // After rescaling, the energy equals that of the previous step, up to the rounding of densities.
+        // When the solver has slowed the flow by rescaling its velocity, the energy equals that of the
+        // previous step, up to the rounding of densities.
         EXPECT_NEAR(after, before, 1e-8) << i;
     }
     EXPECT_GT(told, 0);
-    // Substances without weight never cause rescaling.
+    // Substances without weight never make the solver rescale the velocity.
     auto box = flows::start(flows::taylor_green_box(0), {Solver::thaum, 4}, 16).value();
     for (int i = 0; i < 20; ++i) EXPECT_EQ(advance(box, flows::step).rescaled, 0);
 }

@@ -1,4 +1,5 @@
-// The baseline solver: its errors equal those of the published method, and it keeps that method's guarantees.
+// The baseline solver (Stam's stable fluids, with which ours is compared): its errors equal those of the
+// published method, and it keeps that method's guarantees.
 #include <gtest/gtest.h>
 
 #include "fluid/classic/classic.h"

@@ -17,7 +17,8 @@ namespace {
 using sets::Case;
 using sets::Scale;
 
-/// Accuracy of a position in the box (m): far above rounding errors, far below an encoder's resolution.
+/// Accuracy of a position within the set of primitives (m): far above rounding errors, far below an encoder's
+/// resolution.
 double touching(const Scale& scale) { return 1e-13 * (scale.size + scale.strength / scale.stiffness); }
 
 struct Worst {
@@ -276,7 +277,8 @@ TEST(PrimitivesRandom, TheResidualIsTrueEverywhere) {
     int solved = 0;
     constexpr int count = 20'000;
     for (int i = 0; i < count; ++i) {
-        // Strength / stiffness is up to 1e21 times the size.
+        // Strength / stiffness, the distance by which a force stretches the spring, is up to 1e21 times the
+        // size of the set.
         const Scale scale{between(1e-6, 1e6), between(1e-9, 1e5), between(1e-6, 1e9)};
         const Case c = sets::random_case(random, 1 + random.below(16), scale);
         const Balance found = balance(c.set, c.spring);

@@ -86,8 +86,8 @@ std::string body_of(const Bytes& log) {
     return string_of(std::span(log).subspan(detail::preamble_size, samples::u32_at(log, 12)));
 }
 
-/// The log with another body, with correct size and checksum. The body's checksum is the salt of the blocks'
-/// checksums, so these are corrected, too.
+/// The log with another body of its header, with correct size and checksum. The body's checksum is the salt
+/// of the blocks' checksums, so these are corrected, too.
 std::string with_body(const Bytes& log, const std::string& body) {
     Bytes out(log.begin(), log.begin() + static_cast<std::ptrdiff_t>(detail::preamble_size));
     const auto bytes = std::as_bytes(std::span(body));

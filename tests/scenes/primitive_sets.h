@@ -1,4 +1,5 @@
-// tests/scenes/primitive_sets.h: random sets of haptic primitives, for tests and the benchmark.
+// tests/scenes/primitive_sets.h: random sets of haptic primitives (points, lines and planes that hold the
+// proxy), for tests and the benchmark.
 #pragma once
 #include <cstddef>
 

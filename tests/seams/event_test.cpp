@@ -1,4 +1,5 @@
-// An event in this source, which records it, and in a row of events.toml: no file of the game knows it.
+// A kind of event that only this source, which records it, and a row of events.toml define: no file of the
+// game knows it.
 #include <gtest/gtest.h>
 
 #include "game/data/event_kinds.h"

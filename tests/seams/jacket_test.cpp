@@ -1,5 +1,5 @@
-// A maker of jackets (here drums) in this source alone: no file of the game knows it. A real maker stands in
-// game/jackets/makers/NAME.cpp.
+// A maker of tactile jackets (here of drums) in this source alone: no file of the game knows it. A real maker
+// stands in game/jackets/makers/NAME.cpp.
 #include <gtest/gtest.h>
 
 #include <thread>

@@ -71,7 +71,8 @@ TEST(CarvingHostile, UndoIsExactWithLittleMemory) {
     }
 }
 
-/// Expects that an edit with this tool and this dab does not change the body.
+/// Expects that an edit with this tool and this dab (where and how long the tool is used) does not change the
+/// body.
 void expect_nothing(const Tool& tool, const Dab& dab) {
     Voxels body = random_block({9, 10, 11}, 3);
     const std::uint64_t before = hash_of(body);

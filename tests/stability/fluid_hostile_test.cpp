@@ -43,7 +43,7 @@ TEST(FluidHostile, ThaumWithstandsThemInABowl) {
 }
 
 TEST(FluidHostile, TheBaselineWithstandsThemToo) {
-    // The baseline guarantees neither zero divergence nor conserved amounts.
+    // The baseline solver (Stam's stable fluids) guarantees neither zero divergence nor conserved amounts.
     const AttackBounds loose{.divergence = 10, .energy_growth = 10, .amount_drift = 1e9};
     for (const std::uint64_t seed : {1U, 2U, 3U})
         EXPECT_EQ(attacked({Solver::classic}, seed, 150, {}, loose).fault, "");

@@ -62,7 +62,7 @@ TEST(HapticsSwitches, AWorldThatChangesAgainAndAgainPushesNoHandAway) {
     }
 }
 
-/// A safety stage whose every tick is audited.
+/// A safety stage (the part that limits forces), whose output an independent audit checks in every tick.
 struct AuditedStage {
     SafetyLimits limits{};
     SafetyState state{};

@@ -9,7 +9,8 @@ namespace thaum::structure {
 
 using Faults = std::vector<std::string>;
 
-/// Every #include in engine/ and game/ must point to a lower floor (see `floors` in rules.cpp).
+/// Every #include in engine/ and game/ must point to a part on a lower floor (level of the tree; see `floors`
+/// in rules.cpp).
 Faults upward_includes(const std::filesystem::path& root);
 
 /// No file may contain a path of one machine, such as a home folder or the path of this tree.

@@ -165,7 +165,8 @@ TEST(Crystal, WorkEndsWithStirWithDeathAndOutOfReach) {
 
 // ---- the Lens ---------------------------------------------------------------------------------------------
 
-/// Makes the crystal's body equal to the shape hidden in it, so that the next dab completes the crystal.
+/// Makes the crystal's body equal to the shape hidden in it, so that the next use of a tool completes the
+/// crystal.
 void carve_whole(Simulation& match) {
     std::ranges::copy(match.crystals().list[0].key, densities(match).begin());
     rebuild_crystals(match.context_to_change(), match.crystals_to_change());

@@ -1,5 +1,5 @@
-// Tests of the wand's tip as a probe: the frames of world and device, and that turning and walking give no
-// force on the hand.
+// Tests of the wand's tip as the probe with which a hand feels things: the frames of world and device, and
+// that turning and walking give no force on the hand.
 #include <algorithm>
 
 #include "core/random.h"

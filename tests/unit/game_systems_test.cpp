@@ -14,7 +14,7 @@ namespace {
 
 using input::DeviceKind;
 
-// A context gives systems no write access to data and input.
+// A context, through which systems reach shared data, gives them no write access to data and input.
 template <class Context>
 concept WritesData = requires(Context& context) {
     context.data.wizard.health = 1;

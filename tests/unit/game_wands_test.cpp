@@ -17,7 +17,7 @@ using input::Button;
 
 constexpr Tick blast_full = ticks(1.6) + 2 * gameplay_period;
 
-/// A match of two players without a person or bot. The test presses the buttons of the first.
+/// A match of two players whose input the test gives. The test presses the buttons of the first.
 struct WandRig {
     explicit WandRig(std::vector<std::string> overrides = {}, const char* length = "quick")
         : match(data_of(std::move(overrides), length), two_hands()) {}

@@ -1,5 +1,5 @@
-// Tests of the networks from the papers: back-propagation against finite differences, and training from a
-// seed.
+// Tests of the neural networks of the papers, which recognise gestures: back-propagation against finite
+// differences, and training from a seed.
 #include <gtest/gtest.h>
 
 #include <algorithm>

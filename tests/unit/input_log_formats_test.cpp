@@ -13,7 +13,7 @@ namespace {
 using samples::contains;
 using samples::Folder;
 
-/// A file with this body and a correct size and checksum.
+/// A log whose header has this body, with a correct size and checksum.
 Bytes signed_header(const Bytes& like, std::span<const std::byte> body) {
     Bytes file(like.begin(), like.begin() + detail::preamble_size);
     samples::put_at(file, 12, static_cast<std::uint32_t>(body.size()));

@@ -1,5 +1,6 @@
-// Tests of a session of the brew lab: equal inputs give equal bits, changes of settings keep the flow and the
-// amounts, a saved session continues, and invalid input is refused without any loss.
+// Tests of a session of the fluid lab (the cauldron's fluid alone): equal inputs give equal bits, changes of
+// settings keep the flow and the amounts, a saved session continues, and invalid input is refused without any
+// loss.
 #include <gtest/gtest.h>
 
 #include "core/file.h"

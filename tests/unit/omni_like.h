@@ -1,4 +1,5 @@
-// unit/omni_like.h: a device with the forces of an Omni, for tests of the safety stage and of its audit.
+// unit/omni_like.h: a device with the forces of an Omni, for tests of the safety stage (which limits forces)
+// and of its audit.
 #pragma once
 #include "haptics/device.h"
 

@@ -1,4 +1,5 @@
-// Steps and rebuilds do not allocate from the heap once the pool is large enough.
+// Tests that steps of the physics, and rebuilds of its world, do not allocate from the heap once the pool is
+// large enough.
 #include "physics/detail/memory.h"
 
 #include <gtest/gtest.h>

@@ -147,7 +147,8 @@ TEST(Settings, EachPlayerHasATableAndOldFilesHaveTheValuesAtTheTop) {
                                              .sensitivity = 3,
                                              .force = 0,
                                              .prompts = game::PromptWish::never}));
-    // After a change of one player's value, the common value above still applies to the other player.
+    // After a change of one player's value, the value for both players, which stands above it in the file,
+    // still applies to the other player.
     auto wanted = *s;
     wanted.players[1].sensitivity = 1;
     const std::string old = "version = 1\nsensitivity = 2\n";

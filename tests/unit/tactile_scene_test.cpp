@@ -1,4 +1,4 @@
-// Tests of what players feel on the body during a match.
+// Tests of what players feel on the body during a match, by the frames for a tactile jacket.
 #include "game/senses/tactile/tactile_scene.h"
 
 #include <cmath>
