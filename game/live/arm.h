@@ -78,7 +78,8 @@ std::optional<std::string> update(ArmNotice& notice, const std::string& name, co
 
 /// One real arm of the session, and the player who holds it.
 struct LiveArm {
-    std::uint32_t seat{};                 ///< seat of the plan that asked for the arm
+    /// number of the player's place, counted from 0, for which --hands asked for the arm
+    std::uint32_t seat{};
     std::uint32_t player = no_player;     ///< player who holds it in this match; no_player: nobody
     input::ArmServo servo{};              ///< servo between the arm's thread and the simulation thread
     std::unique_ptr<ArmKeeper> keeper{};  ///< owned by the main thread

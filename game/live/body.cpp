@@ -8,7 +8,7 @@
 namespace thaum::game::inline live {
 namespace {
 
-/// Indices of the layouts in a player's TactileScene.
+/// Indices of the layouts (arrangements of motors or of cells) in a player's TactileScene.
 constexpr std::size_t figure_frame = 0, pad_frame = 1, first_jacket_frame = 2;
 
 /// Reads a layout, which must have `motors` actuators (0: any number). A faulty layout is returned empty,
@@ -73,12 +73,13 @@ void MatchBody::begin(const Simulation& match) {
         for (const auto& jacket : body_->jackets)
             scenes_.at(p)->set_hears(scenes_.at(p)->add(jacket.layout), true);
         if (const auto& own = body_->own.at(p)) scenes_.at(p)->set_hears(scenes_.at(p)->add(*own), true);
-        // The picture of the body has faders of its own: the player's are for motors and jacket.
+        // The picture of the body has fixed strengths of its own. The strengths (faders) that the player has
+        // set are for motors and jacket only.
         scenes_.at(p)->set_faders(figure, figure_faders());
     }
 }
 
-/// Gives the player's faders to motors and jackets if they have changed.
+/// Passes the strengths that the player has set (faders) on to motors and jackets if they have changed.
 void MatchBody::take_faders(std::uint32_t player) {
     const auto faders = motors_.faders(player);
     if (faders_.at(player) == faders) return;

@@ -39,7 +39,8 @@ struct LiveBody {
     static Expected<LiveBody> load(const std::filesystem::path& assets);
     /// Layout of a player's jacket by the name that LiveTactile::jacket_layout gives; null for another name.
     const tactile::Layout* jacket_of(std::uint32_t player, std::string_view name) const;
-    /// Purposes that at least one effect has, in the order of tactile::Purpose.
+    /// Kinds of effect (purposes, such as blasts) of which there is at least one effect, in the order of
+    /// tactile::Purpose. Each has a fader in the menu.
     std::vector<tactile::Purpose> purposes() const;
 };
 
@@ -56,7 +57,8 @@ public:
     void follow(const Simulation& match, MatchSound& sound);
     /// Forgets what was felt, after a jump to another time.
     void forget();
-    /// Adds the strengths of the cells of the body's picture.
+    /// Adds how strongly each cell of the body's picture is lit, where a cell shows what one place of the
+    /// body feels.
     void show(Picture& picture) const;
 
 private:
@@ -76,8 +78,10 @@ private:
     const MatchData* data_{};  ///< data for which the scenes were made
     std::optional<MatchEffects> effects_{};
     std::array<std::optional<TactileScene>, players> scenes_{};
-    std::array<std::optional<tactile::Faders>, players> faders_{};  ///< faders that the scenes have now
-    std::array<Tick, players> felt_at_{};  ///< last tick at which a cell of the body's picture was on
+    /// strength of each kind of effect that the scenes use now
+    std::array<std::optional<tactile::Faders>, players> faders_{};
+    /// last tick at which any cell of the body's picture was lit, for each player
+    std::array<Tick, players> felt_at_{};
     Tick now_{};
     bool still_ = true;  ///< true: no frame was made since the last jump in time
 };

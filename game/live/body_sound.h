@@ -7,15 +7,16 @@
 
 namespace thaum::game::inline live {
 
-/// The bands of assets/tactile/sound.toml, and the courses of a bank's sounds. The error is one line.
+/// Loads the frequency bands in which sounds are felt from assets/tactile/sound.toml, and computes the
+/// strength over time (the course) of each sound of a bank in these bands. The error is one line.
 Expected<FeltCourses> load_felt_courses(const audio::SoundBank& bank, const std::filesystem::path& assets);
 
 class BodySound {
 public:
-    /// Keeps the reference to the courses.
+    /// Keeps a reference to the courses, so they must outlive this object.
     BodySound(MatchSounds sounds, const FeltCourses& courses) : scene_(std::move(sounds)), felt_(courses) {}
 
-    /// Takes the eight ticks that have passed, at every eighth tick.
+    /// Computes what was heard in the last eight ticks. Call this in every eighth tick only.
     void take(const Simulation& match);
     BandStrengths strengths(std::uint32_t player, const FeltSoundWish& wish) const {
         return felt_.strengths(player, wish);

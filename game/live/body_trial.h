@@ -15,11 +15,12 @@ public:
     /// `body` and `outputs` outlive this object.
     BodyTrial(const LiveBody& body, LiveTactile& outputs) : body_(body), outputs_(outputs) {}
 
-    /// Plays the first effect of a purpose, and ends an earlier trial. Returns false if there is no such
-    /// effect.
+    /// Plays the first effect of a kind (purpose), and ends the effect that was playing. Returns false if
+    /// there is no effect of that kind.
     bool start(std::uint32_t player, tactile::Purpose purpose, const tactile::Faders& faders,
                std::int64_t now_ns);
-    /// Makes the frames that are due. Call it at least every tactile::frame_ticks while `runs`.
+    /// Makes the frames (strengths of all motors) that are due. Call it at least every tactile::frame_ticks
+    /// milliseconds while `runs` is true.
     void step(std::int64_t now_ns);
     bool runs() const { return playing_.has_value(); }
     /// Strength of each cell of the body's picture (0 to 1); all zero if nothing plays.

@@ -1,6 +1,6 @@
-// game/live/fader_input.h: turns a player's settings into changes of faders, which are input of a match: one
-// change in each tick until the match has all values that the player wants. The main thread sets the wanted
-// values at any time. The simulation thread takes the changes.
+// game/live/fader_input.h: turns a player's settings into changes of faders (the strengths of the forces at
+// the hand), which are input of a match: one change in each tick until the match has all values that the
+// player wants. The main thread sets the wanted values at any time. The simulation thread takes the changes.
 #pragma once
 #include <atomic>
 
@@ -12,8 +12,8 @@ class FaderInput {
 public:
     using Values = std::array<std::uint8_t, input::hand_faders>;
 
-    /// Begins a match with the values `at_start`, those of the log's header. No other thread may use this
-    /// object meanwhile.
+    /// Begins a match whose faders have the values `at_start`, which the header of its log records. No other
+    /// thread may use this object meanwhile.
     void begin_match(const Values& at_start) { given_ = at_start; }
 
     // Called by the main thread.
@@ -22,7 +22,7 @@ public:
     }
 
     // Called by the simulation thread.
-    /// The next change, or none.
+    /// The next change of a fader that the match must get; none if the match has all wanted values.
     input::FaderChange take() {
         for (std::size_t i = 0; i < given_.size(); ++i) {
             const std::uint8_t wanted = wanted_[i];
@@ -33,14 +33,15 @@ public:
         return {};
     }
 
-    /// Notes a change that the match got from another source; nothing happens if `change` is none.
+    /// Notes a change of a fader that the match got in another way, so that `take` need not repeat it.
+    /// Nothing happens if `change` is none.
     void note(const input::FaderChange& change) {
         if (change.fader != 0) given_.at(change.fader - 1U) = change.percent;
     }
 
 private:
     std::array<std::atomic<std::uint8_t>, input::hand_faders> wanted_{};
-    Values given_{};  ///< values that the match has
+    Values given_{};  ///< values of the faders in the match, as far as changes were taken or noted
 };
 
 }  // namespace thaum::game::inline live

@@ -78,8 +78,8 @@ bool PlayerHands::came_back(std::uint32_t player, const input::PadState& pad, co
     return true;
 }
 
-/// Index of a pad that belongs to no player and on which a button is pressed, for a player whose own pad is
-/// lost.
+/// Index of a free pad on which a button is pressed, so that a player whose own pad is lost goes on with it.
+/// std::nullopt: there is none, or the player has lost no pad.
 std::optional<std::size_t> PlayerHands::other_pad_for(std::uint32_t player, const Pads& pads) const {
     if (!has_pad(seats_[player]) || !holds_[player].lost) return {};
     for (std::size_t place = 0; place < pads.size(); ++place) {
@@ -91,7 +91,8 @@ std::optional<std::size_t> PlayerHands::other_pad_for(std::uint32_t player, cons
     return {};
 }
 
-/// Passes the pad's state to its player's hands, once the buttons that were held have been released.
+/// Passes the pad's state to the collector of its player's input. Buttons that were held when the player
+/// joined or the menu opened must all have been released first.
 void PlayerHands::feed(std::uint32_t player, const input::PadState& pad, bool menu_open) {
     auto& hold = holds_[player];
     if (!pad.present || hold.lost || hold.half) return;

@@ -1,6 +1,6 @@
 // game/live/hands.h: the input of all players during a match, and the device that each player uses now. A
 // player whose pad was unplugged rejoins by a button of that pad or of a free one, or goes on with half of
-// the keyboard.
+// the keyboard (the keypad and the arrow keys).
 #pragma once
 #include "game/live/seats.h"
 
@@ -42,15 +42,17 @@ public:
     /// Releases all held controls. Call it when their own release will not be reported, as after a loss of
     /// the focus.
     void release() const;
-    /// Gives all hands the bindings of `settings`, and releases all held controls.
+    /// Gives the collectors of all players' input the bindings of `settings`, and releases all held controls.
     void rebind(const Settings& settings) const;
 
-    /// Handles the pads of the players. While a menu is open, pads do not act in the match.
+    /// Passes the states of the pads on to their players. Notes pads that were unplugged or plugged in again,
+    /// and presses with which players rejoin. While a menu is open, pads do not act in the match.
     HandNews look(const Pads& pads, const Settings& settings, bool menu_open);
-    /// Gives half of the keyboard to a player without a pad, if `key` is that half's key to fire. Returns
-    /// std::nullopt for another key, or if nobody can take that half.
+    /// Lets the player whose pad is not plugged in go on with half of the keyboard, if `key` is the key that
+    /// fires on that half. Returns std::nullopt for another key, or if nobody can take that half.
     std::optional<HandNews> take_half(int key, const Settings& settings);
-    /// Gives half of the keyboard to the player who can take it. Returns std::nullopt if nobody can.
+    /// Lets the player whose pad is not plugged in go on with half of the keyboard. Returns std::nullopt if
+    /// nobody can.
     std::optional<HandNews> take_half(const Settings& settings);
     /// Brings all players back whose lost pads are plugged in again.
     HandNews take_plugged_pads(const Settings& settings);
@@ -63,8 +65,8 @@ public:
     bool is_plugged_again(std::uint32_t player) const { return holds_[player].lost && holds_[player].seen; }
     /// The first player who has lost a pad and has not rejoined yet; std::nullopt: there is none.
     std::optional<std::uint32_t> first_lost() const;
-    /// The player without a pad who would get half of the keyboard; std::nullopt: nobody needs that half, or
-    /// it is taken.
+    /// The player whose pad is not plugged in and who would get half of the keyboard; std::nullopt: nobody
+    /// needs that half, or it is taken.
     std::optional<std::uint32_t> heir_of_half() const;
     /// Whether the key is bound to the pause on the device of any player.
     bool pauses(int key, const Settings& settings) const;

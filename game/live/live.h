@@ -28,9 +28,9 @@ enum class SeatKind : std::uint8_t {
     keyboard_mouse,
     keyboard_half,
     pad,
-    pad_or_half,  ///< a free pad if one is plugged in, else half a keyboard
+    pad_or_half,  ///< a free pad if one is plugged in, else half of the keyboard (keypad and arrow keys)
     bot,
-    dummy,  ///< practice dummy of the range
+    dummy,  ///< the practice dummy, which is the opponent on the range
 };
 
 /// Request of a seat for a real force-feedback arm.
@@ -83,9 +83,10 @@ std::string told(const input::TickReport& arm);
 /// A replay that a session shows instead of a match.
 struct ShownReplay {
     Playback& playback;
-    const ReplayIndex& index;  ///< index of the same log; another thread may still fill it
-    Tick start = 0;            ///< first tick that is shown
-    double speed = 1;          ///< pace at first (multiple of real time)
+    /// states and kills of the same log, for jumps; another thread may still fill it
+    const ReplayIndex& index;
+    Tick start = 0;    ///< first tick that is shown
+    double speed = 1;  ///< pace at first (multiple of real time)
 };
 
 struct LivePlan {
@@ -98,9 +99,10 @@ struct LivePlan {
     /// Kind of the dummy if the session is the range instead of a match. The first seat practises, nothing is
     /// recorded, and data files are read again when they change.
     std::optional<DummyKind> practice{};
-    bool apprentice = false;  ///< true: the range is the Apprentice, and its lessons choose the dummy
+    /// true: the session is the Apprentice, lessons on the range that also choose the dummy
+    bool apprentice = false;
     bool first_start =
-        false;  ///< true: nobody has started the program before, so the Apprentice is offered first
+        false;  ///< true: the program was never started before, so the lessons are offered first
     /// true: bots play one match after another, and each result is shown for some seconds. Only the first
     /// match is recorded, because the recordings of a demo that runs all night would displace those of the
     /// players.

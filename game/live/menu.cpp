@@ -33,7 +33,7 @@ LiveMenu::LiveMenu(MenuState state, MenuContext context, std::filesystem::path s
 void LiveMenu::open(std::string_view page) {
     state_ = opened(std::move(state_), page);
     request_ = MenuRequest::none;
-    // From now on the position is unknown: the cursor was captured during play.
+    // The mouse was captured during play, so where its cursor is shown is unknown until it moves.
     if (page == page_name::pause) mouse_.reset();
 }
 

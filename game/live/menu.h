@@ -89,7 +89,7 @@ public:
     void tell_jacket(std::size_t player, std::string state) {
         context_.jackets.at(player) = std::move(state);
     }
-    /// Purposes of the effects on the body, for the mixer's page.
+    /// Kinds of effect on the body (purposes) that exist. The mixer's page has a fader for each.
     void tell_purposes(std::vector<tactile::Purpose> purposes) { context_.body = std::move(purposes); }
     /// Name and state of the arm at an index of MenuContext::arms.
     void name_arm(std::size_t index, const std::string& name) { context_.arms.at(index) = name; }

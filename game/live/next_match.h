@@ -29,11 +29,13 @@ public:
     /// Makes the next match the Apprentice, a tutorial on the range in an arena of its own. The error names
     /// file, line and key.
     Expected<void> open_apprentice();
-    /// Hands over the lessons of the Apprentice, for one match; std::nullopt: the next match has none.
+    /// Hands over the lessons of the Apprentice (the tutorial on the range), for one match; std::nullopt: the
+    /// next match has none.
     std::optional<Lessons> take_lessons() { return std::exchange(lessons_, std::nullopt); }
     /// Whether the next match is the Apprentice.
     bool is_apprentice() const { return lessons_.has_value(); }
-    /// Hands over the range's files, for one match; std::nullopt: the next match is no practice.
+    /// Hands over the data files of the range, for one match; std::nullopt: the next match is not on the
+    /// range.
     std::optional<RangeFiles> take_range() { return std::exchange(range_, std::nullopt); }
 
 private:

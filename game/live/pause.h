@@ -23,7 +23,8 @@ public:
     void changed(bool focused, std::int64_t now_ns) { since_ns_ = focused ? 0 : now_ns; }
     /// Whether a loss has not been handled yet.
     bool pending() const { return since_ns_ != 0; }
-    /// Whether the loss has lasted longer than a flicker.
+    /// Whether the window has been without the focus for longer than `flicker_ns`, so that the match must
+    /// pause.
     bool lasts(std::int64_t now_ns) const { return pending() && now_ns > since_ns_ + flicker_ns; }
     void handled() { since_ns_ = 0; }
 
@@ -62,8 +63,9 @@ struct PauseFacts {
     std::uint32_t paused_by = no_player;  ///< player who pressed the button; no_player: nobody
     bool focus_lost = false;              ///< the session pressed it, because the window lost the focus
     std::array<std::optional<int>, players> lost_pad{};  ///< number of each player's lost pad
-    std::array<bool, players> plugged_again{};           ///< lost pads that wait for a press only
-    std::uint32_t heir_of_half = no_player;              ///< player who can take half of the keyboard
+    /// true: the lost pad is plugged in again, and its player only has to press a button
+    std::array<bool, players> plugged_again{};
+    std::uint32_t heir_of_half = no_player;  ///< player who can take half of the keyboard
     PlayerNames names{};
     /// key that takes half of the keyboard instead of a pad; empty: it is not free
     std::string key_for_half{};

@@ -21,7 +21,7 @@ struct InterpolationBuffer {
     bool any = false;
 };
 
-/// Calls f(stamp) for all stamps that were due by due_ns, and removes them.
+/// Calls f(stamp) for the stamps (times of input events) whose tick was due by `due_ns`, and removes them.
 template <class Stamps, class F>
 void take_due(Stamps& stamps, std::int64_t due_ns, F f) {
     for (const auto* stamp = stamps.front(); stamp != nullptr && stamp->due_ns <= due_ns;
@@ -194,7 +194,7 @@ void draw_until_stopped(const LivePlan& plan, LiveShared& shared, render::Window
             pacer = render::Pacer(frames_per_second = screen.frames_per_second);
         const auto size = window.size();
         if (!state.buffer.any || window.minimised() || size.width <= 0 || size.height <= 0) {
-            // The effects of these events were never shown, so the events are not timed.
+            // No picture is shown now, so nobody sees what these events did. Their delays are not counted.
             take_due(shared.stamps, monotonic_ns(), [](const InputStamp&) {});
             continue;
         }

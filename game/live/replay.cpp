@@ -78,7 +78,8 @@ void publish(ReplayThread& r) {
     r.shared.replay.now = picture.tick;
 }
 
-/// Jumps to a tick once the index covers it. Returns at once if it does not cover it yet.
+/// Jumps to a tick once the index of saved states has been filled that far. Until then only sleeps for a
+/// moment, and must be called again.
 void go_to(ReplayThread& r, Tick target) {
     const auto& index = r.replay.index;
     if (!index.covers(target) && !index.complete()) return sleep_until_ns(monotonic_ns() + idle_ns);

@@ -40,14 +40,15 @@ struct ReplayView {
 };
 
 inline constexpr double slowest_replay = 0.25, fastest_replay = 16;
-inline constexpr Tick replay_jump = 5000;  ///< length of a jump (ticks)
+inline constexpr Tick replay_jump = 5000;  ///< length of a jump by the keys for jumps (ticks)
 inline constexpr Tick replay_step = 16;    ///< length of a single step: one picture at 60 Hz (ticks)
 inline constexpr Tick before_kill = 2000;  ///< a jump to a kill ends this long before the kill (ticks)
 /// A jump back skips a kill if the jump's target, `before_kill` ahead of the kill, is less than this behind
 /// the present tick (ticks).
 inline constexpr Tick same_kill = 1000;
 
-/// The view after a deed. `length`: ticks of the log; `kills`: those known, by rising tick.
+/// The viewer's choices after an action by a key (`deed`). `length`: ticks of the log; `kills`: those known,
+/// by rising tick.
 ReplayView after(ReplayView view, ReplayDeed deed, Tick length, std::span<const Kill> kills);
 
 /// Requests of the main thread to the simulation thread that shows a replay.

@@ -28,7 +28,7 @@ Seats planned_seats(Seats seats, const Pads& pads);
 Seats joined_seats(const MenuState& menu, const MenuContext& context, bool practice);
 
 TakenSeats take_seats(const Settings& settings, const Seats& seats);
-/// Passes the fader values of changed settings on to the match that runs.
+/// Passes changed strengths of the forces (faders) from the settings on to the match that runs.
 void want_faders(const Settings& settings, const TakenSeats& seats);
 
 /// Whether a person plays this seat with a pad.

@@ -240,8 +240,8 @@ void LiveSession::look_at_pads(const Pads& plugged, std::int64_t now_ns) {
     report(news);
     share_motors();
     if (round_end_.may_leave(now_ns) && leaves_by_pad(before, pads)) leave_match();
-    // Of the presses since the last look, those that take a seat are handled before those that start the
-    // match.
+    // All presses since the last look count as simultaneous. Pads without a seat come first, so that a start
+    // by another pad does not leave their players out.
     std::array<bool, std::tuple_size_v<Pads>> seated{};
     for (std::size_t i = 0; i < pads.size(); ++i) seated[i] = menu_.has_seat(static_cast<int>(i));
     for (const bool turn : {false, true}) {

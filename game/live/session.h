@@ -125,9 +125,9 @@ private:
     std::optional<ReplayViewer> viewer_{};  ///< viewer of the shown replay; std::nullopt: no replay is shown
     FocusLoss focus_{};
     RoundEnd round_end_{};
-    bool restarts_ = false;                      ///< true: once the match has ended, it begins again
-    bool paused_by_focus_ = false;               ///< true: the lost focus is the reason of the pause
-    Pads pads_{};                                ///< states of the pads at the last look
+    bool restarts_ = false;         ///< true: the menu has asked to begin the match again once it has ended
+    bool paused_by_focus_ = false;  ///< true: the lost focus is the reason of the pause
+    Pads pads_{};                   ///< states of the pads at the last look
     std::vector<input::ProfileData> profile_{};  ///< gestures that the persons at the seats recorded
     /// trials of effects for the mixer's page; std::nullopt: nothing is felt on the body
     std::optional<BodyTrial> trial_{};

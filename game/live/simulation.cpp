@@ -39,7 +39,7 @@ struct Round {
     Simulation* match = nullptr;  ///< `own`, or the match of the practice
     Bots bots;
     std::variant<std::monostate, input::LogWriter, Practice> kept;  ///< record of the match, as in Recording
-    std::string told_step{};               ///< text of the Apprentice's step that was printed last
+    std::string told_step{};               ///< text of the lesson's step that was printed last
     std::unique_ptr<DataWatcher> watcher;  ///< the range's files; null outside of practice
     std::optional<Tick> over_at;
     std::uint32_t buttons_before = 0;
@@ -147,7 +147,8 @@ void tell_score(Round& round) {
     if (auto* practice = practice_of(round)) print_line(practice->last_words());
 }
 
-/// Lets the Apprentice follow the tick. Prints each new step in the terminal too.
+/// Tests the tasks of the Apprentice (the lessons on the range) after a tick. Prints each new step in the
+/// terminal too.
 void follow_lessons(Round& round) {
     auto* practice = practice_of(round);
     if (practice == nullptr || practice->apprentice() == nullptr) return;
@@ -166,7 +167,8 @@ std::uint32_t number_of_drawn(const GestureWall& wall, const GestureSet* gesture
     return number ? *number + 1 : 0;
 }
 
-/// Lets the gesture wall follow the tick, and hands a gesture that the player has drawn to the main thread.
+/// Shows the strokes of this tick on the gesture wall, the range's display of gestures. Hands a gesture that
+/// the player has recorded there to the main thread.
 void follow_gestures(SimulationThread& s) {
     auto* practice = practice_of(s.round);
     if (practice == nullptr) return;
@@ -222,8 +224,8 @@ void press_for_main(MatchRequests& requests, PlayState state, input::InputFrame&
     press(requests.go_on, PlayState::playing);
 }
 
-/// Stamps the newest input with the tick that takes it. Must run before the hands are sampled: then the tick
-/// has all of the stamped input.
+/// Notes the time of the newest input event together with the tick that takes it, to measure its delay. Must
+/// run before the hands are sampled: then that tick has all of the noted input.
 void stamp_input(SimulationThread& s) {
     const auto came = s.shared.input_came_ns.exchange(0);
     const auto tick = static_cast<std::int64_t>(s.round.match->now() + 1);
@@ -283,7 +285,7 @@ void keep_pace_with_arms(SimulationThread& s, Tick behind) {
     s.start_ns += arm_pace_correction(static_cast<std::int64_t>(waiting), behind);
 }
 
-/// Hands the newest haptic models to the arms.
+/// Hands the newest haptic models, from which an arm's thread computes its forces, to the arms.
 void give_orders(SimulationThread& s) {
     const auto& match = *s.round.match;
     each_held_arm(s.shared.arms, [&](LiveArm& arm, std::size_t) {

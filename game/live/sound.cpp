@@ -87,7 +87,7 @@ void MatchSound::listen(bool first, bool second) {
     }
 }
 
-/// Makes a scene for the match's data. Missing sounds are printed.
+/// Makes the object that turns the match's state and events into sounds. Prints the sounds that are missing.
 void MatchSound::begin(const Simulation& match) {
     auto sounds = match_sounds(sound_->bank(), *match.data().presentation);
     for (const auto& line : sounds.missing) tell_user(text("a sound is missing: ", line_of(line)));

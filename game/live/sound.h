@@ -49,7 +49,8 @@ public:
     /// Courses (strengths over time) of the sounds, for players who feel them; null while no player wants
     /// that.
     const FeltCourses* felt_courses() const { return courses_; }
-    /// Whether anybody hears the match, or reads it in words. Otherwise frames need not be made.
+    /// Whether anybody hears the match, or reads in words what is heard. Otherwise no audio frames (what is
+    /// heard in eight ticks) need be made.
     bool is_wanted() const { return words_ || speakers_.plays(); }
     void hear(const audio::AudioFrame& frame) { speakers_.hear(frame); }
 
@@ -90,9 +91,10 @@ public:
     }
     /// Words on what one player hears. MatchBody adds what the player feels.
     HeardLines& words(std::uint32_t player) { return heard_.at(player); }
-    /// Events and effects of this match that the captions of sounds already describe.
+    /// Events of this match, and effects on the body, that captions of sounds describe already. No other
+    /// words are shown for them.
     const ToldBySounds& told() const { return told_; }
-    /// Adds what is heard and felt in words.
+    /// Adds to a picture the words on what players hear and feel.
     void show(Picture& picture) const;
 
 private:

@@ -22,8 +22,8 @@
 
 namespace thaum::game::inline live {
 
-/// Name of a layout that a player has written. Its number of motors is 0 here, because it differs by player
-/// (own_motors).
+/// Name of a layout (the places of the motors of a jacket) that a player has written. Its number of motors is
+/// 0 here, because it differs by player (own_motors).
 inline constexpr JacketLayout own_layout{"own", 0};
 
 class LiveTactile {
@@ -50,19 +50,20 @@ public:
     std::string jacket_state(std::uint32_t player) const;
     input::TactileReport report(std::uint32_t player) const;
     input::TactileReport jacket_report(std::uint32_t player) const;
-    /// Merges a frame with those of a match, so that a player feels an effect on trial.
+    /// Plays a frame (strengths of all motors) together with those of a match, so that a player feels an
+    /// effect that is being tried out.
     void try_out(std::uint32_t player, const tactile::TactileFrame& frame);
     void try_out_jacket(std::uint32_t player, const tactile::TactileFrame& frame);
 
-    // Called by any thread.
+    // Strength of each kind of effect (its fader) for a player's motors and jacket.
     /// Faders of a player's motors and jacket.
     tactile::Faders faders(std::uint32_t player) const;
 
     // Called by the thread of a match, and by the main thread while it tries an effect.
-    /// Whether a player's motors run at present. If not, no frames need be made for the player.
+    /// Whether the motors of a player's pad can play at present. If not, no frames need be made for them.
     bool feels(std::uint32_t player) const;
-    /// Passes a frame of the layout `pad`. Never waits. If no other frame follows, the motors stop when the
-    /// frame's time to live is over.
+    /// Passes a frame for the motors of the player's pad. Never waits. If no other frame follows, the motors
+    /// stop when the frame's time to live is over.
     void feel(std::uint32_t player, const tactile::TactileFrame& frame);
     /// Whether a player's settings name a jacket, open or not.
     bool has_jacket(std::uint32_t player) const { return seats_.at(player).jacket.plays; }

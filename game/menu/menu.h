@@ -101,7 +101,7 @@ enum class MenuRequest : std::uint8_t {
     apprentice,
     go_on,
     take_half,
-    ask_match,  ///< asks MenuState::match_request of the running match
+    ask_match,  ///< passes MenuState::match_request on to the running match
     forget_gesture,
     set_up_pad,
     skip_control,

@@ -25,7 +25,8 @@ struct Row {
     void (*confirm)(const RowPress&) = nullptr;
     /// Acts on left (-1) and right (1); null: the row has no value to turn.
     void (*turn)(const RowPress&, int way) = nullptr;
-    /// index of the setting, action, sheet, joystick, fader or tactile::Purpose that the row is about
+    /// index of the setting, action, sheet of bindings, joystick, fader or tactile::Purpose that the row is
+    /// about
     std::size_t index = 0;
     std::string_view opens{};  ///< name of the page that a press opens; empty: none
     /// name of the joystick that the row is about, since its index may change; empty: none

@@ -90,7 +90,7 @@ void take_mixed(const Simulation& match, const Cauldron& cauldron, CauldronPictu
     const auto newest = std::find_if(out.brew.densities.rbegin(), out.brew.densities.rend(),
                                      [](const fluid::Samples& one) { return !one.empty(); });
     const bool some = match.brew() != nullptr && newest != out.brew.densities.rend();
-    // The fluid has not changed since the last picture.
+    // The fluid has had no step since `mixed` was computed, so the value still holds.
     if (some && out.mixed > 0 && out.mixed_at == cauldron.stepped) return;
     out.mixed = some ? fluid::filled_share(match.brew()->brew.fluid, *newest) : 0;
     out.mixed_at = cauldron.stepped;

@@ -27,7 +27,8 @@ struct BrewPicture {
     std::uint64_t state{};  ///< number of the brew's state, which changes with the contents; 0: empty
     fluid::Lattice lattice{};
     std::array<fluid::Samples, 3> velocity{};  ///< velocity components (m/s)
-    /// Position of each velocity component of cell (0, 0, 0), in cells.
+    /// Place at which each velocity component of cell (0, 0, 0) is sampled, in cells. The places differ,
+    /// because each component is sampled on another face of the cell.
     std::array<vec3, 3> velocity_places{};
     /// Density of each substance in each cell; empty if the substance holds no ingredient.
     std::array<fluid::Samples, fluid::max_substances> densities{};
@@ -52,8 +53,9 @@ struct CauldronPicture {
     std::array<std::string_view, fluid::max_substances> contents{};
     std::string_view potion{};  ///< name of the potion that has changed the brew; empty: none
     std::uint32_t owner{no_player};
-    /// Share of the brew that the newest ingredient fills, 0 to 1 (fluid::filled_share). This is another
-    /// measure than Cauldron::reached.
+    /// Share of the brew that the newest ingredient fills, 0 to 1 (fluid::filled_share). It is 1 only if the
+    /// ingredient is spread evenly, whereas Cauldron::reached counts all cells with at least a quarter of the
+    /// mean density.
     double mixed{};
     /// Lightness: 0 for the density of a pure brew, 1 for a brew light enough to lift wizards.
     double heat{};

@@ -48,7 +48,7 @@ struct StrokePicture {
 
 /// Result of a stroke.
 enum class StrokeOutcome : std::uint8_t {
-    none,       ///< the stroke was read and no more, as on the brew
+    none,       ///< the stroke was recognised but casts nothing, as a stroke on the brew
     cast,       ///< a spell was cast
     unread,     ///< the stroke is no gesture, or its gesture has no spell
     unfocused,  ///< there was not enough focus
@@ -60,9 +60,11 @@ struct ReadingPicture {
     double age_s{1e6};
     StrokeOutcome outcome{};
     std::uint32_t gesture{no_gesture}, nearest{no_gesture};  ///< indices in CastingPicture::gestures
-    /// Probability, mean force (N) and turns of the stroke, as in LastReading.
+    /// Probability that the recognised gesture was meant, mean force of the stroke (N), and number of turns
+    /// of a closed stroke.
     double probability{}, force{}, turns{};
-    /// Slot of the key chord that replaced the stroke; std::nullopt: a stroke was read.
+    /// Wand slot of the key chord (a wand's key while the button Trace is held) that replaced the stroke;
+    /// std::nullopt: a stroke was read.
     std::optional<std::uint32_t> chord{};
     Event event{};          ///< event that gives the outcome; unused for StrokeOutcome::none
     std::string refusal{};  ///< why the spell had nothing to act on; empty: unknown
@@ -96,7 +98,8 @@ struct CastingPicture {
     FreePicture free;
     std::shared_ptr<const GestureSet> gestures;  ///< the wizard's own gestures, or those of the match
     const SpellStats* first_spell{};  ///< the spell with the lowest wand key; null if the match has no spells
-    const CastingRules* rules{};      ///< rules of the match's data; null if the match has no spells
+    /// rules of strokes and spells in the match's data; null if the match has no spells
+    const CastingRules* rules{};
 };
 
 /// Copies the visible state of a wizard's strokes and spells.

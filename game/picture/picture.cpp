@@ -136,8 +136,8 @@ void take_force(const Simulation& match, ecs::Entity wizard, std::uint32_t playe
                                   wand != nullptr ? wand->look.steady_force : std::string_view())
                      .name;
     out.created = hand_state.servo.energy.most_created;
-    // The plot has only complete columns, so a column that is shown never changes. The ring buffer's oldest
-    // column is being overwritten, so it is left out.
+    // The plot of the force on the hand has only complete columns, so a column that is shown never changes.
+    // The oldest column of the ring buffer is being overwritten, so it is left out.
     const auto fills = match.match().played / force_column;
     for (std::size_t i = 0; i < out.strongest.size(); ++i) {
         const auto* from = &trace[(fills + 1 + i) * force_column % trace.size()];

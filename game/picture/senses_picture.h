@@ -28,7 +28,8 @@ struct HurtMark {
 /// Ticks in one column of the force plot, which shows the strongest force among them.
 inline constexpr std::size_t force_column = 16;
 
-/// Force on a player's hand and the state of the device.
+/// Force on a player's hand and the state of the device: a real force-feedback arm, or the simulated one that
+/// every other hand holds.
 struct ForcePicture {
     ArmCondition arm{};            ///< condition of a real force-feedback arm
     haptics::SafetyCause cause{};  ///< reason for a reduced force
@@ -45,11 +46,13 @@ struct ForcePicture {
 };
 
 struct SensesPicture {
-    double since_hit_s{};      ///< time since this player last hurt the other one (s)
-    double since_warning_s{};  ///< time since the last event of this player with HudMark::warning (s)
-    EventKind warning{};       ///< kind of the event of since_warning_s
-    double since_gift_s{};     ///< time since the last event of this player with HudMark::gift (s)
-    Event gift{};              ///< the event of since_gift_s
+    double since_hit_s{};  ///< time since this player last hurt the other one (s)
+    /// time since this player's last event with a caption that warns (HudMark::warning) (s)
+    double since_warning_s{};
+    EventKind warning{};  ///< kind of this player's last event with a caption that warns
+    /// time since this player's last event with a caption about a gain (HudMark::gift) (s)
+    double since_gift_s{};
+    Event gift{};  ///< this player's last event with a caption about a gain
     ForcePicture force{};
     std::uint32_t
         heard_lines{};  ///< number of entries in `heard`, the oldest first; the session fills them in

@@ -39,10 +39,12 @@ struct OrbPicture {
     double radius{};
     std::uint64_t seed{};  ///< seed of the flow (field::make_vortex_flow)
     std::array<std::optional<TipPicture>, players> probes{};
-    std::array<bool, players> found{};  ///< for each player, true if the hidden core was shown to that player
+    /// for each player, true if that player was shown the hidden core, the axis of the strongest vortex
+    std::array<bool, players> found{};
 };
 
-/// Number of points at which a strength curve is plotted.
+/// Number of points at which a strength curve (the strength of a haptic mode over the property that it reads)
+/// is plotted.
 inline constexpr std::size_t curve_points = 33;
 
 /// State of a wizard at the orb, for the card of the orb.
@@ -51,18 +53,20 @@ struct ScryingPicture {
     bool misses{};  ///< true: the player presses the button Stir a few steps too far away from the orb
     bool faces{};   ///< true: the wizard looks towards the orb, or scries
     bool scries{};  ///< true: the wizard holds the probe
-    /// Names of all modes, by the key that chooses them; empty: none.
+    /// Names of all haptic modes (ways in which the flow can be felt), by the key that chooses them; empty:
+    /// none.
     std::array<std::string_view, max_orb_modes> modes{};
-    std::array<bool, max_orb_modes> worn{};  ///< for each mode, true if it is active
+    std::array<bool, max_orb_modes> worn{};  ///< for each mode, true if it is switched on
     std::uint32_t newest{no_mode};  ///< newest active mode, whose strength the player can draw; no_mode: none
     bool draws{};  ///< true: the player draws the strength of the newest mode with the button Trace
-    /// Strength of the newest mode as a share of the drawing plane's height, at equal distances over its
-    /// width.
+    /// Strength of the newest mode over the property that it reads, at equal distances over the width of the
+    /// plane on which the player draws it. 0 is the plane's bottom, and 1 its top.
     std::array<float, curve_points> curve{};
     /// time that the probe has been held at the hidden core so far, and required time (s)
     double held_s{}, wanted_s{};
-    bool core_near{};  ///< true: the probe is within reach of the core
-    bool told{};       ///< true: the orb has already given its reward in this life
+    /// true: the probe is near enough to the hidden core, the axis of the strongest vortex
+    bool core_near{};
+    bool told{};  ///< true: the orb has already given its reward in this life
     /// Ingredients in the secret order of this player's recipe; empty: the order is not revealed.
     std::array<std::string_view, 3> order{};
     std::string_view potion{};  ///< potion whose recipe has the order in `order`
@@ -74,7 +78,7 @@ struct CrystalVoxels {
     std::vector<field::Rgb8> colour{};
 };
 
-/// A crystal and the key's shape that wizards carve from it.
+/// A crystal, from which wizards carve the shape of a key.
 struct CrystalPicture {
     vec3 middle{};         ///< middle of the crystal (m, world)
     double yaw{};          ///< rotation of its frame about the vertical axis (rad)
@@ -95,8 +99,9 @@ struct CarvingPicture {
     /// Names of all tools, by the key that chooses them; empty: none.
     std::array<std::string_view, wand_slots> tools{};
     std::uint32_t tool{};  ///< index of the chosen tool
-    double overlap{};      ///< overlap of crystal and key's shape, 0 to 1; 0: the crystal is untouched
-    double wanted{};       ///< overlap at which the wizard gains the Lens
+    /// share of matter that crystal and key's shape have in common, 0 to 1; 0: the crystal is untouched
+    double overlap{};
+    double wanted{};  ///< overlap at which the wizard gains the Lens, one half of the Great Work
 };
 
 /// Progress of a wizard's Great Work, whose two halves are Azoth (a potion) and the Lens (from a crystal).

@@ -21,7 +21,7 @@ constexpr double jump = 1;
 
 double along_ground(vec3 way) { return std::hypot(way.x, way.z); }
 
-/// State of the player's hand that conditions use.
+/// State of the player's hand that the conditions of a lesson test.
 struct Hand {
     const LoadedWand* wand{};
     std::optional<vec3> held{};
@@ -75,7 +75,7 @@ struct Steps {
     vec3 feet{};
 };
 
-/// New value of a condition's quantity, from its value at the last look. Events are counted elsewhere.
+/// New value of what a condition measures, from its value at the last look. Events are counted elsewhere.
 double measured(const Simulation& match, const Condition& condition, const Steps& steps, double before) {
     const auto wizard = wizard_of(match.world(), practising);
     const auto hand = hand_of(match, wizard);
@@ -176,7 +176,8 @@ void Apprentice::measure(const Simulation& match) {
         reached_[i] = measured(match, deed().conditions[i], steps, reached_[i]);
 }
 
-/// Advances to the next deed or step if the present one is completed.
+/// Goes on to the next deed (a thing that the player must do) or to the next step, if the present one is
+/// completed.
 void Apprentice::advance(Tick now) {
     if (done_) {
         if (now >= since_ + praise) begin(at_ + 1);

@@ -50,7 +50,8 @@ double way_of(gesture::Points stroke) {
 
 }  // namespace
 
-/// Lists the ghosts of the player's gestures, if the set of gestures has changed.
+/// Makes the list of the player's gestures with an example stroke of each (its ghost), if the set of gestures
+/// has changed.
 void GestureWall::list(const Simulation& match) {
     const auto& own = match.setup().gestures[practising];
     const auto& set = own ? own : match.data().gestures;

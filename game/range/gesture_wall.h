@@ -49,7 +49,7 @@ private:
     void tell_recording();
     void begin_stroke();
 
-    /// The set whose ghosts are in `gestures_`; null: none.
+    /// The set of gestures from which `gestures_` was made; null: none.
     std::shared_ptr<const GestureSet> listed_{};
     std::shared_ptr<const std::vector<WallGesture>> gestures_{};
     std::vector<int> scores_{};

@@ -14,7 +14,7 @@ namespace thaum::game::inline range {
 namespace {
 
 constexpr auto range_file = "range.toml";
-// Half of the largest value, so that sums with it do not overflow.
+// A time that never comes. It is half of the largest value, so that sums with it do not overflow.
 constexpr Tick never = std::numeric_limits<Tick>::max() / 2;
 /// energy that a wand regains (1/s), enough to fill it within one tick
 constexpr double fills_at_once = 1e6;

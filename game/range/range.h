@@ -29,7 +29,7 @@ RangeData changed(const RangeData& data, const RangeChanges& changes);
 /// ignored. No useful brew boils over, and ingredients return at once. The error names file, line and key.
 Expected<RangeData> load_range(const std::filesystem::path& assets, const DataChoice& choice);
 
-/// Device of the dummy: it works as a bot's does.
+/// Description of the dummy's device: no hardware, but input that the program computes, as for a bot.
 input::DeviceSpec dummy_device();
 
 /// A running range: the match and its dummy.

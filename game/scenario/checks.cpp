@@ -25,7 +25,7 @@ std::string describe(const Bytes& a, const Bytes& b) {
     return text(d.component, " of entity ", d.entity, ", ", d.field, ": ", d.a, " and ", d.b);
 }
 
-/// A state that a match has reached, as bytes and as a hash.
+/// A state that a match has reached, with its hash.
 struct Reached {
     std::uint64_t hash{};
     Bytes state;
@@ -47,7 +47,7 @@ void play_to(Simulation& match, const std::vector<input::InputFrame>& frames, Ti
     while (match.now() < end) match.tick(frames[match.now()]);
 }
 
-/// Plays to `tick` from the keyframe at or before it.
+/// Plays to `tick` from the saved state (keyframe) at or before it; without one, from the start.
 Expected<Reached> sought(const Play& play, Tick tick) {
     Simulation match(play.data, play.match->setup());
     const auto after = std::find_if(play.keyframes.begin(), play.keyframes.end(),

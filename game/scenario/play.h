@@ -50,9 +50,10 @@ struct Hand {
     std::int32_t stick_right{}, stick_up{};  ///< deflection of the stick that turns the view, -127 to 127
     std::int32_t strafe{}, forward{};        ///< movement axes, -127 to 127
     std::uint32_t buttons{};
-    std::uint8_t wand{};                        ///< wand whose key is down, 1 to input::max_wands; 0: none
-    std::int32_t trigger{255};                  ///< pull of the trigger while fire is held, 0 to 255 (full)
-    std::vector<input::FaderChange> changes{};  ///< changes of faders that are still to be sent, one per tick
+    std::uint8_t wand{};        ///< wand whose key is down, 1 to input::max_wands; 0: none
+    std::int32_t trigger{255};  ///< pull of the trigger while fire is held, 0 to 255 (full)
+    /// changes of the forces' strengths (faders) that are still to be sent, one per tick
+    std::vector<input::FaderChange> changes{};
 };
 
 /// A thing that the script has added to the world.
@@ -66,7 +67,8 @@ struct Trace {
     std::string name;
     std::string csv;
     std::vector<double (*)(const struct Play&, std::uint32_t)> readers;
-    std::vector<std::uint32_t> subjects;  ///< index of the player or thing of each reader
+    /// index of the player or thing whose value each function in `readers` reads
+    std::vector<std::uint32_t> subjects;
 };
 
 /// Forces on the hands since the force trace began.

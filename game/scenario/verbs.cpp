@@ -91,7 +91,8 @@ void read_percents(lua_State* lua, int index, const char* name, MatchOptions::Pe
     }
 }
 
-/// Reads a table such as {flow = 0, wall = 50}.
+/// Reads the shares (%) of the forces that a stirred brew has on the hand, from a table such as {flow = 0,
+/// wall = 50}.
 void read_modes_of(lua_State* lua, int index,
                    std::array<std::optional<std::uint32_t>, input::fluid_faders>& percents) {
     if (!lua_istable(lua, index)) fault("modes must be a list of tables such as {flow = 0}");

@@ -77,7 +77,7 @@ void add_figure(const ArenaScene& arena_scene, std::uint32_t number, const Playe
 
 namespace {
 
-/// The glow at a wand's tip. Full charge enlarges it by `growth`.
+/// The glow at a wand's tip. At full charge its radius is 1 + `growth` times that without charge.
 Instance spark_at(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
                   const fmat4& tip, double growth) {
     const auto size = static_cast<float>(1 + growth * p.wand.readiness);
@@ -143,7 +143,7 @@ void add_beam(const ArenaScene& arena_scene, vec3 from, vec3 to, double thick, f
 
 namespace {
 
-/// Colour of the present force, by its share of the limit (linear light).
+/// Colour of the present force on the hand, by its share of the largest force allowed (linear light).
 fvec3 tint_of(const ForcePicture& force) {
     const fvec3 shown = force_colour(force.share());
     return shown * shown;  // converts screen colours to linear light

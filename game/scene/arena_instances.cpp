@@ -34,7 +34,8 @@ Instance bead_at(const ArenaScene& arena_scene, vec3 place, float radius, fvec3 
 
 namespace {
 
-constexpr double shade_reach = 2.5;  // height above the ground at which contact shade ends (m)
+// height above the ground at which the soft contact shade below a thing ends (m)
+constexpr double shade_reach = 2.5;
 
 void add(const ArenaScene::Meshes& meshes, const fmat4& model, std::vector<Instance>& out) {
     if (meshes.lit) out.push_back({.mesh = *meshes.lit, .model = model});
@@ -258,8 +259,7 @@ void choose_lights(const ArenaScene& arena_scene, const Picture& picture, vec3 e
         const auto more = static_cast<float>(p.wand.readiness);
         out.push_back({fvec3(tip), (0.5F + 1.5F * more) * team_colours(player).glow, 2.5F + 2 * more});
     }
-    // The sort key is the distance of the eye beyond twice the light's radius, so near and wide lights come
-    // first.
+    // Sorts by the distance from the eye minus twice the light's radius, so near and wide lights come first.
     const auto distance = [&](const PointLight& l) {
         return glm::length(l.position - fvec3(eye)) - 2 * l.radius;
     };

@@ -57,8 +57,8 @@ void find_columns(const BrewPicture& picture, const BrewPlace& place, std::size_
     }
 }
 
-/// One row of a substance as drawn, displaced with the surface: a drawn layer shows samples from another
-/// height in the same column.
+/// Copies one row of a substance as it is drawn. Where the surface stands higher, the contents below it are
+/// drawn higher, too, but less so at greater depth.
 void lift_row(const fluid::Samples& samples, const fluid::Lattice& lattice, std::size_t j, std::size_t k,
               std::span<const Column> columns, float transmitted, float* out) {
     const float top = static_cast<float>(lattice.cells[1] - 1);

@@ -43,7 +43,7 @@ bool is(Slot slot, SessionKey key) {
 /// Number of wand keys that choose something at orb and crystals, even if no wand has that key.
 constexpr std::size_t station_keys = max_orb_modes;
 
-/// Slot of the wand that the action selects; std::nullopt for other actions.
+/// Number of the wand (its slot, from 0) that the action selects; std::nullopt for other actions.
 std::optional<std::size_t> wand_slot_of(Slot slot) {
     for (std::size_t wand = 0; wand < input::max_wands; ++wand) {
         if (is(slot, input::wand_action(wand + 1))) return wand;
@@ -51,15 +51,16 @@ std::optional<std::size_t> wand_slot_of(Slot slot) {
     return std::nullopt;
 }
 
-/// Whether an action only works after a round, when a hand has no other actions.
+/// Whether an action only works after a round, when no other actions of players' devices do.
 bool acts_after_round(Slot slot) {
     return is(slot, Action::confirm) || is(slot, SessionKey::again) || is(slot, SessionKey::leave);
 }
 bool acts_in_round(Slot slot) { return !acts_after_round(slot); }
 bool acts_always(Slot slot) { return slot.sheet == session_sheet && acts_in_round(slot); }
 
-/// Tests whether two slots may have the same control: the panic, the pause or the confirmation of two
-/// players, a key of the session for the same purpose, or actions that never work at the same time.
+/// Tests whether two actions may have the same control. Two players may share the emergency key (panic), the
+/// pause or the confirmation. A key of the session may be that of a player for the same purpose. Actions that
+/// never work at the same time may also share a control.
 bool may_share(Slot a, Slot b) {
     const bool hands = a.sheet != session_sheet && b.sheet != session_sheet;
     if (hands && a.action == b.action)

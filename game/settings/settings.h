@@ -67,8 +67,9 @@ struct PlayerSettings {
     FeltGroups jacket_sound_of = FeltGroups::music;  ///< kinds of sound that the jacket plays
     std::string jacket{};                            ///< the player's jacket (jacket.h); empty: none
     std::string
-        jacket_layout{};     ///< layout of the jacket (load_own_layout); empty: the usual layout of its kind
-    tactile::Faders body{};  ///< strengths of the effects on jacket and motors, one fader for each purpose
+        jacket_layout{};  ///< layout of the jacket (load_own_layout); empty: the usual layout of its kind
+    /// strengths of the effects on jacket and motors, one fader for each kind of effect
+    tactile::Faders body{};
 
     bool operator==(const PlayerSettings&) const = default;
 };

@@ -20,8 +20,8 @@ public:
           sight_(root.number("sight_m", {0.1, 100})),
           lasts_(root.number("lasts_s", {0, 3600})) {}
 
-    /// The ground that the cloud covers and its duration are proportional to the strength, so the radius is
-    /// proportional to the square root.
+    /// The ground that the cloud covers and its duration are proportional to the strength of the spell (1 for
+    /// a gentle stroke), so the radius is proportional to the square root.
     void cast(const SpellCast& cast) const override {
         auto& world = cast.context.world;
         const auto& const_world = std::as_const(world);

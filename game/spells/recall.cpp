@@ -26,7 +26,7 @@ struct RecallData {
 struct Recalled {
     ecs::Entity thing{};
     Tick until{};       ///< tick at which the thing falls if it has not arrived
-    double strength{};  ///< strength of the spell (SpellCast::strength)
+    double strength{};  ///< strength of the spell: 1 for a gentle stroke, more for a harsh one
     THAUM_COMPONENT(Recalled, thing, until, strength);
 };
 

@@ -41,7 +41,8 @@ struct Blast {
     Tick dies_at{};
     std::uint32_t player{};
     std::uint32_t shooter{};  ///< physics key of the shooter's body
-    std::uint32_t lens{};     ///< 1: the shooter held the Lens at the shot
+    /// 1: the shooter held the Lens at the shot, so shields absorb none of the ball's harm
+    std::uint32_t lens{};
     std::uint32_t spare{};
     THAUM_COMPONENT(Blast, position, velocity, charge, dies_at, player, shooter, lens, spare);
 };

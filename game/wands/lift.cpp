@@ -249,7 +249,8 @@ void begin(const WandUse& use, const LiftData& data, LiftHand& hand) {
     if (!thing) return;
     if (!spend(world.get<WandBelt>(use.wizard), use.stats)) return note_dry(use);
     take(use.context, data, use.wizard, thing, hand);
-    world.get<Health>(use.wizard).shielded_until = use.tick;  // an attack ends the wizard's protection
+    // taking a thing up is an attack, which ends the wizard's protection
+    world.get<Health>(use.wizard).shielded_until = use.tick;
     if (auto* last = world.find<LastProp>(use.wizard)) last->thing = thing;
 }
 

@@ -32,7 +32,8 @@ struct LobData {
     double full{}, least{}, travel{};
     /// Displacement of the hand per tick while drawing and while returning (m).
     double step{}, return_step{};
-    haptics::Tether spring{};  ///< spring without its anchor, which is set at each draw
+    /// spring of the sling; its anchor, the place to which it pulls, is set at each draw
+    haptics::Tether spring{};
     GrowingValue speed;
     double energy{};
     double radius{};  ///< radius of the stone (m)

@@ -1,9 +1,10 @@
 // game/wands/wand_coupling.h: moves a physics body by a virtual coupling, by impulses alone, so that contacts
 // still stop the body.
 //
-// The coupling computes the body's exact path over the step (haptics/coupling.h). Bullet moves a body by the
-// velocity after all forces, so that velocity is chosen to give the right displacement. The difference to the
-// exact velocity is stored as `owed`, and added by the next step's impulse.
+// The coupling computes the body's exact path over the step (haptics/coupling.h). The physics moves a free
+// body by its velocity at the start of the step and by gravity, so that velocity is chosen to give the right
+// displacement. The difference between exact and given velocity at the end of the step is stored as `owed`,
+// and added by the next step's impulse.
 #pragma once
 #include <optional>
 

@@ -14,10 +14,10 @@ namespace {
 constexpr double own_place = 1.2, own_height = 2;
 /// Sine of the elevation beyond which a sound counts as above or below.
 constexpr double steep = 0.8;
-/// Minimum strength of a voice that gets a caption.
+/// Minimum strength at the listener from which a voice (a playing sound) gets a caption, 0 to 1.
 constexpr double min_strength = 0.02;
 
-/// Strength of a voice at the listener, from distance alone, 0 to 1.
+/// Strength of a voice (a playing sound) at the listener, from gain and distance alone, 0 to 1.
 double strength_at(const audio::Listener& listener, const audio::Sound& sound, const audio::Voice& voice) {
     if (voice.at_ear) return voice.gain;
     const double distance = glm::distance(listener.position, voice.position);

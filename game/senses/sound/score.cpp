@@ -29,7 +29,7 @@ double weakest(const SoundWriting& writing) {
     return share;
 }
 
-/// Target loudness of each layer.
+/// Loudness that each layer of the music should fade to.
 std::array<double, score_layers> wanted(const SoundWriting& writing) {
     const auto& match = writing.match.match();
     if (match.phase != Phase::playing || match.paused != 0) return {calm, 0, 0, 0};

@@ -34,7 +34,7 @@ double wall_between(const SoundWriting& writing, std::size_t listener, vec3 plac
     return hit && glm::distance(hit->point, place) > own_wall ? wall_muffles : 0;
 }
 
-/// A small number that differs from voice to voice, -1 to 1.
+/// A number from -1 to 1 that differs from voice to voice, by which their pitch is varied.
 double differing(std::uint32_t voice) {
     Random random = random_stream(voice, 0x736f756e64);
     return random.uniform(-1, 1);

@@ -7,7 +7,8 @@
 namespace thaum::game::inline senses {
 namespace {
 
-/// Changes of speed in one frame from which on a blow is audible, and has full loudness (m/s).
+/// Changes of a loose thing's speed in one frame (8 ms) from which on a blow is audible, and has full
+/// loudness (m/s).
 constexpr double heard_change = 1.2, loud_change = 8;
 constexpr double usual_mass = 40;   ///< mass of a thing that gives the sound its recorded pitch (kg)
 constexpr Tick between_blows = 96;  ///< minimum time between two sounds of a thing (ticks)
@@ -63,7 +64,8 @@ void add_brew_sounds(SoundWriting& writing) {
 }
 
 void add_orb_sounds(SoundWriting& writing) {
-    // Distance from the core, as a share of the orb's radius, from which on the hum is lowest.
+    // Distance of the probe from the orb's hidden core, as a share of the orb's radius, from which on the hum
+    // is lowest.
     constexpr double far_from_core = 0.6;
     const auto& world = writing.match.world();
     if (world.count<Orb>() == 0) return;

@@ -13,7 +13,7 @@ namespace {
 /// Share of a sound's amplitude that remains behind a wall, as in the audio mixer.
 constexpr double behind_wall = 0.5;
 
-/// Loudness of a voice for a listener.
+/// Loudness of a voice (a playing sound) for a listener.
 double loudness(const audio::Voice& voice, const audio::BandCourse& course, const audio::AudioFrame& frame,
                 std::size_t listener) {
     if (voice.at_ear) return voice.gain;
@@ -49,7 +49,7 @@ void FeltSound::begin(const audio::Voice& voice) {
     if (is_known(voice) && begun_count_ < max_begun) begun_.at(begun_count_++) = {.voice = voice};
 }
 
-/// Continues a lasting voice, or starts it.
+/// Continues a lasting voice (a playing sound), or starts it.
 void FeltSound::keep_up(const audio::Voice& voice) {
     if (!is_known(voice)) return;
     const auto end = lasting_.begin() + static_cast<std::ptrdiff_t>(lasting_count_);

@@ -49,13 +49,13 @@ public:
 
     /// Reads the audio frame of the last eight ticks.
     void follow(const audio::AudioFrame& frame);
-    /// Ends all voices, after a jump to another time.
+    /// Ends all voices (playing sounds), after a jump to another time.
     void stop();
     /// Strengths that a listener of the last frame (0 or 1) feels.
     BandStrengths strengths(std::uint32_t listener, const FeltSoundWish& wish) const;
 
 private:
-    /// A voice that is playing.
+    /// A voice, which is a sound that is playing.
     struct Playing {
         audio::Voice voice{};
         double at{};  ///< time since the voice started (samples of its sound)

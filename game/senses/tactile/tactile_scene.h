@@ -26,8 +26,8 @@ struct BodyCue {
     EventKind event{};
 };
 
-/// Faders for the figure in the view, which shows only effects from outside, since the player's own shots
-/// would cover them.
+/// Strengths of effects for the figure in the view. It leaves out the recoil of the player's own shots, since
+/// that would cover the other effects.
 tactile::Faders figure_faders();
 
 /// Time since any cell of a figure was last active, which was at tick `felt_at` (s). Very long if `felt_at`

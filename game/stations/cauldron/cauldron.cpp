@@ -90,7 +90,7 @@ void apply_changes(const CauldronRules& rules, const ChangedBrew& changes, Brew&
     brew.surface.settings.tension = rules.surface.tension * changes.elasticity;
 }
 
-/// Starts the fluid step with the strokes in `current`.
+/// Starts the fluid step, with the pushes and ingredients (strokes) that are in `cauldron.current`.
 void begin_step(const MatchData& data, BrewSolver& solver, Cauldron& cauldron) {
     auto& work = *solver.work;
     const auto& rules = *data.cauldron;

@@ -5,8 +5,9 @@
 //     tick:   16 k                        16 (k + 1)
 //     strokes ─┴─> fluid step as a job ─────┴─> samples and figures; the next step begins
 //
-// A step uses the strokes queued before it began. Its result is read exactly 16 ticks later, whichever thread
-// computed it. A brew at rest without strokes costs nothing.
+// A step uses the strokes (pushes of the brew, and ingredients) that were queued before it began. Its result
+// is the samples of the fluid and averages over them (figures). It is read exactly 16 ticks later, whichever
+// thread computed it. A brew at rest without strokes costs nothing.
 #pragma once
 #include <memory>
 
@@ -24,7 +25,8 @@ inline constexpr double surface_dt = seconds(surface_period);
 
 /// Averages over the whole brew, which the component Cauldron also has.
 struct BrewFigures {
-    /// Figures of the brew, as in the component Cauldron.
+    /// Evenness of the newest ingredient, share of the brew that it has reached, mean viscosity and density
+    /// relative to pure brew, and mean speed of the flow (m/s).
     double mixing{}, reached{}, viscosity{1}, density{1}, speed{};
 };
 
@@ -73,12 +75,12 @@ void add_brew_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& 
 /// iterating over a view of the World. Writes BrewSamples and SurfaceSamples.
 void touch_brew(MatchContext& context, BrewSolver& solver);
 
-/// Queues a stroke for the next fluid step. A stroke is merged with an earlier one that has the same non-zero
-/// `by`. If the queue is full, momentum is added to the last stroke, but an ingredient is rejected and the
-/// result is false.
+/// Queues a stroke (a push of the brew, or an ingredient) for the next fluid step. A stroke is merged with an
+/// earlier one that has the same non-zero source `by`. If the queue is full, momentum is added to the last
+/// stroke, but an ingredient is rejected and the result is false.
 bool add_stroke(Cauldron& cauldron, const Stroke& stroke);
-/// Adds a ladle's impulse to its player's stroke for the next step. All impulses that one step merges act at
-/// the place of the latest.
+/// Adds a ladle's impulse to the push that is queued for its player and the next fluid step. The whole push
+/// acts at the place of the latest impulse.
 void add_ladle_stroke(Cauldron& cauldron, std::uint32_t player, vec3 place, vec3 impulse, double radius);
 
 /// Height of the brew's surface at a place (m, world). Returns the level at rest if `work` is null.

@@ -10,7 +10,8 @@ namespace {
 
 using input::Button;
 
-constexpr Tick span_length = ticks(0.125);  // duration of one entry of Ladle::work
+// period of one entry of Ladle::work, which has the work on the brew in the last 1.5 s (ticks)
+constexpr Tick span_length = ticks(0.125);
 
 bool wants_to_stir(const Controls& controls) { return (controls.held & bit(Button::stir)) != 0; }
 
@@ -35,7 +36,7 @@ void note_stirrers(MatchContext& context, BrewResource& brew, Cauldron& cauldron
     if (anybody) touch_brew(context, brew.write());
 }
 
-/// Adds work to the current entry of Ladle::work (J).
+/// Adds work of the ladle on the brew (J) to the entry of Ladle::work for the present period.
 void note_work(Ladle& ladle, double joules, Tick tick) {
     const auto span = static_cast<std::uint32_t>(tick / span_length % Ladle::spans);
     if (span != ladle.span) ladle.work[span] = 0;

@@ -418,7 +418,7 @@ void change_brew(const MatchData& data, Cauldron& cauldron, Tick tick) {
     if (!(lack > 0)) return;
     const auto& rules = *data.cauldron;
     constexpr double gain = 0.1;                   // share of the missing speed that one push adds
-    constexpr std::uint32_t pusher = 0xFFFF'0000;  // value of Stroke::by for the first push by a potion
+    constexpr std::uint32_t pusher = 0xFFFF'0000;  // source (Stroke::by) of the first push by a potion
     const double radius = 1.5 * rules.ladle.radius, out = data.arena.bowl->size.radius / 2;
     const double push = gain * lack * rules.density * fluid.density * fluid::pushed_volume(radius);
     const vec3 rise{0, fluid.rise > 0 ? push : 0, 0};

@@ -5,8 +5,10 @@
 //     strokes, the first one in the window of the last ingredient        brew_by_stroke()
 //     last stroke: the wizard drinks the potion, the brew is changed     Potions, Cauldron::potion
 //
-// A wrong step costs only time: a wrong stroke may be drawn again. But after a wrong ingredient or a step
-// that comes too late, the brew can become no potion until it has boiled over.
+// A step is in the window of an ingredient while the share of the brew that this ingredient has reached lies
+// in a range that the recipe gives. A wrong step costs only time: a wrong stroke may be drawn again. But
+// after a wrong ingredient or a step that comes too late, the brew can become no potion until it has boiled
+// over.
 #pragma once
 #include "game/components/stroke_reading.h"
 #include "game/stations/cauldron/cauldron.h"
@@ -46,9 +48,10 @@ void drop_for_recipe(MatchContext& context, Cauldron& cauldron, std::uint32_t pl
 /// Records that a fourth ingredient has no room in the brew.
 void refuse_fourth(MatchContext& context, const Cauldron& cauldron, std::uint32_t player, Tick tick);
 
-/// A stroke drawn on the brew. Drawing also mixes the brew. So the end of a recipe's window is compared with
-/// the share (Cauldron::reached) when the stroke began, and the beginning of the window with the share when
-/// it was finished.
+/// A stroke drawn on the brew. The recipe asks for it while the share that the newest ingredient has reached
+/// (Cauldron::reached) lies in a range. Drawing also mixes the brew and so raises the share. So the end of
+/// the range is compared with the share when the stroke began, and its beginning with the share when the
+/// stroke was finished.
 struct BrewStroke {
     StrokeReading reading{};
     double begun_at{};  ///< value of Cauldron::reached when the stroke began, 0 to 1

@@ -52,7 +52,8 @@ Dips find_dips(const ecs::World& world, const Cauldron& cauldron, const Basin& b
     return dips;
 }
 
-/// Impulse on the thing over one surface period: drag against the flow and buoyancy (N s, world).
+/// Impulse on the thing over one step of the brew's surface (4 ticks): drag against the flow and buoyancy (N
+/// s, world).
 vec3 push_of(const MatchContext& context, const BrewWork* work, const Cauldron& cauldron, const Dip& dip,
              Tick tick) {
     const double density = context.data.cauldron->density * cauldron.density;

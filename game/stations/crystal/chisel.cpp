@@ -15,10 +15,11 @@ namespace {
 
 using input::Button;
 
-/// Value of HapticModel::set_number for the primitives of the first crystal.
+/// Number by which the servo knows the haptic primitives of the first crystal before any edit
+/// (HapticModel::set_number). When the number changes, the servo fades to the new force.
 constexpr std::uint32_t crystal_set = 0x4000'0000;
-/// Difference between the set numbers of one crystal before and after an edit. It is larger than the number
-/// of any crystal, so that set numbers stay unique.
+/// Difference between the numbers of a crystal's haptic primitives (HapticModel::set_number) before and after
+/// an edit. It is larger than the number of any crystal, so that no two sets have the same number.
 constexpr std::uint32_t crystals_apart = 64;
 
 bool is_down(std::uint32_t buttons, Button button) { return (buttons & bit(button)) != 0; }

@@ -2,12 +2,12 @@
 // chip.
 //
 //     World      Crystal, CrystalDensity, CrystalColour     the state
-//     outside    CrystalBodies                              changed bricks, ghost keys, counts of voxels: made again
-//                                                           from the state after a restore
+//     outside    CrystalBodies                              changed bricks, ghost keys, voxel counts: made
+//                                                           again from the state after a restore
 //
-// A crystal that no one has touched has no voxels and costs nothing: its shape is the rough body of its seed
-// (crystal_shape.h). An edit reads and writes only the voxels near it, and updates the overlap with the key
-// from those.
+// Wizards carve a key from a crystal; the ghost key is its finished shape. A crystal that no one has touched
+// has no voxels and costs nothing: its shape is the rough body of its seed (crystal_shape.h). An edit reads
+// and writes only the voxels near it, and updates the overlap with the key from those.
 #pragma once
 #include <optional>
 #include <vector>
@@ -27,7 +27,8 @@ inline constexpr float crystal_surface = 0.5F;
 struct CrystalBody {
     field::Bricks bricks = field::make_bricks({crystal_side, crystal_side, crystal_side});
     field::VoxelOverlap overlap{};
-    std::vector<float> key{};  ///< density of the ghost key; empty for an untouched crystal
+    /// density of the key that is to be carved (the ghost key); empty for an untouched crystal
+    std::vector<float> key{};
     std::vector<float> old{};  ///< scratch memory for the densities that an edit is about to change
 };
 

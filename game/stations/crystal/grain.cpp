@@ -21,7 +21,8 @@ void for_each_voxel(const field::VoxelView& crystal, const field::VoxelBox& box,
             for (int i = box.low[0]; i < box.high[0]; ++i) visit(crystal.at(i, j, k), number++);
 }
 
-/// The voxels of a box as a body of their own. Its colours are white, since a trial does not read them.
+/// Copies the voxels of a box to a body of their own. Its colours are white, since a trial edit does not read
+/// them.
 field::Voxels cutout_of(const field::VoxelView& crystal, std::span<const float> density,
                         const field::VoxelBox& box) {
     const auto length = [&](std::size_t axis) { return box.high.at(axis) - box.low.at(axis); };
@@ -48,7 +49,7 @@ struct Counts {
         auto& count = wanted ? both : either;
         is ? ++count : --count;
     }
-    /// Positive if the overlap is greater than `current`, negative if it is less.
+    /// Compares the overlap with `current`: positive if it is greater, negative if it is less.
     double against(const field::VoxelOverlap& current) const {
         return static_cast<double>(both) * static_cast<double>(current.either) -
                static_cast<double>(current.both) * static_cast<double>(either);

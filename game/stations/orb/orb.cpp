@@ -8,13 +8,16 @@
 namespace thaum::game::inline stations {
 namespace {
 
-/// Least and greatest distance of the core from the orb's middle, as a share of the extent. The least is not
-/// 0, because a probe at rest in the middle must not find the core.
+/// Least and greatest distance of the core from the orb's middle, as a share of the extent (the edge of the
+/// box that the flow fills). The least is not 0, because a probe at rest in the middle must not find the
+/// core.
 constexpr double min_off_middle = 0.1, max_off_middle = 0.22;
 /// Half the length of the part of the core that a hand can reach on a device with a shallow workspace, as a
-/// share of the extent. The conditions for a core hold along this part.
+/// share of the extent (the edge of the box that the flow fills). The conditions for a core hold along this
+/// part.
 constexpr double searched_half = 0.2;
-/// Maximum distance between the core and the point around which the flow turns, as a share of the extent.
+/// Maximum distance between the core and the point around which the flow turns, as a share of the extent (the
+/// edge of the box that the flow fills).
 constexpr double max_shift = 0.03;
 /// Minimum ratio of the core's curl to that of another vortex.
 constexpr double min_lead = 1.2;

@@ -142,7 +142,8 @@ void follow(MatchContext& context, const Scryer& scryer, const Controls& control
 
 // ---- the probe --------------------------------------------------------------------------------------------
 
-/// Gives the orb's reward: the wizard learns the drawn orders of recipes and gains health.
+/// Gives the orb's reward: the wizard gains health, and is shown the orders of ingredients that were drawn at
+/// random for recipes.
 void scry(MatchContext& context, const Scryer& scryer, vec3 place, WornModes& modes) {
     auto& health = context.world.get<Health>(scryer.wizard);
     const double cap = context.data.wizard.health_cap;
