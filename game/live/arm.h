@@ -80,8 +80,9 @@ std::optional<std::string> update(ArmNotice& notice, const std::string& name, co
 struct LiveArm {
     /// number of the player's place, counted from 0, for which --hands asked for the arm
     std::uint32_t seat{};
-    std::uint32_t player = no_player;     ///< player who holds it in this match; no_player: nobody
-    input::ArmServo servo{};              ///< servo between the arm's thread and the simulation thread
+    std::uint32_t player = no_player;  ///< player who holds it in this match; no_player: nobody
+    /// computes the forces in the arm's thread, and passes its samples to the simulation
+    input::ArmServo servo{};
     std::unique_ptr<ArmKeeper> keeper{};  ///< owned by the main thread
     ArmNotice notice{};                   ///< used by the main thread
 };

@@ -30,13 +30,14 @@ struct ReplayThread {
     }
 };
 
-/// Makes the present tick due now. Called after a pause, a jump or a change of speed.
+/// Sets the clock so that the present tick is due now and nothing before it has to be made up for. Called
+/// after a pause, a jump or a change of speed.
 void begin_clock(ReplayThread& r) {
     r.start_ns = 0;
     r.start_ns = monotonic_ns() - r.due_ns(r.now());
 }
 
-/// Number of a bookmark of the last mark_shown ticks; 0: none.
+/// Number of a bookmark that the log has within the last mark_shown ticks; 0: none.
 std::uint32_t recent_mark(const Playback& playback) {
     const auto now = playback.match().now();
     const auto& marks = playback.log().marks();

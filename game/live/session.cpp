@@ -57,8 +57,8 @@ LiveSession::LiveSession(LiveShared& shared, const LivePlan& plan)
 
 // Events of the window --------------------------------------------------------------------------------------
 
-/// Calls f with every person's hands, then stores the time of the input. In this order, the tick that takes
-/// the time also has the input.
+/// Calls f with the collector of every person's input, then stores the time of the input. In this order, the
+/// tick that takes the time also has the input.
 template <class F>
 void LiveSession::give_hands(std::int64_t now_ns, F&& f) {
     hands_.each(f);

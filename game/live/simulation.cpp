@@ -78,14 +78,14 @@ void show_scene(LiveShared& shared, std::shared_ptr<const MatchData> data) {
     shared.scene.publish();
 }
 
-/// Makes the gesture readers that the players need before the first tick, so that the first stroke need not
+/// Makes the recognisers of gestures that the players need before the first tick, so that the first stroke need not
 /// wait.
-void make_readers(const game::MatchContext& context) {
-    for (std::uint32_t player = 0; player < game::players; ++player) {
-        const auto* gestures = game::gestures_of(context, player);
+void make_readers(const MatchContext& context) {
+    for (std::uint32_t player = 0; player < players; ++player) {
+        const auto* gestures = gestures_of(context, player);
         if (gestures == nullptr) continue;
         (void)gestures->recogniser();
-        if (game::casts_freely(context, player)) (void)gestures->motion_recogniser();
+        if (casts_freely(context, player)) (void)gestures->motion_recogniser();
     }
 }
 
@@ -267,7 +267,7 @@ input::InputFrame take_frame(SimulationThread& s) {
     // Between two rounds of a match the rematch key starts the next round.
     if (s.shared.requests.rematch && s.round.match->match().phase == Phase::between)
         frame.devices[0].press(Button::confirm);
-    // All devices lose the same samples. Only the first device's column records the number.
+    // All devices lose the same samples, so only the first device's column of the log records their number.
     const auto skips = std::min<Tick>(s.skips_to_log, 0xffff);
     frame.devices[0].skips = static_cast<std::uint16_t>(skips);
     s.skips_to_log -= skips;
@@ -369,8 +369,8 @@ Tick backlog(const SimulationThread& s) {
     return due > done ? static_cast<Tick>(due - done) : 0;
 }
 
-/// Skips a backlog: these ticks are never computed. Their input goes into one sample, and the clock continues
-/// from now.
+/// Skips a backlog (ticks that are due but not computed): they are never computed. Their input goes into one
+/// sample, and the clock continues from now.
 void skip(SimulationThread& s, Tick behind) {
     const auto skipped = behind - 1;
     s.start_ns += static_cast<std::int64_t>(skipped) * ns_per_tick;

@@ -72,7 +72,7 @@ class MatchSound {
 public:
     /// `sound`: null for silence. Then nothing is computed.
     explicit MatchSound(LiveSound* sound) : sound_(sound) {}
-    /// Ends the sounds that last.
+    /// Ends those sounds of the match that would go on, such as hums and music.
     ~MatchSound();
     MatchSound(const MatchSound&) = delete;
     MatchSound& operator=(const MatchSound&) = delete;

@@ -71,7 +71,7 @@ struct MenuContext {
     /// Name and state of the real arm of the player with the mouse, then of the other player; empty: no arm.
     std::array<std::string, players> arms{};
     bool practice = false;     ///< true: the pause belongs to the range
-    bool apprentice = false;   ///< true: the pause belongs to the Apprentice, which is played on the range
+    bool apprentice = false;   ///< true: the pause belongs to the lessons on the range (the Apprentice)
     bool first_start = false;  ///< true: the start screen offers the Apprentice first
     bool ends_match = false;   ///< true: leaving the pause opens the start screen; false: it ends the program
     std::string missing{};     ///< why the pause cannot end: whose pad is not plugged in; empty: it can

@@ -43,8 +43,8 @@ std::string name_of_seat(const MenuState& s, const MenuContext& context, const D
     return second ? text(name, " and ", context.arms[1]) : name;
 }
 
-/// Text for the pause of a match that a change of this row takes effect with the next match; empty for other
-/// rows and without a match.
+/// Text which says that a change of this row takes effect with the next match. It is only needed in the pause
+/// of a match; empty for other rows and without a match.
 std::string words_of_delay(const MenuState& s, const MenuContext& context, const Row& row) {
     if (!row.next_match || s.pages.front().page != page_name::pause) return {};
     return text("Applies from the next match, or after \"", label_of_restart(context), "\"");

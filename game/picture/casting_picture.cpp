@@ -104,8 +104,8 @@ void take_reading(const Simulation& match, ecs::Entity wizard, std::uint32_t pla
     }
 }
 
-/// Copies a stroke that was too small or too quick to be read. If a key chord, or the ladle coming or going,
-/// ended the stroke, nothing is copied.
+/// Copies a stroke that was too small or too quick to be read. Nothing is copied if the stroke was ended by a
+/// key chord (a wand's key while the button Trace is held), or by the ladle coming or going.
 void take_slip(const Simulation& match, std::uint32_t player, CastingPicture& out) {
     out.slip = Slip::none;
     out.slip_age_s = 1e6;

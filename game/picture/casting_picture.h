@@ -41,7 +41,9 @@ struct StrokePicture {
     double since_end_s{};    ///< time since the end of a finished stroke (s)
     double force_now{};      ///< force at the newest point (N)
     double force_mean{};     ///< mean force along the stroke, which decides between gentle and harsh (N)
-    bool chord{};  ///< true: a key chord has replaced the stroke, and the forces are those of the chord (N)
+    /// true: a key chord (a wand's key while Trace is held) has replaced the stroke, and the forces are those
+    /// of the chord (N)
+    bool chord{};
     /// The points on the brew, for a stroke of the ladle only (m, world).
     std::array<fvec3, max_points> places{};
 };
@@ -51,7 +53,7 @@ enum class StrokeOutcome : std::uint8_t {
     none,       ///< the stroke was recognised but casts nothing, as a stroke on the brew
     cast,       ///< a spell was cast
     unread,     ///< the stroke is no gesture, or its gesture has no spell
-    unfocused,  ///< there was not enough focus
+    unfocused,  ///< the wizard had too little focus, the supply that spells cost
     fizzled     ///< the spell has nothing to act on
 };
 

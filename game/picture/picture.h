@@ -103,7 +103,7 @@ struct PlayerPicture {
     SensesPicture senses{};
 };
 
-/// An event that has a text for the feed, such as a death.
+/// An event for the list of recent events on the screen (the feed), such as a death.
 struct FeedLine {
     double age_s{};
     Event event{};

@@ -36,7 +36,8 @@ struct ForcePicture {
     double cap{};                  ///< limit of the force (N)
     vec3 current{};                ///< present force (N, device frame, drawn in the eye frame)
     std::string_view source;       ///< name of the strongest source of force (felt_source.h); empty: none
-    /// largest net energy that the hand has got from sources that must not create energy (J)
+    /// largest net energy that the hand has got from sources that must not create energy, such as springs and
+    /// walls (J)
     double created{};
     /// Strongest force of each complete column, the oldest first (N).
     std::array<float, std::tuple_size_v<ForceTrace> / force_column - 1> strongest{};

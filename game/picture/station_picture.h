@@ -47,12 +47,12 @@ struct OrbPicture {
 /// is plotted.
 inline constexpr std::size_t curve_points = 33;
 
-/// State of a wizard at the orb, for the card of the orb.
+/// State of a wizard at the orb, for the panel with help that the view shows there (the card).
 struct ScryingPicture {
     bool near{};    ///< true: the wizard is near enough to begin
     bool misses{};  ///< true: the player presses the button Stir a few steps too far away from the orb
     bool faces{};   ///< true: the wizard looks towards the orb, or scries
-    bool scries{};  ///< true: the wizard holds the probe
+    bool scries{};  ///< true: the wizard holds the probe, the tip in the orb that the hand moves
     /// Names of all haptic modes (ways in which the flow can be felt), by the key that chooses them; empty:
     /// none.
     std::array<std::string_view, max_orb_modes> modes{};
@@ -88,7 +88,7 @@ struct CrystalPicture {
     std::shared_ptr<const CrystalVoxels> voxels{};
 };
 
-/// State of a wizard at a crystal, for the card of the crystal.
+/// State of a wizard at a crystal, for the panel with help that the view shows there (the card).
 struct CarvingPicture {
     bool near{};    ///< true: the wizard is near enough to begin
     bool misses{};  ///< true: the player presses the button Stir a few steps too far away from a crystal

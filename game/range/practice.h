@@ -77,7 +77,7 @@ public:
     /// Updates the Apprentice after a tick: measures the step, and puts wizards and dummy in place if a step
     /// begins.
     void follow_lessons();
-    /// The lessons; null on the range.
+    /// The lessons; null in free practice.
     Apprentice* apprentice() { return apprentice_ ? &*apprentice_ : nullptr; }
     /// Takes the player's next strokes for a gesture, by its number in the match's
     /// set. Unknown numbers do nothing.
@@ -87,7 +87,8 @@ public:
     /// The gesture wall. The Apprentice does not show it.
     GestureWall& wall() { return wall_; }
     /// Continues with other recorded gestures of the player; match() then returns another object. If they are
-    /// refused, the old ones are kept, and the wall keeps recording.
+    /// refused, the old ones are kept, and the gesture wall (the range's display of gestures) keeps
+    /// recording.
     void use_gestures(OwnGestures own);
     void show(Picture& picture);
     std::string score() { return words_of(scorer_.score(*range_.match)); }

@@ -150,7 +150,8 @@ std::optional<std::string> force_trace_of(Play& play);
 /// Number of ticks in which the match computed another force than an arm's thread. It must be 0.
 std::uint64_t differing_forces(const Play& play);
 
-// These functions read a match that has begun, for the runner and the verbs.
+// These functions read a match that has begun, for the runner and the verbs (the functions that scripts
+// call).
 
 /// Ticks played, pauses included.
 Tick now_of(const Play& play);

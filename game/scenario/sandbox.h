@@ -31,10 +31,12 @@ struct SandboxLimits {
     std::size_t block = 1U << 20U;      ///< largest single string or table part (bytes)
     std::uint64_t steps = 300'000'000;  ///< limit of the steps over the sandbox's whole life
     std::size_t output = 64U << 10U;    ///< limit of the stored `print` output (bytes)
-    /// Limit of the script's own processor time, without verbs and waits (s). It catches work that is not
-    /// counted as steps, and is so large that no result depends on it.
+    /// Limit of the script's own processor time (s), without that of the program's functions (verbs) and
+    /// waits. It catches work that is not counted as steps, and is so large that no result depends on it.
     double compute_s = 60;
-    double verbs_s = 300;  ///< limit of the processor time of all verbs together, without waits (s)
+    /// limit of the processor time of all verbs (functions of the program that scripts call) together,
+    /// without waits (s)
+    double verbs_s = 300;
 };
 
 /// A fault thrown by a verb, which becomes a Lua error with the script's file and line in front.

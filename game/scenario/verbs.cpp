@@ -1,4 +1,5 @@
-// Verbs for the match, the hands and the wizards. Verbs for things and reports are in their own files.
+// Verbs (functions of scenario scripts) for the match, the hands and the wizards. Those for things and
+// reports are in their own files.
 #include "game/scenario/verbs.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Verbs for the cauldron's brew and the players who stir it.
+// Verbs (functions of scenario scripts) for the cauldron's brew and the players who stir it.
 #include "game/components/cauldron.h"
 #include "game/scenario/detail/part.h"
 #include "game/scenario/detail/verb.h"

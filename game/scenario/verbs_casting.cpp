@@ -1,4 +1,4 @@
-// Verbs for strokes: a pad's stick and strokes of generated users.
+// Verbs (functions of scenario scripts) for strokes: a pad's stick and strokes of generated users.
 #include <cmath>
 #include <string>
 

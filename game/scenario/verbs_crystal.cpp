@@ -1,4 +1,5 @@
-// Verbs for crystals, the wizards who carve them, and the Great Work.
+// Verbs (functions of scenario scripts) for crystals, the wizards who carve them, and the Great Work. It wins
+// the round for a wizard who holds both its halves, Azoth and the Lens, for long enough.
 #include <cmath>
 
 #include "core/hash.h"

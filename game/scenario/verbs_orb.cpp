@@ -1,4 +1,4 @@
-// Verbs for wizards who scry.
+// Verbs (functions of scenario scripts) for wizards who scry, which is to feel the flow inside the orb.
 #include "game/components/orb.h"
 #include "game/data/orb_rules.h"
 #include "game/scenario/detail/part.h"

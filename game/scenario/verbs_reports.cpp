@@ -1,4 +1,5 @@
-// Verbs that report on the match: events, states, traces, pictures, and checks of its input.
+// Verbs (functions of scenario scripts) that report on the match: events, states, traces, pictures, and
+// checks of its input.
 #include <algorithm>
 #include <set>
 

@@ -1,4 +1,5 @@
-// Verbs for what players hear and feel: the cells of a jacket, captions, and the mixed sound.
+// Verbs (functions of scenario scripts) for what players hear and feel: the cells of a jacket, captions, and
+// the mixed sound.
 #include <algorithm>
 #include <cmath>
 

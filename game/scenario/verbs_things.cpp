@@ -1,4 +1,4 @@
-// Verbs for loose things that a script adds to the arena.
+// Verbs (functions of scenario scripts) for loose things that a script adds to the arena.
 #include <algorithm>
 
 #include "game/match/spawn.h"

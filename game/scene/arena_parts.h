@@ -53,10 +53,10 @@ void add_recall(const ArenaScene& arena_scene, std::uint32_t number, const Playe
 /// Adds the bars of a shield's shell. They are lower the less harm the shield can still absorb.
 void add_shell(const ArenaScene& arena_scene, const PlayerPicture& p, double time,
                std::vector<render::Instance>& out);
-/// Adds the shimmer of a shield's shell, for ViewScene::mists.
+/// Adds the shimmer of a shield's shell to the translucent mists of a view (ViewScene::mists).
 void add_shell_mist(const ArenaScene& arena_scene, const PlayerPicture& p,
                     std::vector<render::Instance>& out);
-/// Adds the clouds of fog, and the dust of pushes, for ViewScene::mists.
+/// Adds the clouds of fog, and the dust of pushes, to the translucent mists of a view (ViewScene::mists).
 void add_fog(const ArenaScene& arena_scene, const Picture& picture, std::vector<render::Instance>& out);
 void add_dust(const ArenaScene& arena_scene, const Picture& picture, std::vector<render::Instance>& out);
 
@@ -81,7 +81,7 @@ void add_ghost_stroke(const ArenaScene& arena_scene, const Picture& picture, std
 /// (stations_scene.cpp).
 void add_stations(const ArenaScene& arena_scene, const Picture& picture, std::uint32_t viewer,
                   std::vector<render::Instance>& out);
-/// Adds the range in which tools act on crystals, for ViewScene::mists.
+/// Adds the space in which tools act on crystals to the translucent mists of a view (ViewScene::mists).
 void add_tool_mists(const ArenaScene& arena_scene, const Picture& picture,
                     std::vector<render::Instance>& out);
 /// Adds the brew with ladles, embers and bubbles.

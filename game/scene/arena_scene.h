@@ -94,10 +94,11 @@ void show_brew_near(const ArenaScene& arena_scene, const Picture& picture, const
 
 /// Refreshes the looks of the orb and the crystals, as far as a player is near enough to see a difference.
 void show_stations(const ArenaScene& arena_scene, const Picture& picture);
-/// Adds the crystals that are near the eye, for ViewScene::scans.
+/// Adds the crystals that are near the eye to the volumes of a view (ViewScene::scans).
 void add_crystals(const ArenaScene& arena_scene, const Picture& picture, vec3 eye,
                   std::vector<render::Scan>& out);
-/// Adds the meshes of orb and crystals that may have changed, for Frame::changes.
+/// Adds the meshes of orb and crystals that may have changed, so that the renderer uploads them
+/// (Frame::changes).
 void add_mesh_changes(const ArenaScene& arena_scene, std::vector<render::MeshChange>& out);
 
 /// Returns the volume of the simulated brew. Returns null if there is none, or if it is too far away to look
@@ -107,9 +108,10 @@ const render::Volume* visible_brew(const ArenaScene& arena_scene, const Picture&
 /// Returns the blocks that can hide things from `eye`. Empty from outside the arena, which is open above.
 std::span<const render::Block> blocks_seen_from(const ArenaScene& arena_scene, vec3 eye);
 
-/// Adds the steam over the brew, for ViewScene::mists.
+/// Adds the steam over the brew to the translucent mists of a view (ViewScene::mists).
 void add_steam(const ArenaScene& arena_scene, const Picture& picture, std::vector<render::Instance>& out);
-/// Adds the visible traces of spells in the air, for ViewScene::mists, except the viewer's own shield.
+/// Adds the visible traces of spells in the air, except the viewer's own shield, to the translucent mists of
+/// a view (ViewScene::mists).
 void add_spell_mists(const ArenaScene& arena_scene, const Picture& picture, std::uint32_t viewer,
                      std::vector<render::Instance>& out);
 /// Adds soft shades on the ground, also on ramps, below everything that blocks the light of the sky.

@@ -30,8 +30,8 @@ public:
     Senses(const Senses&) = delete;
     Senses& operator=(const Senses&) = delete;
 
-    /// Adds a layout for both players, and returns its number; number 0 is the figure. Keeps a reference to
-    /// the layout.
+    /// Adds a layout (places of the motors of a jacket or pad) for both players, and returns its number;
+    /// number 0 is the figure in the view. Keeps a reference to the layout.
     std::size_t add(const tactile::Layout& layout);
     /// Updates sounds and effects. Call this after each tick; only every eighth tick is used.
     void follow(const Simulation& match);

@@ -8,7 +8,8 @@ namespace thaum::game::inline settings {
 
 struct FeelProfile {
     std::string name{};
-    /// settings of the player; only those of SettingPage::mixer and the faders of the body are used
+    /// settings of the player; only those on the mixer's page of the menu, and the strengths of effects on
+    /// the body, are used
     PlayerSettings felt{};
     Faders cauldron{};
 };

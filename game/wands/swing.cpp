@@ -21,7 +21,7 @@ struct SwingData {
     double reach{}, rest_share{}, reel{};
     double stiffness{}, damping_ratio{};  ///< stiffness (N/m), damping as a share of critical damping
     double max_tension{};                 ///< largest tension (N); beyond it the rope slips
-    /// Cosine of the largest angle between crosshair and anchor.
+    /// Cosine of the largest angle between the crosshair and an anchor, a point in the arena for ropes.
     double aim_cos{};
     double metres_per_metre{}, newtons_per_newton{};
     double max_force{};  ///< largest force of the rope on the hand, at the device (N)
@@ -61,12 +61,13 @@ SwingData read(const ConfigTable& root) {
 
 /// Point at which a rope would be attached.
 struct Hold {
-    vec3 point{};          ///< place at which the rope would be attached (m, world)
-    ecs::Entity anchor{};  ///< the anchor; not a valid entity if the point is on a fixed body
+    vec3 point{};  ///< place at which the rope would be attached (m, world)
+    /// the anchor, a point in the arena for ropes; not a valid entity if the point is on a fixed body
+    ecs::Entity anchor{};
 };
 
-/// The anchor nearest to the crosshair, or else the point of a fixed body under the crosshair; std::nullopt
-/// if neither is within reach.
+/// The anchor (a point in the arena for ropes) nearest to the crosshair, or else the point of a fixed body
+/// under the crosshair; std::nullopt if neither is within reach.
 std::optional<Hold> latched_at(const MatchContext& context, const SwingData& data, ecs::Entity wizard) {
     const auto& const_world = std::as_const(context.world);
     const Sight sight = sight_of(context, wizard);

@@ -29,7 +29,7 @@ void join_or_start(MenuState& s, const MenuContext& context, const Device& devic
         join(s, device);
 }
 
-/// Requests the range or the Apprentice for one player; the other seat stays empty.
+/// Requests the range, or the lessons there (the Apprentice), for one player; the other seat stays empty.
 void practise(const RowPress& press, MenuRequest request) {
     press.state.seats = {press.device};
     start(press.state, request, press.context);

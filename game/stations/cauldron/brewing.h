@@ -6,7 +6,7 @@
 
 namespace thaum::game::inline stations {
 
-/// Creates the ingredient niches at the places that the arena names.
+/// Creates the niches, in which ingredients lie ready, at the places that the arena names.
 void spawn_niches(MatchContext& context);
 
 /// Share of the full walking speed that a wizard has at a position; below 1 near a thick brew.

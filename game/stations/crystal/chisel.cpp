@@ -133,7 +133,8 @@ void give_lens(MatchContext& context, CrystalBodies& bodies, const Carver& carve
     renew_crystal(context, bodies, crystal);
 }
 
-/// Takes the focus for one gameplay tick of the tool. Returns false if there is too little.
+/// Takes the focus (the supply that spells and tools cost) for one gameplay tick of the tool. Returns false
+/// if there is too little.
 bool pay(MatchContext& context, const Carver& carver, Chisel& chisel) {
     const double cost = context.data.crystal->focus_per_second * gameplay_dt;
     auto* focus = context.world.find<Focus>(carver.wizard);

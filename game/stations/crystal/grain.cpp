@@ -98,7 +98,8 @@ DabWorth worth_of_dab(const MatchContext& context, const CrystalBodies& bodies, 
         plain.note(before, after, wanted);
     });
     if (slowed.against(overlap) > 0) return DabWorth::helps;
-    // Without the grain, the tool would reduce the overlap. The grain would only slow that down.
+    // Without the grain, which weakens changes that lead away from the key, the tool would reduce the
+    // overlap. The grain would only slow that down.
     return plain.against(overlap) < 0 ? DabWorth::spoils : DabWorth::nothing;
 }
 

@@ -115,7 +115,8 @@ void end(MatchContext& context, const Scryer& scryer) {
     context.world.commands().remove<AtStation>(scryer.wizard);
 }
 
-/// Takes the focus that a gameplay tick of scrying costs. Returns false if none is left.
+/// Takes the focus (the supply that spells cost, too) for a gameplay tick of scrying. Returns false if none
+/// is left.
 bool pay(MatchContext& context, const Scryer& scryer, WornModes& modes) {
     auto& points = context.world.get<Focus>(scryer.wizard).points;
     points = std::max(0.0, points - context.data.orb->focus * gameplay_dt);

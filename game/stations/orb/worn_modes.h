@@ -7,11 +7,11 @@
 
 namespace thaum::game::inline stations {
 
-/// Whether a mode is switched on.
+/// Whether a haptic mode (a way in which the flow is felt) is switched on.
 bool wears(const WornModes& modes, std::uint32_t mode);
 
-/// Switches a mode on, or off if it is on. If there are too many, the new one replaces the oldest. Returns
-/// whether the mode is on now.
+/// Switches a haptic mode on, or off if it is on. If there are too many, the new one replaces the oldest.
+/// Returns whether the mode is on now.
 bool put_on_or_off(WornModes& modes, std::uint32_t mode);
 
 /// The mode that was switched on last; no_mode: none is on.
