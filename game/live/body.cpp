@@ -115,7 +115,8 @@ std::string_view MatchBody::name_of_jacket(std::size_t number) const {
     return number < body_->jackets.size() ? body_->jackets.at(number).name : own_layout.name;
 }
 
-/// Makes frames for the outputs that the player has at present, and passes them on.
+/// Makes the frames (strengths of all motors) for the outputs that the player has at present, and passes them
+/// on.
 void MatchBody::feel(std::uint32_t player, const Simulation& match) {
     auto& scene = *scenes_.at(player);
     const bool pad = motors_.feels(player);

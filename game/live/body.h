@@ -19,7 +19,7 @@ namespace thaum::game::inline live {
 /// Effects and layouts that the program has loaded.
 struct LiveBody {
     tactile::EffectBank effects;
-    tactile::Layout figure;  ///< layout of the body's picture (figure_layout)
+    tactile::Layout figure;  ///< arrangement of the cells in the body's picture (figure_layout)
     tactile::Layout pad;     ///< the two motors of a pad
     /// A shipped layout of a jacket's motors, with the name of its file.
     struct Worn {

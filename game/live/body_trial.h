@@ -1,6 +1,6 @@
 // game/live/body_trial.h: plays one effect on a player's motors and jacket and on the picture of the body,
-// outside of a match, so that the player can feel how strong a fader makes it. The main thread owns it; its
-// frames are laid over those of a match that is paused.
+// outside of a match, so that the player can feel how strong a setting (fader) makes it. The main thread owns
+// it; its frames (strengths of all motors) are laid over those of a match that is paused.
 #pragma once
 #include <memory>
 

@@ -12,7 +12,7 @@
 
 namespace thaum::game::inline live {
 
-/// Sets a bookmark, by the session's mark key.
+/// Sets a bookmark in the log of the match, by the session's mark key.
 struct PressMark {
     void carry_out(RequestTarget& target) const { target.next_press |= input::bit(input::Button::mark); }
 };

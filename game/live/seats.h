@@ -18,7 +18,7 @@ struct TakenSeat {
     Seat seat;
     input::DeviceSpec spec;
     std::unique_ptr<input::HandsCollector> hands;  ///< collector of the player's input; null for a bot
-    std::unique_ptr<FaderInput> faders;            ///< the player's faders as input; null for a bot
+    std::unique_ptr<FaderInput> faders;  ///< changes of the forces' strengths as input; null for a bot
 };
 using TakenSeats = std::array<TakenSeat, players>;
 

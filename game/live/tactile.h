@@ -67,15 +67,15 @@ public:
     void feel(std::uint32_t player, const tactile::TactileFrame& frame);
     /// Whether a player's settings name a jacket, open or not.
     bool has_jacket(std::uint32_t player) const { return seats_.at(player).jacket.plays; }
-    /// Name of the layout (a file of assets/tactile/layouts) of a player's jacket if frames reach it at
-    /// present; else empty, and frames need not be made.
+    /// Name of the layout (a file of assets/tactile/layouts) of a player's jacket if the jacket is connected;
+    /// else empty, and no frames (strengths of its motors) need be made.
     std::string_view jacket_layout(std::uint32_t player) const;
-    /// Whether a player's view shows the figure of the body.
+    /// Whether a player's view shows the figure of a body, which lights up where the player feels something.
     bool shows_figure(std::uint32_t player) const { return seats_.at(player).figure; }
     /// The player's settings for sounds on the jacket.
     FeltSoundWish felt_sound(std::uint32_t player) const;
-    /// Passes a frame of the jacket's layout, as `feel` does. A frame of another number of actuators is
-    /// dropped: the jacket has just been changed.
+    /// Passes a frame (strengths of all motors) to the jacket, as `feel` does. A frame of another number of
+    /// actuators is dropped: the jacket has just been changed.
     void feel_jacket(std::uint32_t player, const tactile::TactileFrame& frame);
 
 private:

@@ -27,7 +27,7 @@ namespace page_name {
 inline constexpr std::string_view start = "start";
 inline constexpr std::string_view pause = "pause";
 inline constexpr std::string_view pad_setup = "pad_setup";  ///< asks for the controls of a joystick
-inline constexpr std::string_view mixer = "mixer";          ///< faders for what one player feels
+inline constexpr std::string_view mixer = "mixer";          ///< strengths of all that one player feels
 }  // namespace page_name
 
 struct MenuEvent {
@@ -141,7 +141,7 @@ struct MenuState {
     /// Joystick that is set up, or pad that is forgotten: index into
     /// MenuContext::sticks, and own_pads after them.
     std::size_t stick = 0;
-    std::size_t player = 0;             ///< player whose settings or faders a page shows
+    std::size_t player = 0;             ///< player whose settings a page shows
     std::optional<Slot> waiting;        ///< binding that waits for a new control; std::nullopt: none
     std::size_t profile = 0;            ///< index of the chosen profile in MenuContext::profiles
     std::optional<std::string> typing;  ///< words that are being typed; std::nullopt: none

@@ -38,7 +38,7 @@ struct BrewPicture {
 /// Copies a brew. `state` must be above 0 and differ between different states of the brew.
 void take_brew(const Brew& brew, const CauldronRules& rules, std::uint64_t state, BrewPicture& out);
 
-/// A ladle: a rod with a bowl at its lower end.
+/// A ladle, with which a wizard stirs: a rod with a bowl at its lower end.
 struct LadlePicture {
     vec3 bowl{}, top{};    ///< middle of the bowl, and upper end of the rod (m)
     double force_share{};  ///< force as a share of the device's peak, 0 to 1
@@ -63,14 +63,15 @@ struct CauldronPicture {
     /// Time from the first ingredient to boiling over (s); 0: the brew never boils over.
     double whole_time_s{};
     double fresh{};       ///< spoils_in_s as a share of the whole time, 0 to 1
-    double well_mixed{};  ///< value of `mixed` from which the owner is rewarded
+    double well_mixed{};  ///< value of `mixed` from which the owner is rewarded by healing
     /// Time until the owner gains the boon, a healing for a brew that stays well mixed (s); 0: the brew is
     /// not well mixed, or has already given its boon.
     double boon_in_s{};
-    bool boon_open{};                   ///< true: the brew can still heal its owner
-    std::uint32_t boon_for{no_player};  ///< player whom the boon heals now; no_player: none
-    Tick mixed_at{};                    ///< fluid step for which `mixed` was computed (ticks of play)
-    bool slows{}, lifts{};              ///< whether the brew slows wizards near it, and whether it lifts them
+    bool boon_open{};  ///< true: the brew can still heal its owner
+    /// player whom a well-mixed brew heals now (the boon); no_player: none
+    std::uint32_t boon_for{no_player};
+    Tick mixed_at{};        ///< fluid step for which `mixed` was computed (ticks of play)
+    bool slows{}, lifts{};  ///< whether the brew slows wizards near it, and whether it lifts them
 };
 void take_cauldron(const Simulation& match, CauldronPicture& out);
 

@@ -22,7 +22,7 @@ void take_points(const DrawnStroke& stroke, StrokePicture& out) {
     out.force_mean = mean_force_of(stroke);
 }
 
-/// Finds the points on the brew where the ladle drew.
+/// Finds the points on the brew's surface where the ladle, which the hand moves, drew the stroke.
 void find_places(const Simulation& match, ecs::Entity wizard, StrokePicture& out) {
     const auto& rules = match.data().cauldron;
     if (!out.on_brew || !match.world().has<Ladle>(wizard) || !rules) {

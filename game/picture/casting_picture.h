@@ -35,7 +35,7 @@ struct StrokePicture {
     std::uint32_t count{};
     double apart_s = 0.008;  ///< time between two points of the stroke (s)
     bool drawing{};          ///< true: the player holds the button Trace
-    bool on_brew{};          ///< true: the ladle draws
+    bool on_brew{};          ///< true: the stroke is drawn on the brew, with the ladle that stirs it
     bool curve{};            ///< true: the hand draws a curve at the orb, which is no stroke of a spell
     bool read{};             ///< true: the finished stroke was recognised as a gesture
     double since_end_s{};    ///< time since the end of a finished stroke (s)

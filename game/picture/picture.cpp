@@ -211,7 +211,7 @@ void take_fogs(const Simulation& match, Picture& out) {
     });
 }
 
-/// Copies the wizard's work at stations and with spells.
+/// Copies the wizard's work at cauldron, orb and crystals, and with spells.
 void take_magic(const Simulation& match, ecs::Entity wizard, std::uint32_t player, const Motion& motion,
                 const Health& health, PlayerPicture& out) {
     take_brewing(match, wizard, motion, out);

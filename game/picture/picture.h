@@ -80,7 +80,7 @@ struct FogPicture {
     double strength{};  ///< opacity: 1, or less while the cloud appears and vanishes
 };
 
-/// A niche, which holds its ingredient or is empty until the ingredient returns.
+/// A niche, the place of an ingredient. It holds the ingredient or is empty until the ingredient returns.
 struct NichePicture {
     vec3 position{};  ///< position on the ground (m, world)
     fvec3 colour{};   ///< colour of the ingredient, linear light

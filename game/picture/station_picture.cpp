@@ -44,7 +44,7 @@ DabWorth worth_of(const Simulation& match, const AtStation& station, const Chise
     return worth_of_dab(match.context(), match.crystals(), crystal, tool, dab);
 }
 
-/// A wizard who may begin work at a station.
+/// A wizard who may begin work at a station (orb or crystal).
 struct Comer {
     bool presses{};  ///< true: the player presses the button Stir
     vec3 eye{};      ///< position of the eye (m, world)
@@ -58,19 +58,21 @@ Comer comer_of(const Simulation& match, ecs::Entity wizard) {
             look_rotation(gaze.yaw, gaze.pitch) * vec3(0, 0, -1)};
 }
 
-/// Whether a press of the button Stir is meant for a station that is out of `reach` (m, along the ground).
+/// Whether a press of the button Stir is meant for a station (orb or crystal) that is out of `reach` (m,
+/// along the ground).
 bool misses(const Comer& comer, vec3 middle, double reach) {
     return comer.presses && off_axis(comer.eye - middle) < reach + missed_station_m;
 }
 
-/// Whether a wizard looks towards a station to within 60 degrees, seen from above.
+/// Whether a wizard looks towards a station (orb or crystal) to within 60 degrees, seen from above.
 bool faces(const Comer& comer, vec3 middle) {
     vec3 way = middle - comer.eye, ahead = comer.ahead;
     way.y = ahead.y = 0;
     return glm::dot(way, ahead) > 0.5 * glm::length(way) * glm::length(ahead);
 }
 
-/// Position at which a probe is shown: inside the glass, although the hand can move beyond it.
+/// Position at which a probe (the tip that a hand moves in the orb) is shown: inside the glass, although the
+/// hand can move beyond it.
 vec3 within_glass(const Orb& orb, vec3 place) {
     // Share of the radius within which the tip's bead does not pierce the glass.
     constexpr double share = 0.97;

@@ -112,8 +112,8 @@ struct WorkPicture {
     double whole_s{};  ///< time for which the wizard must hold both Azoth and the Lens (s)
 };
 
-/// Maximum distance from the area where work at a station can begin, at which a press of the button Stir
-/// still counts as a failed attempt (m).
+/// Maximum distance from the area where work at a station (cauldron, orb or crystal) can begin, at which a
+/// press of the button Stir still counts as a failed attempt (m).
 inline constexpr double missed_station_m = 4;
 
 bool presses_stir(const ecs::World& world, ecs::Entity wizard);

@@ -12,9 +12,9 @@ namespace {
 
 constexpr Tick praise = ticks(1.5);  ///< time between a completed step and the next one (ticks)
 constexpr double one_floor = 1.5;    ///< largest height difference between positions on the same floor (m)
-/// Force of a ladle above which the ladle counts as pushing the brew (N)
+/// Force of the ladle (the player's tool for stirring) above which it counts as pushing the brew (N)
 constexpr double pushing_force = 1e-3;
-constexpr double drift = 0.05;  ///< speed below which a ladle does not count as stirring (m/s)
+constexpr double drift = 0.05;  ///< speed below which the ladle does not count as stirring (m/s)
 constexpr double fallen = 2;    ///< depth below the step's place at which the player counts as fallen (m)
 /// Displacement between two ticks that is too large for walking: the player was placed elsewhere (m)
 constexpr double jump = 1;
@@ -52,7 +52,8 @@ bool guards(const Simulation& match, ecs::Entity wizard, const Hand& hand) {
            stands_between(match, *hand.held, eye_of(match.data().wizard, body));
 }
 
-/// Distance that the ladle moved through the brew since the last look, parallel to the surface (m).
+/// Distance that the ladle (the player's tool for stirring) moved through the brew since the last look,
+/// parallel to the surface (m).
 double way_stirred(const Simulation& match, ecs::Entity wizard) {
     const auto* ladle = match.world().find<Ladle>(wizard);
     if (ladle == nullptr || glm::length(ladle->force) < pushing_force) return 0;

@@ -1,5 +1,6 @@
-// game/range/force_sample.h: lets a player on the range feel the effect of one force fader: some kicks of a
-// bolt, a blow on a carried thing, or the weight of a thing, scaled by the fader.
+// game/range/force_sample.h: lets a player on the range feel what one strength setting of the hand's forces
+// (a fader) does: some kicks of a bolt, a blow on a carried thing, or the weight of a thing, scaled by the
+// fader.
 #pragma once
 
 #include "game/match/simulation.h"
@@ -8,7 +9,7 @@ namespace thaum::game::inline range {
 
 class ForceSample {
 public:
-    /// Whether there is a sample for this fader.
+    /// Whether there are forces to try for this fader, the strength of one kind of force.
     static bool exists_for(input::HandFader fader);
 
     /// Starts the sample from the beginning. Does nothing for a fader without a sample.

@@ -61,7 +61,7 @@ public:
         if (found) tell_found(*found);
         return found;
     }
-    /// Lets the player feel the forces that one fader scales.
+    /// Lets the player try the forces whose strength one fader sets.
     void play_force(input::HandFader fader) { force_sample_.begin(fader); }
     /// Whether the search for the largest force is running. Meanwhile the player's own force limit does not
     /// apply.

@@ -104,12 +104,13 @@ struct Play {
 
     std::vector<input::InputFrame> frames;  ///< all input frames since the start
     std::vector<std::uint64_t> hashes;      ///< state hashes, one after every hash_interval ticks
-    std::vector<Keyframe> keyframes;        ///< states at keyframes, if the match can be replayed
-    std::vector<Event> events;              ///< all events since the start
-    std::uint64_t events_seen{};            ///< EventLog::count after the last collected event
-    std::size_t events_expected{};          ///< index of the first event that expect_event has not examined
-    Bytes begun;                            ///< saved state of the match before its first tick
-    std::vector<Bytes> states;              ///< states saved by the script
+    /// states every keyframe_interval ticks, if the match can be replayed
+    std::vector<Keyframe> keyframes;
+    std::vector<Event> events;      ///< all events since the start
+    std::uint64_t events_seen{};    ///< EventLog::count after the last collected event
+    std::size_t events_expected{};  ///< index of the first event that expect_event has not examined
+    Bytes begun;                    ///< saved state of the match before its first tick
+    std::vector<Bytes> states;      ///< states saved by the script
     std::vector<SpawnedThing> things;
     std::vector<Trace> traces;
     std::optional<FeltForces> felt;
@@ -202,11 +203,11 @@ double surface_at(const Play& play, vec3 place);
 /// Name of an ingredient of the cauldron.
 const std::string& ingredient_name(const Play& play, std::size_t ingredient);
 
-/// The orb's hidden core in the device frame of a wizard who scries.
+/// The orb's hidden core, the axis of its strongest vortex, in the device frame of a wizard who scries.
 struct CoreInHand {
     vec3 place{}, axis{};
 };
-/// The core, if this player's wizard works at the orb; else std::nullopt.
+/// The orb's hidden core, if this player's wizard works at the orb; else std::nullopt.
 std::optional<CoreInHand> core_in_hand(const Play& play, std::uint32_t player);
 
 /// Mouse counts that turn a wizard towards a place.
@@ -222,8 +223,8 @@ Expected<void> add_column(const Play& play, const std::string& column, Trace& tr
 /// Adds one line to the trace.
 void trace_now(const Play& play, Trace& trace);
 
-/// Plays the same frames in other matches: from the start, and from the keyframe before each tick. Returns an
-/// empty string, or the difference.
+/// Plays the same input frames in other matches: from the start, and from the saved state (keyframe) before
+/// each tick. Returns an empty string, or the difference.
 std::string check_seek(const Play& play, const std::vector<Tick>& ticks);
 /// Plays the same frames in a match on another thread. That thread stalls at times and then takes many frames
 /// at once.

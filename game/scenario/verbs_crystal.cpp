@@ -142,7 +142,8 @@ int verb_carver(lua_State* lua, void* context) {
     return 1;
 }
 
-/// Verb that sets the scene: gives a wizard one half of the Great Work, Azoth or the Lens.
+/// Verb that changes the world by itself (sets the scene), so that no log is kept: gives a wizard one half of
+/// the Great Work, Azoth or the Lens.
 int verb_give(lua_State* lua, void* context) {
     auto& play = began(context);
     const auto wizard = wizard_of(world_of(play), arg::player(lua, 1));

@@ -43,8 +43,8 @@ int verb_scrying(lua_State* lua, void* context) {
     return 1;
 }
 
-/// Verb: the hidden core in the device frame of a wizard who scries: its point nearest to the orb's middle,
-/// and its direction.
+/// Verb: the orb's hidden core (the axis of its strongest vortex) in the device frame of a wizard who scries:
+/// its point nearest to the orb's middle, and its direction.
 int verb_core(lua_State* lua, void* context) {
     const auto& play = began(context);
     const auto core = core_in_hand(play, arg::player(lua, 1));

@@ -81,7 +81,7 @@ void add_painted_brew(const ArenaScene& arena_scene, std::vector<Instance>& out)
                    .glow = glow_share});
 }
 
-/// Distance beyond which a resting simulated brew looks the same as the painted mesh (m).
+/// Distance beyond which a resting simulated brew looks the same as the painted mesh that replaces it (m).
 constexpr double brew_seen_from = 14;
 
 bool is_near_brew(const ArenaScene& arena_scene, vec3 eye) {

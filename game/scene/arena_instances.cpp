@@ -144,8 +144,8 @@ bool is_target(const Target& target, const ThingPicture& thing) {
            target.thing.index == thing.entity;
 }
 
-/// Adds a cage in the form of the viewer's team mark around a swing anchor. The cage is at least as wide as a
-/// fixed share of its distance from the eye, so that it is seen from afar.
+/// Adds a cage in the form of the viewer's team mark around a swing anchor, a point for ropes. The cage is at
+/// least as wide as a fixed share of its distance from the eye, so that it is seen from afar.
 void add_anchor_mark(const ArenaScene& arena_scene, const ThingPicture& thing, std::uint32_t viewer, vec3 eye,
                      std::vector<Instance>& out) {
     constexpr double round_anchor = 3.2, min_share = 0.04;

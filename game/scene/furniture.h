@@ -17,7 +17,8 @@ FurnitureMesh furniture(const ShapeKey& key);
 /// The cauldron with its legs and the painted brew. The bowl is the surface of revolution of `solid`.
 FurnitureMesh cauldron(const physics::TriangleMesh& solid);
 
-/// A swing anchor: iron rings around a glowing core of radius 1, made for scaling.
+/// A swing anchor, a point to which ropes are attached: iron rings around a glowing core of radius 1, made
+/// for scaling.
 FurnitureMesh anchor();
 
 /// A flat start pad with the team's mark, centred on the ground. no_player: without a mark.

@@ -85,7 +85,8 @@ void trace_flow(const OrbPicture& orb, OrbLook& look) {
                  look.flow.triangles);
 }
 
-/// Traces the flow line that starts at a probe (position in the orb's frame).
+/// Traces the flow line that starts at a probe, the tip that a hand moves in the orb (position in the orb's
+/// frame).
 void trace_probe(std::size_t player, vec3 at, double radius, OrbLook& look) {
     auto& mesh = look.probe_flow.at(player);
     look.probe_seed.at(player) = at;

@@ -44,16 +44,16 @@ OrbLook make_orb_look(render::Renderer& renderer, double radius);
 /// Whether an eye is near enough to see the flow rather than the painted ball.
 bool sees_flow(const OrbPicture& orb, vec3 eye);
 
-/// Refreshes the ribbons if the flow or a probe has changed and at least one eye is near enough. Returns the
-/// number of flow lines traced.
+/// Refreshes the ribbons if the flow or a probe (the tip that a hand moves) has changed and at least one eye
+/// is near enough. Returns the number of flow lines traced.
 std::size_t show_orb(const OrbPicture& orb, std::span<const vec3> eyes, OrbLook& look);
 
-/// Adds the flow with probes and forces, or the painted ball. `viewer` sees the hidden core if that player
-/// has found it.
+/// Adds the flow with probes and forces, or the painted ball. `viewer` sees the hidden core (the axis of the
+/// strongest vortex) if that player has found it.
 void add_orb(const OrbLook& look, const OrbPicture& orb, std::uint32_t viewer, vec3 eye,
              std::vector<render::Instance>& out);
-/// Adds the tip that a hand moves at a station: a bead, and the force on the hand as an arrow, coloured green
-/// to red by its strength.
+/// Adds the tip that a hand moves at the orb or in a crystal: a bead, and the force on the hand as an arrow,
+/// coloured green to red by its strength.
 void add_tip(const OrbLook& look, const TipPicture& tip, std::uint32_t player,
              std::vector<render::Instance>& out);
 /// Adds only the arrow of the force.

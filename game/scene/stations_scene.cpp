@@ -69,8 +69,8 @@ void add_tool(const ArenaScene& arena_scene, const Picture& picture, const Playe
     out.push_back(bead_at(arena_scene, below, static_cast<float>(foot), look.light, 0.8F));
 }
 
-/// Adds a thin beam of light above a station, so that players find it from behind walls. Players near the
-/// station do not see it.
+/// Adds a thin beam of light above the orb or a crystal, so that players find it from behind walls. Players
+/// near it do not see the beam.
 void add_light_over(const ArenaScene& arena_scene, vec3 middle, vec3 eye, fvec3 light,
                     std::vector<render::Instance>& out) {
     // distance below which the beam is hidden; heights of its ends; its radius (m)

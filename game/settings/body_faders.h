@@ -1,5 +1,5 @@
 // game/settings/body_faders.h: strengths of the effects that jackets and motors play, with one fader for each
-// purpose of an effect.
+// kind of effect (purpose).
 #pragma once
 #include <string_view>
 
@@ -8,13 +8,13 @@
 
 namespace thaum::game::inline settings {
 
-/// The first function gives the name of a purpose's fader ("Hits"), the second one what it changes, in one
-/// sentence.
+/// The first function gives the name of the fader of a kind of effect ("Hits"), the second one what the fader
+/// changes, in one sentence.
 std::string_view label_of(tactile::Purpose purpose);
 std::string_view effect_of(tactile::Purpose purpose);
 
-/// Reads a player's table in the settings file, which has a number for each purpose. Purposes without an
-/// entry keep their value.
+/// Reads a player's table in the settings file, which has a number for each kind of effect (purpose). Kinds
+/// without an entry keep their value.
 tactile::Faders read_body_faders(const ConfigTable& table, tactile::Faders faders);
 
 }  // namespace thaum::game::inline settings

@@ -101,7 +101,7 @@ struct Settings {
     /// True: with two players, the first hears only the left loudspeaker, the second only the right.
     bool ears_apart = false;
     std::array<PlayerSettings, 2> players{};
-    std::array<Faders, 2> cauldron{};  ///< faders of each player for the cauldron's forces
+    std::array<Faders, 2> cauldron{};  ///< strengths of the cauldron's forces on each player's hand
     int countdown_s = 3;               ///< time from the start screen to the start of a match (s)
     int logs_kept = 50;
     LastChoice last{};

@@ -31,10 +31,11 @@ struct LiftData {
     double lost{};
     /// Largest torque that keeps the thing's orientation (N m).
     double turn_torque{};
-    /// Largest force that carries the thing along with the wizard's frame (N).
+    /// Largest force that carries the thing along with the wizard's frame, which moves with the wizard and
+    /// follows the view smoothly (N).
     double carry{};
     double follow{};  ///< rate at which the rotation of the wizard's frame follows the view (1/s)
-    /// Limits of the rotation of the wizard's frame (rad/s, rad/s^2)
+    /// Limits of the rotation of the wizard's frame, which follows the view (rad/s, rad/s^2)
     double follow_rate{}, follow_acceleration{};
     /// Largest speed that a turn of the view gives to a held thing (m/s).
     double follow_speed{};
@@ -43,7 +44,8 @@ struct LiftData {
     double metres_per_metre{}, finest{};
     double felt_stiffness{};  ///< stiffness felt at the device (N/m)
     double weight{};          ///< force felt per mass, which is the felt share of the weight (N/kg)
-    /// Kick of the hand per impulse of a blow (N/(N s)), and smallest impulse that is felt (N s).
+    /// Kick of the hand per impulse of a blow on the held thing (N/(N s)), and smallest impulse that is felt
+    /// (N s).
     double blow{}, min_blow{};
     double throw_speed{}, recoil{};  ///< largest speed of a throw (m/s), peak of its recoil (N)
     Tick recoil_length{};
@@ -71,7 +73,7 @@ struct LiftHand {
                     base, base_velocity, coupling, metres_per_metre, impulse, next_blow, caught_until);
 };
 
-constexpr Tick between_blows = 40;  ///< minimum time between two felt blows (ticks)
+constexpr Tick between_blows = 40;  ///< minimum time between two felt blows on the held thing (ticks)
 constexpr Tick blow_length = 20;    ///< duration of the kick (ticks)
 constexpr double blow_force = 2.5;  ///< largest force of the kick (N)
 /// Distance from the eye at which a throw's path crosses the line of sight (m)
@@ -322,7 +324,7 @@ void follow_angle(const LiftData& data, double reach, double off, double& angle,
     angle += rate * physics_dt;
 }
 
-/// Turns the wizard's frame smoothly towards the view.
+/// Turns the wizard's frame, in which the thing is held, smoothly towards the view.
 void follow(const LiftData& data, const Gaze& gaze, LiftHand& hand) {
     const double reach = glm::length(hand.taken_object);
     follow_angle(data, reach, wrapped(gaze.yaw - hand.yaw), hand.yaw, hand.yaw_rate);

@@ -1,4 +1,4 @@
-// Menu page: faders for the cauldron's forces on one player's hand.
+// Menu page: strengths (faders) of the forces that the cauldron's brew has on one player's hand.
 #include "core/text.h"
 #include "game/menu/page.h"
 

@@ -30,8 +30,8 @@ struct BodyCue {
 /// that would cover the other effects.
 tactile::Faders figure_faders();
 
-/// Time since any cell of a figure was last active, which was at tick `felt_at` (s). Very long if `felt_at`
-/// is 0 (never).
+/// Time since any cell of the body's figure in a view was last active, which was at tick `felt_at` (s). Very
+/// long if `felt_at` is 0 (never).
 double since_felt_s(Tick now, Tick felt_at);
 
 class TactileScene {
@@ -39,19 +39,21 @@ public:
     /// Keeps references to the arguments.
     TactileScene(const MatchEffects& effects, const tactile::EffectBank& bank, std::uint32_t player);
 
-    /// Adds a layout and returns its index, for frame() and the setters. Keeps a reference to the layout.
+    /// Adds a layout (the places of an output's motors) and returns its index, for frame() and the setters.
+    /// Keeps a reference to the layout.
     std::size_t add(const tactile::Layout& layout);
-    /// Switches a layout on or off. While it is off, it costs nothing and its frames are silent. New layouts
-    /// are on.
+    /// Switches a layout (the motors of one output) on or off. While it is off, it costs nothing and its
+    /// frames are silent. New layouts are on.
     void set_used(std::size_t layout, bool used);
     void set_faders(std::size_t layout, const tactile::Faders& faders);
 
-    /// Sets whether a layout also plays sounds. New layouts do not.
+    /// Sets whether a layout (the motors of one output) also plays sounds. New layouts do not.
     void set_hears(std::size_t layout, bool hears) { outputs_[layout].hears = hears; }
     /// Sets the strength of sounds in the next frame, 0 to 1; all 0: none.
     void set_sound(const BandStrengths& strengths) { sound_ = strengths; }
 
-    /// Makes the frames of the last eight ticks. In a pause and after a jump of the clock they are silent.
+    /// Makes the frames (strengths of all motors) of the last eight ticks. In a pause and after a jump of the
+    /// clock they are silent.
     void take(const Simulation& match);
     const tactile::TactileFrame& frame(std::size_t layout) const { return outputs_[layout].frame; }
     /// Effects that started or lasted in the last frame, for captions.

@@ -50,7 +50,8 @@ void pick_up(MatchContext& context, Niche& niche, vec3 place, Tick tick, Takers&
                      .place = place});
 }
 
-/// Ingredient of another kind than the carried one, in a niche within a wizard's reach; no_ingredient: none.
+/// Ingredient of another kind than the carried one, in a niche (a place of ingredients) within a wizard's
+/// reach; no_ingredient: none.
 std::uint32_t other_in_reach(const MatchContext& context, vec3 body, std::uint32_t carried, Tick tick) {
     std::uint32_t other = no_ingredient;
     double nearest = context.data.cauldron->niche_radius;
@@ -66,7 +67,8 @@ std::uint32_t other_in_reach(const MatchContext& context, vec3 body, std::uint32
     return other;
 }
 
-/// Tells each wizard who comes to a niche while carrying an ingredient that a wizard can carry only one.
+/// Tells each wizard who comes to a niche (a place of ingredients) while carrying an ingredient that a wizard
+/// can carry only one.
 void refuse_second(MatchContext& context, Tick tick) {
     context.world.view<const Wizard, const Motion, Pouch, ecs::Without<Dead>>().each(
         [&](const Wizard& wizard, const Motion& motion, Pouch& pouch) {
@@ -214,8 +216,8 @@ void grant_boon(MatchContext& context, Cauldron& cauldron, Tick tick) {
                      .place = cauldron.middle});
 }
 
-/// Heals the player who has the boon while that player's wizard is near the bowl, at most up to the health of
-/// a new wizard.
+/// Heals the player whom a well-mixed brew rewards (the boon) while that player's wizard is near the bowl, at
+/// most up to the health of a new wizard.
 void heal_by_boon(MatchContext& context, const Cauldron& cauldron, Tick tick) {
     if (tick >= cauldron.boon_until) return;
     const double full = context.data.wizard.health;

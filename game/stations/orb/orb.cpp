@@ -19,7 +19,7 @@ constexpr double searched_half = 0.2;
 /// Maximum distance between the core and the point around which the flow turns, as a share of the extent (the
 /// edge of the box that the flow fills).
 constexpr double max_shift = 0.03;
-/// Minimum ratio of the core's curl to that of another vortex.
+/// Minimum ratio of the curl of the hidden core's vortex to that of another vortex.
 constexpr double min_lead = 1.2;
 /// Maximum number of flows that are tried. About one in 20 has a core that can be found by hand.
 constexpr int max_flows = 1000;

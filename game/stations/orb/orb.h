@@ -1,6 +1,6 @@
 // game/stations/orb/orb.h: the scrying orb: its flow, the hidden core, and the frame of the hand that scries.
 //
-//     hand, device frame --(metres_per_metre, turned to the orb)--> probe, world --> flow about the orb's middle
+//     hand, device frame --(metres_per_metre, turned to the orb)--> probe, world --> flow about its middle
 //
 // The flow is evaluated from its formula, so it has no samples and costs nothing while nobody scries.
 #pragma once
@@ -25,12 +25,13 @@ HiddenCore core_of(const Orb& orb);
 /// origin of the flow (m).
 HiddenCore core_within(const field::VortexFlow& flow, vec3 middle, double radius);
 
-/// Distance of a position from the core (m, world).
+/// Distance of a position from the hidden core (m, world).
 double distance_from(const HiddenCore& core, vec3 place);
 
-/// Whether a hand can find the core of a flow that fills a box of this extent (m). From every side the device
-/// must reach a long part of the core, but not with the hand at rest. The curl of the core must exceed that
-/// of every other vortex, and those must hardly displace the point around which the flow turns.
+/// Whether a hand can find the hidden core (the first vortex's axis) of a flow that fills a box of this
+/// extent (m). From every side the device must reach a long part of the core, but not with the hand at rest.
+/// The curl of the core must exceed that of every other vortex, and those must hardly displace the point
+/// around which the flow turns.
 bool can_be_found(const field::VortexFlow& flow, double extent);
 
 /// Creates the orb of a new match and gives each wizard the strength curves of the rules. `seed` determines

@@ -18,8 +18,8 @@ bool within_reach_of_orb(const MatchData& data, const Orb& orb, vec3 body);
 /// haptics. Does nothing without an orb.
 void add_scrying_system(MatchContext& context, ecs::Schedule& schedule);
 
-/// Adds the system that moves the probes and gives the orb's reward, every tick. It runs after the haptics.
-/// Does nothing without an orb.
+/// Adds the system that moves the probes (the tips that hands move in the orb) and gives the orb's reward,
+/// every tick. It runs after the haptics. Does nothing without an orb.
 void add_orb_probe_system(MatchContext& context, ecs::Schedule& schedule);
 
 }  // namespace thaum::game::inline stations

@@ -14,7 +14,7 @@ bool wears(const WornModes& modes, std::uint32_t mode);
 /// Returns whether the mode is on now.
 bool put_on_or_off(WornModes& modes, std::uint32_t mode);
 
-/// The mode that was switched on last; no_mode: none is on.
+/// The haptic mode that was switched on last; no_mode: none is on.
 std::uint32_t last_worn(const WornModes& modes);
 
 /// The mode that replaces the newest one when the player asks for the next (step 1) or the previous one (step
@@ -26,7 +26,7 @@ std::uint32_t neighbour_of_last(const WornModes& modes, std::size_t count, int s
 /// device frame).
 vec2 on_sheet(const OrbRules& rules, const OrbMode& mode, vec3 hand, vec3 reach);
 
-/// Draws those columns of a strength curve that lie between two points of the drawing plane.
+/// Draws the part of a strength curve that lies between two points of the plane on which a wizard draws it.
 void draw_curve(const OrbRules& rules, const OrbMode& mode, vec2 from, vec2 to,
                 field::TransferFunction& strength);
 
