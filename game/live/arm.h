@@ -80,11 +80,11 @@ std::optional<std::string> update(ArmNotice& notice, const std::string& name, co
 struct LiveArm {
     /// number of the player's place, counted from 0, for which --hands asked for the arm
     std::uint32_t seat{};
-    std::uint32_t player = no_player;  ///< player who holds it in this match; no_player: nobody
+    std::uint32_t player = no_player;  ///< player who holds the arm in this match; no_player: nobody
     /// computes the forces in the arm's thread, and passes its samples to the simulation
     input::ArmServo servo{};
-    std::unique_ptr<ArmKeeper> keeper{};  ///< owned by the main thread
-    ArmNotice notice{};                   ///< used by the main thread
+    std::unique_ptr<ArmKeeper> keeper{};  ///< opens the arm and watches it; owned by the main thread
+    ArmNotice notice{};  ///< the arm's state as the session shows it; used by the main thread only
 };
 using LiveArms = std::vector<std::unique_ptr<LiveArm>>;
 

@@ -16,7 +16,7 @@
 
 namespace thaum::game::inline live {
 
-/// Effects and layouts that the program has loaded.
+/// Effects on the body, and layouts (arrangements of motors), that the program has loaded.
 struct LiveBody {
     tactile::EffectBank effects;
     tactile::Layout figure;  ///< arrangement of the cells in the body's picture (figure_layout)
@@ -75,7 +75,7 @@ private:
     LiveTactile& motors_;
     const LiveSound* sound_;
     std::optional<BodySound> felt_sound_{};
-    const MatchData* data_{};  ///< data for which the scenes were made
+    const MatchData* data_{};  ///< match data for which `scenes_` were made
     std::optional<MatchEffects> effects_{};
     std::array<std::optional<TactileScene>, players> scenes_{};
     /// strength of each kind of effect that the scenes use now

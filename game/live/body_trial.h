@@ -33,7 +33,7 @@ private:
         /// tick of the newest frame, counted from `began_ns`; std::nullopt: there is none yet
         std::optional<Tick> mixed{};
         std::unique_ptr<tactile::TactileMixer> figure{}, motors{},
-            jacket{};  ///< null: the player has no such output
+            jacket{};  ///< mixers of the effect for each output; null: the player has no such output
     };
 
     std::unique_ptr<tactile::TactileMixer> mixer_for(const tactile::Layout& layout, std::uint32_t effect,

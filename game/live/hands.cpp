@@ -112,8 +112,8 @@ HandNews PlayerHands::take_plugged_pads(const Settings& settings) {
     return news;
 }
 
-/// Gives the player's hands the bindings of the new device, and reports in `news` if every player has a
-/// device again.
+/// Gives the collector of the player's input the bindings of the new device, and reports in `news` if every
+/// player has a device again.
 void PlayerHands::rejoin(std::uint32_t player, const Settings& settings, HandNews& news) {
     holds_[player].lost = false;
     rebind(settings);

@@ -78,7 +78,7 @@ public:
 private:
     /// State of the pad that one player uses.
     struct PadHold {
-        bool seen = false;          ///< the pad was plugged in at the last look
+        bool seen = false;          ///< the pad was plugged in when the pads were last read
         bool lost = false;          ///< the pad was unplugged, and its player has not rejoined yet
         bool let_go_first = false;  ///< true: buttons held now are ignored until all have been released
         bool half = false;          ///< the player continues with half of the keyboard

@@ -43,7 +43,7 @@ struct Seat {
     SeatKind kind{};
     int pad = 0;                   ///< index of the pad in input::Pads
     int level = 1;                 ///< level of the bot (1 to 3)
-    std::optional<ArmWish> arm{};  ///< arm that the player's hand also holds
+    std::optional<ArmWish> arm{};  ///< request for a real arm in the same hand; std::nullopt: none
 };
 
 /// Seat for a word of --hands: mouse, half, pad, arm or arm:NUMBER.

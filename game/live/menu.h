@@ -149,7 +149,8 @@ private:
     std::array<bool, 4> joining_{};  ///< pads of which a button is still held since the press that joined
     bool settings_changed_ = false;
     std::optional<BodyTrialWish> trial_{};
-    std::filesystem::path profiles_folder_{};  ///< empty: profiles last for this run only
+    /// folder of the players' saved strengths of what is felt; empty: these last for this run only
+    std::filesystem::path profiles_folder_{};
     MenuSound sound_{};
 };
 

@@ -32,7 +32,7 @@ public:
     /// Hands over the lessons of the Apprentice (the tutorial on the range), for one match; std::nullopt: the
     /// next match has none.
     std::optional<Lessons> take_lessons() { return std::exchange(lessons_, std::nullopt); }
-    /// Whether the next match is the Apprentice.
+    /// Whether the next match has the lessons of the range (the Apprentice).
     bool is_apprentice() const { return lessons_.has_value(); }
     /// Hands over the data files of the range, for one match; std::nullopt: the next match is not on the
     /// range.

@@ -21,7 +21,7 @@ public:
     static constexpr std::int64_t flicker_ns = 150'000'000;
 
     void changed(bool focused, std::int64_t now_ns) { since_ns_ = focused ? 0 : now_ns; }
-    /// Whether a loss has not been handled yet.
+    /// Whether the focus was lost and the session has not reacted to that yet.
     bool pending() const { return since_ns_ != 0; }
     /// Whether the window has been without the focus for longer than `flicker_ns`, so that the match must
     /// pause.
@@ -52,7 +52,7 @@ private:
 
 /// Text of the pause menu.
 struct PauseWords {
-    std::string head{}, line{};  ///< title and reason
+    std::string head{}, line{};  ///< title of the pause menu, and reason of the pause
     std::string missing{};       ///< why the match cannot go on: whose pad is not plugged in; empty: it can
     std::string half_for{};      ///< player who may go on with half of the keyboard; empty: nobody
     bool operator==(const PauseWords&) const = default;
@@ -60,7 +60,7 @@ struct PauseWords {
 
 /// Reasons of a pause.
 struct PauseFacts {
-    std::uint32_t paused_by = no_player;  ///< player who pressed the button; no_player: nobody
+    std::uint32_t paused_by = no_player;  ///< player who pressed the pause button; no_player: nobody
     bool focus_lost = false;              ///< the session pressed it, because the window lost the focus
     std::array<std::optional<int>, players> lost_pad{};  ///< number of each player's lost pad
     /// true: the lost pad is plugged in again, and its player only has to press a button

@@ -16,7 +16,7 @@ constexpr double delay_ms = 6;
 /// The last two pictures, and the picture interpolated between them for the present time.
 struct InterpolationBuffer {
     Picture before = make_picture(), newest = make_picture(), shown = make_picture();
-    PromptUses prompt_uses{};       ///< uses of controls, counted over all pictures so far
+    PromptUses prompt_uses{};       ///< how often players have used each control, over all pictures so far
     std::int64_t shown_due_ns = 0;  ///< all ticks due by this time are contained in `shown` (ns)
     bool any = false;
 };

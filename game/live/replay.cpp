@@ -8,8 +8,9 @@
 namespace thaum::game::inline live {
 namespace {
 
-constexpr std::int64_t idle_ns = 8'000'000;  ///< sleep between two looks at the requests (ns)
-constexpr double publish_period_ns = 4e6;    ///< period of published pictures, at any speed (ns of real time)
+/// sleep before the viewer's requests are looked at again (ns)
+constexpr std::int64_t idle_ns = 8'000'000;
+constexpr double publish_period_ns = 4e6;  ///< period of published pictures, at any speed (ns of real time)
 constexpr std::int64_t max_behind_ns =
     250'000'000;  ///< a longer delay is not made up for; no tick is lost, all are shown later (ns)
 

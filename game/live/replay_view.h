@@ -30,7 +30,7 @@ std::optional<ReplayDeed> replay_deed_of(int key);
 /// Words for the screen on what the keys do.
 std::string replay_keys();
 
-/// Choices of the viewer.
+/// What the viewer of a replay has chosen to see.
 struct ReplayView {
     Tick at{};  ///< tick that is shown, or target of a jump that is not done yet
     double speed = 1;

@@ -325,7 +325,7 @@ PauseFacts LiveSession::pause_facts() const {
     return facts;
 }
 
-/// Applies changed settings to the players' hands, and the menu's choices to the range.
+/// Applies changed settings to the input of the players, and the menu's choices to the range.
 void LiveSession::apply_settings() {
     shared_.requests.dummy = static_cast<DummyKind>(menu_.state().dummy);
     shared_.requests.range = menu_.state().range;

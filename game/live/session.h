@@ -33,8 +33,8 @@ public:
     /// Header of the log of the next match. Call take_seats() first.
     input::LogHeader log_header(std::uint64_t seed) const;
 
-    // Events of the window. They go to the players' hands during play, and to the menu while a menu is open.
-    // Some keys act on the session at any time.
+    // Events of the window. They go to the collectors of the players' input during play, and to the menu
+    // while a menu is open. Some keys act on the session at any time.
     void key(int key, bool pressed, std::int64_t now_ns);
     void character(char32_t character);
     void mouse_button(int button, bool pressed, render::Size window, std::int64_t now_ns);

@@ -36,9 +36,10 @@ constexpr std::uint64_t bot_seed_step = 0x9e3779b97f4a7c15ULL;
 /// One match with its bots, and its log or the range's data.
 struct Round {
     std::unique_ptr<Simulation> own;
-    Simulation* match = nullptr;  ///< `own`, or the match of the practice
+    Simulation* match = nullptr;  ///< `own`, or on the range the match of its practice
     Bots bots;
-    std::variant<std::monostate, input::LogWriter, Practice> kept;  ///< record of the match, as in Recording
+    /// record of the match: none, its log, or on the range the practice with its data
+    std::variant<std::monostate, input::LogWriter, Practice> kept;
     std::string told_step{};               ///< text of the lesson's step that was printed last
     std::unique_ptr<DataWatcher> watcher;  ///< the range's files; null outside of practice
     std::optional<Tick> over_at;
@@ -127,7 +128,8 @@ bool start_round(SimulationThread& s, MatchStart start) {
         show_scene(s.shared, start.data);
         MatchSetup setup{
             .seed = start.seed, .devices = devices_of(s.shared.seats, s.shared.arms), .workers = 1};
-        (void)use_profile(*start.data, std::move(start.profile), setup);  // as in the log's header
+        // own gestures that do not suit the data are left out, as from the log's header
+        (void)use_profile(*start.data, std::move(start.profile), setup);
         s.round.own = std::make_unique<Simulation>(std::move(start.data), std::move(setup));
         s.round.match = s.round.own.get();
     }

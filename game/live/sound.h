@@ -61,7 +61,8 @@ private:
     audio::Speakers speakers_;
     std::filesystem::path assets_{};  ///< folder of data files; empty: no sounds are felt
     std::unique_ptr<const FeltCourses> made_courses_{};
-    std::atomic<const FeltCourses*> courses_{};  ///< `made_courses_`, for the thread of a match
+    /// the object in `made_courses_`, for the thread of a match
+    std::atomic<const FeltCourses*> courses_{};
     bool tried_courses_ = false;
     std::atomic<bool> words_{};  ///< true: a player wants to read in words what is heard
     ToldState told_{};

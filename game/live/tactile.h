@@ -81,8 +81,9 @@ public:
 private:
     /// Connection to an output that may be replaced, or be missing.
     struct Socket {
-        std::unique_ptr<input::TactilePlayer> own{};  ///< made for the first output, and kept
-        std::atomic<input::TactilePlayer*> player{};  ///< `own`, for the thread of a match
+        /// plays frames on the output; made for the first output, and kept
+        std::unique_ptr<input::TactilePlayer> own{};
+        std::atomic<input::TactilePlayer*> player{};  ///< the object in `own`, for the thread of a match
         std::atomic<bool> plays{};                    ///< true: there is an output
         ToldState told{};
 

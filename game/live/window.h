@@ -10,7 +10,7 @@ namespace thaum::game::inline live {
 struct LiveWindow {
     render::Window& window;
     input::PadReader& pads;
-    std::vector<std::string> pad_faults{};  ///< faults of the file of the user's own mappings
+    std::vector<std::string> pad_faults{};  ///< faults of the file with the user's own mappings of pads
     bool fullscreen = false;
     std::string title = "Thaum";               ///< what the window's title says
     std::vector<input::LockedStick> locked{};  ///< joysticks that this user may not read

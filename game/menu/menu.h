@@ -52,7 +52,7 @@ struct MenuEvent {
     std::optional<std::size_t>
         row{};  ///< row of confirm, left, right and point; std::nullopt: the chosen row
     input::Control control{};
-    char32_t typed{};  ///< character of Kind::character
+    char32_t typed{};  ///< the typed character, for Kind::character
 };
 
 /// Choices that the menu offers. `levels`, `rules` and `arenas` are never empty.
@@ -72,7 +72,7 @@ struct MenuContext {
     std::array<std::string, players> arms{};
     bool practice = false;     ///< true: the pause belongs to the range
     bool apprentice = false;   ///< true: the pause belongs to the lessons on the range (the Apprentice)
-    bool first_start = false;  ///< true: the start screen offers the Apprentice first
+    bool first_start = false;  ///< true: the start screen offers the lessons on the range first
     bool ends_match = false;   ///< true: leaving the pause opens the start screen; false: it ends the program
     std::string missing{};     ///< why the pause cannot end: whose pad is not plugged in; empty: it can
     std::string half_for{};    ///< player who may go on with half of the keyboard; empty: nobody
@@ -133,8 +133,8 @@ struct MenuState {
     std::size_t pause_row = 0;
     std::optional<Device> chooser;  ///< device that chose the row; std::nullopt: none has chosen one yet
     std::size_t level = 0, rules = 0, arena = 0;  ///< indices into the lists of MenuContext
-    std::size_t dummy = 0;                        ///< DummyKind of the range's dummy
-    RangeChanges range{};                         ///< changes of the range's rules
+    std::size_t dummy = 0;                        ///< kind of the range's practice dummy (DummyKind)
+    RangeChanges range{};                         ///< changes of the range's rules, such as endless energy
     std::size_t gesture = 0;                      ///< index into MenuContext::gestures
     /// index of the sheet (the bindings of one kind of device, or of the session) on the bindings page
     std::size_t sheet = 0;
@@ -147,12 +147,12 @@ struct MenuState {
     std::optional<std::string> typing;  ///< words that are being typed; std::nullopt: none
     Typing typed{};                     ///< kind of text in `typing`
     Settings settings;
-    std::optional<Settings> undo;          ///< settings before the last change of bindings
-    std::string head, line;                ///< title and reason of the pause: who paused, and why
-    std::string note;                      ///< result of the last event, or the reason why it had none
-    MenuRequest request{};                 ///< request of the last event to the caller
-    std::optional<FeelProfile> saves{};    ///< profile that the last event asks the caller to save
-    MatchRequest match_request{};          ///< request of MenuRequest::ask_match
+    std::optional<Settings> undo;        ///< settings before the last change of bindings
+    std::string head, line;              ///< title and reason of the pause: who paused, and why
+    std::string note;                    ///< result of the last event, or the reason why it had none
+    MenuRequest request{};               ///< request of the last event to the caller
+    std::optional<FeelProfile> saves{};  ///< profile that the last event asks the caller to save
+    MatchRequest match_request{};  ///< request that MenuRequest::ask_match passes on to the running match
     std::optional<BodyTrialWish> tries{};  ///< effect that the last event asks the caller to play
 };
 
@@ -168,7 +168,7 @@ bool esc_ends_waiting(const MenuState& state);
 /// Note that says why the pause cannot end.
 std::string words_of_refusal(const MenuContext& context);
 
-/// Picture of the menu.
+/// What is to be drawn of the menu.
 MenuPicture picture_of(const MenuState& state, const MenuContext& context);
 
 /// Title of the window: "Thaum", and with a menu its page and the chosen row, for screen readers and for

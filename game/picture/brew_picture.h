@@ -26,7 +26,7 @@ struct BrewColours {
 struct BrewPicture {
     std::uint64_t state{};  ///< number of the brew's state, which changes with the contents; 0: empty
     fluid::Lattice lattice{};
-    std::array<fluid::Samples, 3> velocity{};  ///< velocity components (m/s)
+    std::array<fluid::Samples, 3> velocity{};  ///< components of the flow's velocity (m/s)
     /// Place at which each velocity component of cell (0, 0, 0) is sampled, in cells. The places differ,
     /// because each component is sampled on another face of the cell.
     std::array<vec3, 3> velocity_places{};

@@ -130,7 +130,7 @@ void take_outcome(const Simulation& match, std::uint32_t player, CastingPicture&
 
 /// Copies the path of a hand that may cast without a button, and the gesture that last almost cast a spell.
 void take_free(const Simulation& match, ecs::Entity wizard, FreePicture& out) {
-    constexpr std::uint32_t shown = 125;  // number of points in one second
+    constexpr std::uint32_t shown = 125;  // number of newest points that are shown: those of one second
     out.count = 0;
     out.miss_age_s = 1e6;
     const auto& world = match.world();

@@ -57,18 +57,19 @@ enum class StrokeOutcome : std::uint8_t {
     fizzled     ///< the spell has nothing to act on
 };
 
-/// The last reading of a wizard's strokes.
+/// What the last stroke of a wizard was recognised as, and what came of it.
 struct ReadingPicture {
     double age_s{1e6};
     StrokeOutcome outcome{};
-    std::uint32_t gesture{no_gesture}, nearest{no_gesture};  ///< indices in CastingPicture::gestures
+    /// recognised gesture, and the one that the stroke resembles most; indices in CastingPicture::gestures
+    std::uint32_t gesture{no_gesture}, nearest{no_gesture};
     /// Probability that the recognised gesture was meant, mean force of the stroke (N), and number of turns
     /// of a closed stroke.
     double probability{}, force{}, turns{};
     /// Wand slot of the key chord (a wand's key while the button Trace is held) that replaced the stroke;
     /// std::nullopt: a stroke was read.
     std::optional<std::uint32_t> chord{};
-    Event event{};          ///< event that gives the outcome; unused for StrokeOutcome::none
+    Event event{};          ///< event that reports the outcome; unused for StrokeOutcome::none
     std::string refusal{};  ///< why the spell had nothing to act on; empty: unknown
 };
 

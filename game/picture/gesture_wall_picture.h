@@ -14,13 +14,13 @@ struct WallGesture {
     std::string name;   ///< display name: "Circle"
     std::string spell;  ///< name of the spell that the gesture casts; empty: none
     std::vector<gesture::StrokePoint> ghost;
-    bool own = false;  ///< true: recorded by the player
+    bool own = false;  ///< true: the player has recorded this gesture; false: it is a shipped one
 };
 
 struct GestureWallPicture {
     bool on = false;
     std::shared_ptr<const std::vector<WallGesture>> gestures{};
-    std::vector<int> scores{};  ///< newest score of each gesture (%), -1: none yet
+    std::vector<int> scores{};  ///< score of the newest stroke of each gesture (%), -1: none yet
     int chosen = -1;            ///< index of the gesture that the newest stroke belongs to; -1: none
     std::vector<gesture::StrokePoint> stroke{};
     bool drawing = false;  ///< true: the stroke has not ended

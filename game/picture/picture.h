@@ -26,7 +26,7 @@ struct ShapeKey {
     Surface surface{};
     physics::Shape shape{};
     std::uint32_t mesh{};  ///< index in Arena::meshes, for Shape::mesh
-    vec3 size{};           ///< size, defined like physics::BodyDesc::size
+    vec3 size{};           ///< size of the body, in the form of physics::BodyDesc::size
     bool operator==(const ShapeKey&) const = default;
 };
 
@@ -45,7 +45,7 @@ struct MissilePicture {
     vec3 position{};
     vec3 velocity{};
     std::uint32_t wand{};  ///< index of the missile's wand in Presentation::wands
-    double size{};         ///< scale of the missile's look; 0: unscaled
+    double size{};         ///< factor on the drawn size of the missile; 0: drawn as its mesh is
 };
 
 /// Time for which a burst is shown (s).
@@ -162,10 +162,11 @@ struct Picture {
     std::uint32_t cast_count{};  ///< number of entries in `casts`, the newest first
     std::array<CastShown, 4> casts{};
     std::vector<FogPicture> fogs;
-    std::uint32_t skipped{};  ///< number of device samples skipped so far
+    std::uint32_t skipped{};  ///< number of device samples skipped so far, because the simulation was late
     int countdown{};       ///< seconds to the start of the match; 0: it has begun; filled in by the session
     std::uint32_t mark{};  ///< number of a mark that was set just now; 0: none; filled in by the session
-    bool overloaded{};     ///< true: samples were skipped just now; filled in by the session
+    /// true: device samples were skipped just now, because the simulation was late; filled in by the session
+    bool overloaded{};
     PracticePicture practice{};
     Caption caption{};
 };

@@ -96,8 +96,8 @@ void take_choices(const Simulation& match, const Brewer& brewer, const RecipeLis
     }
 }
 
-/// The recipe to show: one that needs the carried ingredient, or else the first. A recipe with a secret order
-/// is chosen only if there is no other.
+/// The recipe to show: one that needs the carried ingredient, or else the first. A recipe whose order of
+/// ingredients only the orb reveals is chosen only if there is no other.
 const Recipe& shown_recipe(const Simulation& match, const Brewer& brewer, const RecipeList& open,
                            std::size_t before, std::uint32_t carried) {
     const Recipe* first = nullptr;

@@ -32,7 +32,7 @@ struct RecipePicture {
     double reached{};         ///< share of the brew that the newest ingredient has reached, 0 to 1
     /// Value of `reached` when the present stroke on the brew began; without a stroke, `reached`.
     double begun_at{};
-    double least{}, most{};    ///< limits of `reached` for the next step
+    double least{}, most{};    ///< least and greatest `reached` at which the next step may come
     std::string_view gesture;  ///< next gesture; empty: the next step is an ingredient
     CircleSense sense{};       ///< required direction of rotation of the next gesture
     /// Number of correct strokes of this gesture so far, and the required number.

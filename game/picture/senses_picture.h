@@ -33,7 +33,7 @@ inline constexpr std::size_t force_column = 16;
 struct ForcePicture {
     ArmCondition arm{};            ///< condition of a real force-feedback arm
     haptics::SafetyCause cause{};  ///< reason for a reduced force
-    double cap{};                  ///< limit of the force (N)
+    double cap{};                  ///< largest force that the hand may get at present (N)
     vec3 current{};                ///< present force (N, device frame, drawn in the eye frame)
     std::string_view source;       ///< name of the strongest source of force (felt_source.h); empty: none
     /// largest net energy that the hand has got from sources that must not create energy, such as springs and

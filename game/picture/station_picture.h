@@ -29,7 +29,7 @@ struct TipPicture {
     double force_share{};  ///< force on the hand as a share of the player's limit, 0 to 1
     double radius{};       ///< radius of a carving tool's effect (m); 0: a probe
     bool works{};          ///< true: the tool is in use
-    DabWorth worth{};      ///< effect of a carving tool at this place
+    DabWorth worth{};      ///< whether a carving tool, used at this place, would help or spoil the key
 };
 
 /// The orb of a match: a ball with a flow inside.
@@ -49,7 +49,7 @@ inline constexpr std::size_t curve_points = 33;
 
 /// State of a wizard at the orb, for the panel with help that the view shows there (the card).
 struct ScryingPicture {
-    bool near{};    ///< true: the wizard is near enough to begin
+    bool near{};    ///< true: the wizard is near enough to the orb to begin to scry
     bool misses{};  ///< true: the player presses the button Stir a few steps too far away from the orb
     bool faces{};   ///< true: the wizard looks towards the orb, or scries
     bool scries{};  ///< true: the wizard holds the probe, the tip in the orb that the hand moves
@@ -83,14 +83,14 @@ struct CrystalPicture {
     vec3 middle{};         ///< middle of the crystal (m, world)
     double yaw{};          ///< rotation of its frame about the vertical axis (rad)
     double edge{};         ///< length of the cube's edge (m)
-    std::uint64_t seed{};  ///< seed of the rough body and of the key's shape
+    std::uint64_t seed{};  ///< seed of the crystal's uncarved shape and of the key's shape
     /// Voxels of the crystal; null until a wizard or a shot has touched it.
     std::shared_ptr<const CrystalVoxels> voxels{};
 };
 
 /// State of a wizard at a crystal, for the panel with help that the view shows there (the card).
 struct CarvingPicture {
-    bool near{};    ///< true: the wizard is near enough to begin
+    bool near{};    ///< true: the wizard is near enough to a crystal to begin to carve
     bool misses{};  ///< true: the player presses the button Stir a few steps too far away from a crystal
     bool faces{};   ///< true: the wizard looks towards the crystal nearby, or carves
     bool carves{};  ///< true: the wizard holds a tool

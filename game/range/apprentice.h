@@ -87,7 +87,7 @@ class Apprentice {
 public:
     explicit Apprentice(Lessons lessons) : lessons_(std::move(lessons)) {}
 
-    /// Reads the match. Call this after every tick.
+    /// Tests the conditions of the present step. Call this after every tick.
     void follow(const Simulation& match);
     /// skip() advances to the next step; repeat() starts the present step again. After the
     /// last step neither does anything.

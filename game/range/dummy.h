@@ -32,7 +32,7 @@ public:
     /// Continues with changed match data or changed rules.
     void adopt(const Simulation& match, const DummyRules& rules);
 
-    /// Device sample for the next tick of the match.
+    /// The dummy's input (device sample) for the next tick of the match.
     input::DeviceSample sample(const Simulation& match);
 
 private:

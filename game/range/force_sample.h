@@ -17,7 +17,7 @@ public:
     bool runs() const { return left_ > 0; }
     /// Applies the sample's forces. Call this before each tick of play of the player's match.
     void step(Simulation& match, std::uint32_t player);
-    /// Text about the sample for the player.
+    /// Text for the player about the forces that are being tried.
     std::string_view words() const;
 
 private:

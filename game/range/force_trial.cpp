@@ -35,7 +35,7 @@ std::optional<std::uint32_t> ForceTrial::step(Simulation& match, std::uint32_t p
         runs_ = false;
         return {};
     }
-    // The full force must be available during the trial.
+    // The player's own limit of the force is set to 100 %, so that it does not weaken the kicks.
     if (age_ == 0) frame.devices.at(0).change = {static_cast<std::uint8_t>(input::HandFader::force), 100};
     if (age_ > 0 && age_ % between_kicks == 0) {
         percent_ += percent_per_kick;

@@ -18,14 +18,14 @@ public:
     static constexpr std::uint32_t percent_per_kick = 5;
     static constexpr Tick between_kicks = 500, kick_length = 60;
 
-    /// Starts with the weakest kick.
+    /// Starts the search for the largest force, with the weakest kick.
     void begin() { *this = ForceTrial(true); }
     bool runs() const { return runs_; }
     /// Runs the trial; call this before each tick of play of the player's match. Kicks the hand, and removes
     /// fire from the player's samples. Returns, once, the force that the player has chosen (% of the device's
     /// peak). Without a press there is no result.
     std::optional<std::uint32_t> step(Simulation& match, std::uint32_t player, input::InputFrame& frame);
-    /// Text about the trial for the player.
+    /// Text for the player about the search for the largest force.
     std::string words() const;
 
     ForceTrial() = default;

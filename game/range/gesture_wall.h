@@ -14,7 +14,7 @@ class GestureWall {
 public:
     static constexpr std::size_t recorded_strokes = 3;
 
-    /// Reads the match after a tick.
+    /// Follows the strokes of the practising player. Call this after every tick.
     void follow(const Simulation& match);
     /// Starts to record: the player's next three strokes become the gesture of this name. An empty name stops
     /// recording.
@@ -58,7 +58,7 @@ private:
     /// True: a key chord (a wand's key while Trace is held) has replaced the newest stroke.
     bool chord_ = false;
     int chosen_ = -1;
-    Tick read_at_{};  ///< LastReading::at of the newest reading that was shown
+    Tick read_at_{};  ///< tick of the newest stroke reading that was shown (LastReading::at)
     Tick shown_until_{};
     std::vector<std::string> lines_{};
     gesture::Gesture recording_{};  ///< the gesture being recorded; without a name: none

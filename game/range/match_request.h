@@ -47,7 +47,7 @@ public:
     void carry_out(RequestTarget& target) const {
         if (carry_out_ != nullptr) carry_out_(*this, target);
     }
-    /// The struct; std::nullopt: the request is of another type.
+    /// The request as a struct of type T; std::nullopt: the request is of another type.
     template <class T>
     std::optional<T> as() const {
         return carry_out_ == run<T> ? std::optional(value<T>()) : std::nullopt;

@@ -84,7 +84,7 @@ public:
     void draw_gesture(std::uint32_t number);
     /// Looks at the strokes of the practising player after a tick.
     void follow_gestures();
-    /// The gesture wall. The Apprentice does not show it.
+    /// The gesture wall, a display of all gestures. The lessons do not show it.
     GestureWall& wall() { return wall_; }
     /// Continues with other recorded gestures of the player; match() then returns another object. If they are
     /// refused, the old ones are kept, and the gesture wall (the range's display of gestures) keeps
@@ -120,14 +120,14 @@ private:
 
 // Requests to the practice (match_request.h). The menu's rows send them.
 
-/// Goes on to the Apprentice's next step.
+/// Request to go on to the next step of the lessons.
 struct SkipStep {
     void carry_out(Practice& practice) const {
         if (auto* course = practice.apprentice()) course->skip();
     }
 };
 
-/// Begins the Apprentice's present step again.
+/// Request to begin the present step of the lessons again.
 struct RepeatStep {
     void carry_out(Practice& practice) const {
         if (auto* course = practice.apprentice()) course->repeat();
@@ -148,7 +148,7 @@ struct DrawGesture {
     void carry_out(Practice& practice) const { practice.draw_gesture(number); }
 };
 
-/// Gives up the gesture that is drawn.
+/// Request to give up the gesture that is being drawn anew.
 struct StopDrawing {
     void carry_out(Practice& practice) const { practice.wall().give_up(practice.match()); }
 };

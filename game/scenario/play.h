@@ -128,7 +128,7 @@ struct Play {
     Bytes saved;
 
     Tick wait_until{};  ///< tick at which the wait ends, compared with Simulation::now
-    bool waits{};       ///< true: a verb has set wait_until
+    bool waits{};       ///< true: the script waits until `wait_until`
 };
 
 /// Begins the match that a script asks for (game/scenario/match_options.h).
@@ -220,7 +220,7 @@ LookCounts counts_to(const Play& play, std::uint32_t player, vec3 target);
 void begin_force_trace(Play& play);
 /// Adds a column such as "1.x", "2.health" or "t3.speed". The error says that there is no such column.
 Expected<void> add_column(const Play& play, const std::string& column, Trace& trace);
-/// Adds one line to the trace.
+/// Adds one line with the present values to the trace.
 void trace_now(const Play& play, Trace& trace);
 
 /// Plays the same input frames in other matches: from the start, and from the saved state (keyframe) before

@@ -76,7 +76,7 @@ struct ScenarioResult {
     bool passed = false;
     bool no_picture = false;  ///< true: the only fault is that no picture function was given
     Tick ticks{};
-    std::uint64_t hash{};  ///< hash of the last state
+    std::uint64_t hash{};  ///< hash of the last state of the match
     std::string message;   ///< one line: why the scenario failed, or a remark on a passed one; may be empty
     std::string output;    ///< text printed by the script
     std::vector<std::string> files;  ///< file names inside ScenarioOptions::out

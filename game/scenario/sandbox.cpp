@@ -95,7 +95,8 @@ int call_verb(lua_State* lua) {
         return raise_at_script(lua);
     }
     charge(lua, 0);
-    // A verb may exceed the memory limit temporarily, but afterwards the script must be within it.
+    // A verb (a function of the program) may exceed the memory limit temporarily, but afterwards the script
+    // must be within it.
     if (state.memory > state.limits.memory) lua_gc(lua, LUA_GCCOLLECT);
     if (state.memory > state.limits.memory) return luaL_error(lua, "not enough memory");
     if (results != Sandbox::wait) return results;

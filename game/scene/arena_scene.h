@@ -59,7 +59,7 @@ struct ArenaScene {
     render::MeshId beam{}, bead{};
     /// White meshes of ingredients, by IngredientShape.
     std::array<render::MeshId, ingredient_shapes> ingredients{};
-    render::MeshId contact{};  ///< contact shade below things and wizards
+    render::MeshId contact{};  ///< soft shade on the ground below things and wizards
     /// Meshes for things that are not in the arena's file, by physics::Shape.
     std::array<render::MeshId, 4> unit_shapes{};
     PowerUpMeshes power_ups;

@@ -22,14 +22,15 @@ struct CrystalLook {
     render::Scan body{}, key{};
     ChangingMesh mesh{};
 
-    bool made{};                                   ///< true: the scans show a crystal
+    bool made{};                                   ///< true: the scans (voxels to be drawn) show a crystal
     std::uint64_t seed{};                          ///< seed of the shown crystal
     std::shared_ptr<const CrystalVoxels> shown{};  ///< the voxels that are shown
     std::shared_ptr<const CrystalVoxels> rough{};  ///< voxels of the crystal before anyone touched it
     std::vector<float> wanted{};                   ///< densities of the key's shape
     std::vector<field::Rgb8> paint{};              ///< colour of each voxel
-    std::vector<std::uint32_t> bricks{};           ///< version of each brick
-    render::ScanTable table{};                     ///< colour and opacity of the key's shape
+    /// version of each brick (block of voxels), which rises with each change
+    std::vector<std::uint32_t> bricks{};
+    render::ScanTable table{};  ///< colour and opacity of the key's shape
 
     CrystalLook() = default;
     CrystalLook(CrystalLook&&) = default;

@@ -26,7 +26,7 @@ struct Sample {
     fvec3 colour{};
 };
 
-/// Samples at half the resolution, surrounded by empty ones.
+/// Densities of the crystal at half the resolution, surrounded by empty samples.
 class Samples {
 public:
     Samples(std::span<const float> density, std::span<const field::Rgb8> colours, int side)

@@ -56,7 +56,7 @@ void add_orb(const OrbLook& look, const OrbPicture& orb, std::uint32_t viewer, v
 /// coloured green to red by its strength.
 void add_tip(const OrbLook& look, const TipPicture& tip, std::uint32_t player,
              std::vector<render::Instance>& out);
-/// Adds only the arrow of the force.
+/// Adds only the arrow that shows the force on the hand.
 void add_force(const OrbLook& look, const TipPicture& tip, std::vector<render::Instance>& out);
 
 }  // namespace thaum::game::inline scene

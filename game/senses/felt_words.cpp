@@ -7,7 +7,8 @@
 namespace thaum::game::inline senses {
 namespace {
 
-/// Force above which a source is put into words, and the lower force down to which the words stay (N).
+/// Force above which a source of force on the hand is put into words, and the lower force down to which the
+/// words stay (N).
 constexpr double told_from_n = 0.15, told_to_n = 0.08;
 /// Minimum time for which a force is described with the same side, so that words do not flicker while the
 /// force turns (ticks).

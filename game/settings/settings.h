@@ -54,7 +54,7 @@ struct PlayerSettings {
     /// help with aiming for each kind of device (0 to 1; game/context/aim_assist.h)
     double aim_assist_pad = 0.4, aim_assist_keys = 0.6, aim_assist_mouse = 0;
     bool free_casting = false;         ///< true: hand gestures cast spells without a button
-    std::size_t force = gentle_force;  ///< index into force_choices
+    std::size_t force = gentle_force;  ///< largest force, as an index into force_choices
     int own_force_percent = 45;        ///< largest force of the choice "own" (% of the device's peak)
     /// felt share of a carried thing's weight, as a multiple of the data files' value (0 to 1)
     double carried_weight = 1;
@@ -120,7 +120,8 @@ struct Settings {
     }
 };
 
-/// Names of the settings file's tables with each player's own settings, and with each player's faders.
+/// Names of the settings file's tables with each player's own settings, strengths of the cauldron's forces on
+/// the hand, and strengths of effects on the body.
 inline constexpr std::array<std::string_view, 2> player_tables{"player_1", "player_2"};
 inline constexpr std::array<std::string_view, 2> cauldron_tables{"cauldron_1", "cauldron_2"};
 inline constexpr std::array<std::string_view, 2> body_tables{"body_1", "body_2"};
@@ -179,10 +180,11 @@ struct SettingOf {
 using Setting = SettingOf<Settings>;
 using PlayerSetting = SettingOf<PlayerSettings>;
 std::span<const Setting> all_settings();
-/// All settings of one player except the name, the jacket, and the faders of body and brew.
+/// All settings of one player, except the name, the jacket, and the strengths of effects on the body and of
+/// the brew's forces.
 std::span<const PlayerSetting> player_settings();
 
-/// Names of force_choices.
+/// Names of the choices for the largest force (force_choices).
 const std::vector<std::string_view>& force_names();
 
 // In these templates, the type Of is Settings or PlayerSettings.

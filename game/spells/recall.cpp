@@ -189,7 +189,8 @@ ecs::Mask writes_of_flight(const MatchContext& context) {
 
 constexpr double worth_the_call = 6;  ///< distance of a thing beyond which a bot recalls it (m)
 constexpr double close = 4;           ///< distance of the foe below which a bot does not recall (m)
-constexpr double plenty = 0.6;        ///< share of the focus above which a bot spends focus on a recall
+/// share of the focus (the supply that spells cost) above which a bot spends it on a recall
+constexpr double plenty = 0.6;
 
 class RecallSpell final : public SpellRules {
 public:

@@ -20,7 +20,7 @@ namespace {
 struct BlastData {
     Tick from{};            ///< number of ticks for which fire must be held before charging begins
     double charge_step{};   ///< growth of the charge per tick
-    double steady_force{};  ///< steady force at full charge (N)
+    double steady_force{};  ///< steady force on the hand at full charge (N)
     GrowingValue energy, damage, speed;
     double radius{};  ///< radius of the ball (m)
     Tick life{};
@@ -40,7 +40,7 @@ struct Blast {
     double charge{};
     Tick dies_at{};
     std::uint32_t player{};
-    std::uint32_t shooter{};  ///< physics key of the shooter's body
+    std::uint32_t shooter{};  ///< handle of the shooter's body in the physics
     /// 1: the shooter held the Lens at the shot, so shields absorb none of the ball's harm
     std::uint32_t lens{};
     std::uint32_t spare{};

@@ -39,7 +39,7 @@ struct LiftData {
     double follow_rate{}, follow_acceleration{};
     /// Largest speed that a turn of the view gives to a held thing (m/s).
     double follow_speed{};
-    double wheel{};  ///< distance per wheel step (m, world)
+    double wheel{};  ///< distance by which a wheel step moves the thing (m, world)
     Tick caught{};   ///< time for which a thing that flew to the hand is held without fire (ticks)
     double metres_per_metre{}, finest{};
     double felt_stiffness{};  ///< stiffness felt at the device (N/m)

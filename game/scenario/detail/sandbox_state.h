@@ -15,7 +15,7 @@ inline constexpr const char* prelude_name = "=prelude";
 
 struct Sandbox::State {
     SandboxLimits limits;
-    lua_State* lua = nullptr;     ///< main state; only the prelude runs in it
+    lua_State* lua = nullptr;     ///< main state of Lua; only the trusted prelude runs in it
     lua_State* script = nullptr;  ///< coroutine of the script, if one is loaded
     std::size_t memory = 0;
     std::uint64_t steps = 0;
@@ -26,7 +26,7 @@ struct Sandbox::State {
     /// script runs.
     std::int64_t deadline_ns = std::numeric_limits<std::int64_t>::max() / 2;
     std::int64_t computed_ns = 0;  ///< processor time used in earlier resumes
-    std::int64_t verbs_ns = 0;     ///< processor time used by verbs
+    std::int64_t verbs_ns = 0;     ///< processor time used by verbs, the functions of the program (ns)
     std::string name;              ///< name of the script
     std::string output;
     std::string fault;  ///< message of the verb that has just failed

@@ -53,7 +53,7 @@ Material material_of(Surface surface);
 Cue step_on(Material material);
 Cue hit_on(Material material);
 
-/// Number of a sound in the bank; std::nullopt: silence.
+/// Number of a sound in the bank of all loaded sounds; std::nullopt: silence.
 using SoundNumber = std::optional<std::uint32_t>;
 /// Number of each cue's sound in a bank.
 using CueSounds = std::array<SoundNumber, cues>;

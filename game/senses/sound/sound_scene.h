@@ -32,7 +32,7 @@ struct ThingSoundMemory {
     bool known{};
 };
 
-/// Muffling of a lasting voice by walls, smoothed.
+/// Muffling of a lasting voice (a playing sound) by walls, smoothed.
 struct WallSoundMemory {
     std::uint32_t key{};
     std::array<double, audio::max_listeners> muffled{};

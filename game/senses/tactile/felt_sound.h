@@ -39,7 +39,7 @@ struct FeltSoundWish {
     bool operator==(const FeltSoundWish&) const = default;
 };
 
-/// Strength of each band, 0 to 1.
+/// Strength of sound in each frequency band, 0 to 1.
 using BandStrengths = std::array<double, felt_bands>;
 
 class FeltSound {
@@ -64,7 +64,7 @@ private:
     /// Capacity for voices played once, and for lasting voices; even the largest match has far fewer at the
     /// same time.
     static constexpr std::size_t max_begun = 64, max_lasting = 32;
-    /// Sums of squared amplitudes, by group and band.
+    /// Sums of squared amplitudes, by group of sounds and frequency band.
     using Powers = std::array<std::array<double, felt_bands>, audio::sound_groups>;
 
     bool is_known(const audio::Voice& voice) const { return voice.sound < courses_.sounds.size(); }

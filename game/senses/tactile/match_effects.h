@@ -11,7 +11,7 @@
 
 namespace thaum::game::inline senses {
 
-/// Number of an effect in the bank; std::nullopt: nothing is felt.
+/// Number of an effect in the bank of all loaded effects; std::nullopt: nothing is felt.
 using EffectNumber = std::optional<std::uint32_t>;
 
 struct MatchEffects {

@@ -74,7 +74,7 @@ private:
     const MatchEffects& effects_;
     const tactile::EffectBank& bank_;
     std::uint32_t player_;
-    /// One layout with its mixer.
+    /// One layout (the motors of one output) with its mixer.
     struct Output {
         std::unique_ptr<tactile::TactileMixer> mixer;
         tactile::TactileFrame frame{};
@@ -85,13 +85,13 @@ private:
     std::vector<Output> outputs_;
     std::vector<BodyCue> cues_{};  ///< effects of the last frame; allocated once
     BandStrengths sound_{};
-    std::array<bool, felt_bands> sounding_{};  ///< bands that are playing
+    std::array<bool, felt_bands> sounding_{};  ///< frequency bands of sound that are being felt
     Tick quiet_until_{};  ///< value of Simulation::now from which on sounds are felt again
     bool any_arms_{};
     /// Angle of the wand's arm that the mixers have, counted forwards from hanging down (rad)
     double raised_{};
 
-    // State of the match at the last frame.
+    // State of the match at the last frame, by which jumps of its clock are noticed.
     MatchFollower follower_{};
     std::uint32_t fired_{};
     Stride stride_{};

@@ -146,7 +146,7 @@ void step_surface(MatchContext& context, Brew& brew, Cauldron& cauldron) {
     auto& surface = brew.surface;
     std::array<fluid::SurfaceProbe, players> probes;
     bool any = false;
-    // A place of NaN marks a probe as absent.
+    // A place of NaN marks a probe (a ladle) as absent.
     probes.fill({.place = vec2(std::numeric_limits<double>::quiet_NaN())});
     context.world.view<const Wizard, const Ladle>().each([&](const Wizard& wizard, const Ladle& ladle) {
         const vec3 at = ladle.place - cauldron.middle;

@@ -36,7 +36,7 @@ void note_voxels(ecs::World& world, CrystalBodies& bodies, const Crystal& crysta
     body.overlap = field::overlap_with(voxels_of(world, bodies, crystal), body.key, crystal_surface);
 }
 
-/// Fills the crystal's voxels with the rough body of its seed.
+/// Fills the crystal's voxels with its uncarved shape (the rough body of its seed).
 void make_rough(MatchContext& context, CrystalBodies& bodies, Crystal& crystal) {
     auto& body = body_of(bodies, crystal);
     body.key = key_density(crystal.seed, crystal_side);

@@ -68,8 +68,8 @@ void rebuild_crystals(MatchContext& context, CrystalBodies& bodies);
 /// Puts the voxels of an untouched crystal into the World. Writes Crystal, CrystalDensity, CrystalColour and
 /// resource::Crystals.
 void touch_crystal(MatchContext& context, CrystalBodies& bodies, Crystal& crystal);
-/// Replaces a carved crystal by a rough body with another key. Writes the same components and resource as
-/// touch_crystal.
+/// Replaces a carved crystal by an uncarved one (a rough body) with another key. Writes the same components
+/// and resource as touch_crystal.
 void renew_crystal(MatchContext& context, CrystalBodies& bodies, Crystal& crystal);
 /// Applies a tool to a touched crystal and updates the crystal's overlap with the key. `dab`: one use of the
 /// tool, in the crystal frame. Writes the same components and resource as touch_crystal.

@@ -71,8 +71,8 @@ private:
 
     std::vector<float>& density_;
     int count_;
-    double scale_;  ///< edge length of this body's voxels, in voxels of a body with `usual_voxels` along each
-                    ///< edge
+    /// edge length of this body's voxels, in voxels of a body with `usual_voxels` on each edge
+    double scale_;
 };
 
 void add_ring(const KeyShape& key, Sculptor& sculptor) {
@@ -105,7 +105,7 @@ void add_bit(const KeyShape& key, const KeyBit& bit, Sculptor& sculptor) {
     });
 }
 
-/// A ball of material that is added to, or removed from, the rough body.
+/// A ball of material that is added to, or removed from, the crystal's uncarved shape (the rough body).
 struct Ball {
     vec3 middle{};
     double radius{};
@@ -133,7 +133,8 @@ Ball ball_at(const KeyShape& key, Random& random, double off) {
     return {on + away, random.uniform(3.0, 4.4)};
 }
 
-/// The rough body while it is being made, with its present overlap with the key.
+/// The crystal's uncarved shape (the rough body) while it is being made, with its present overlap with the
+/// key.
 class RoughBody {
 public:
     RoughBody(const std::vector<float>& key, int voxels)

@@ -46,7 +46,8 @@ KeyShape key_shape(std::uint64_t seed);
 /// Density of the key in each voxel, x fastest, for a body with `voxels` along each axis.
 std::vector<float> key_density(std::uint64_t seed, int voxels);
 
-/// Density of the rough body. Its overlap with the key is between 0.4 and 0.65.
+/// Density of the crystal before anyone carves it (the rough body). Its overlap with the key is between 0.4
+/// and 0.65.
 std::vector<float> rough_density(std::uint64_t seed, const std::vector<float>& key, int voxels);
 
 }  // namespace thaum::game::inline stations
