@@ -55,7 +55,7 @@ public:
     /// Follows the match after a tick; starts anew with another match or changed data. Adds words on what is
     /// felt on the body to those of `sound`, whose follow() must have been called for this tick.
     void follow(const Simulation& match, MatchSound& sound);
-    /// Forgets what was felt, after a jump to another time.
+    /// Forgets what was felt, after a jump to another time in a replay.
     void forget();
     /// Adds how strongly each cell of the body's picture is lit, where a cell shows what one place of the
     /// body feels.

@@ -85,7 +85,7 @@ public:
     void follow(const Simulation& match);
     /// Plays the sound of one second of the countdown before the match.
     void count_down();
-    /// Forgets the words, after a jump to another time.
+    /// Forgets the words on what was heard, after a jump to another time in a replay.
     void forget() {
         heard_ = {};
         hands_ = {};
@@ -109,7 +109,7 @@ private:
     std::size_t listeners_ = 2;
     audio::AudioFrame frame_{};
     ToldBySounds told_{};
-    std::array<HeardLines, players> heard_{};  ///< words on what each player hears
+    std::array<HeardLines, players> heard_{};  ///< words on what each player hears at present
     std::array<HandWords, players> hands_{};   ///< finds words on what each player's hand feels
 };
 

@@ -14,7 +14,7 @@
 namespace thaum::game::inline picture {
 namespace {
 
-/// Spoiling time from which on a brew counts as one that never spoils, as on the range.
+/// Time to boiling over from which on a brew counts as one that never boils over, as on the range.
 constexpr Tick never_spoils = ticks(3600.0);
 
 /// Numbers of brew states (BrewPicture::state). The number of a moving brew is the match's clock plus an

@@ -41,7 +41,7 @@ void take_brew(const Brew& brew, const CauldronRules& rules, std::uint64_t state
 /// A ladle, with which a wizard stirs: a rod with a bowl at its lower end.
 struct LadlePicture {
     vec3 bowl{}, top{};    ///< middle of the bowl, and upper end of the rod (m)
-    double force_share{};  ///< force as a share of the device's peak, 0 to 1
+    double force_share{};  ///< force on the hand as a share of the device's peak force, 0 to 1
 };
 
 /// The cauldron of a match.

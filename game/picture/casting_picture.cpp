@@ -150,7 +150,7 @@ void take_free(const Simulation& match, ecs::Entity wizard, FreePicture& out) {
     }
 }
 
-/// Index in the journal of the first event of the last `age` ticks.
+/// Index in the match's journal of events of the first event of the last `age` ticks.
 std::uint64_t first_since(const EventJournal& events, Tick played, Tick age) {
     auto i = events.count();
     while (i > events.first() && events[i - 1].tick + age >= played) --i;

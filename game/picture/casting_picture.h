@@ -22,7 +22,7 @@ namespace thaum::game::inline picture {
 
 /// Time for which a finished stroke fades (s).
 inline constexpr double stroke_fade_seconds = 1.2;
-/// Time for which the caption of a reading is shown (s).
+/// Time for which the caption with the result of a stroke is shown (s).
 inline constexpr double reading_seconds = 2.6;
 /// Minimum time between the starts of two flashes of a shield (s), which limits them to 2.5 flashes a second.
 inline constexpr double flash_apart_seconds = 0.4;

@@ -116,7 +116,7 @@ struct PracticePicture {
     std::string score;  ///< text of the score, ready for display
     // Texts that may name controls (game/data/control_words.h).
     std::string below;         ///< line below the score: the dummy's behaviour, or how to leave a lesson
-    std::string lesson, hint;  ///< text of the Apprentice's current step and its hint; empty: no lesson
+    std::string lesson, hint;  ///< text of the current step of the lessons, and its hint; empty: no lesson
     GestureWallPicture wall{};
 };
 

@@ -12,10 +12,10 @@ public:
     /// Whether there are forces to try for this fader, the strength of one kind of force.
     static bool exists_for(input::HandFader fader);
 
-    /// Starts the sample from the beginning. Does nothing for a fader without a sample.
+    /// Starts the forces to be tried from the beginning. Does nothing for a fader without such forces.
     void begin(input::HandFader fader);
     bool runs() const { return left_ > 0; }
-    /// Applies the sample's forces. Call this before each tick of play of the player's match.
+    /// Applies the forces to be tried. Call this before each tick of play of the player's match.
     void step(Simulation& match, std::uint32_t player);
     /// Text for the player about the forces that are being tried.
     std::string_view words() const;

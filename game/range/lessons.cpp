@@ -75,7 +75,8 @@ void check_keys(const ConfigTable& table) {
 /// Named places of the file, and the arena in which they must lie.
 struct Places {
     ConfigTable table;
-    std::optional<StandingRoom> room{};  ///< free room of the arena; std::nullopt: places are not checked
+    /// places of the arena where a wizard can stand; std::nullopt: places are not checked
+    std::optional<StandingRoom> room{};
 };
 
 std::optional<LessonPlace> read_place(const Places& places, const ConfigTable& table, std::string_view key) {

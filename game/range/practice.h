@@ -74,8 +74,8 @@ public:
     /// Continues with the data of changed files; match() may then return another object. If a file has a
     /// fault, the old data is kept, and a caption shows the fault until the next reload.
     void adopt(const Reload& reload);
-    /// Updates the Apprentice after a tick: measures the step, and puts wizards and dummy in place if a step
-    /// begins.
+    /// Updates the lessons (the Apprentice) after a tick: measures the present step, and puts wizards and
+    /// dummy in place if a step begins.
     void follow_lessons();
     /// The lessons; null in free practice.
     Apprentice* apprentice() { return apprentice_ ? &*apprentice_ : nullptr; }
@@ -92,7 +92,7 @@ public:
     void use_gestures(OwnGestures own);
     void show(Picture& picture);
     std::string score() { return words_of(scorer_.score(*range_.match)); }
-    /// Number and name of the Apprentice's present step: "2 of 8: Bolt".
+    /// Number and name of the present step of the lessons: "2 of 8: Bolt".
     std::string step_words() const;
     /// Text about the practice that is ending: the score of the range, or the player's progress in the
     /// lessons.

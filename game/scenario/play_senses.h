@@ -49,7 +49,8 @@ public:
     const audio::SoundBank& bank() const;
     /// Returns the captions of all sounds that the player has heard, the oldest first.
     std::span<const HeardLine> lines(std::uint32_t player) const;
-    /// Newest frame and effect counts of a layout, by its number.
+    /// Newest frame (strengths of all motors) of a layout, and counts of its effects, by the number of the
+    /// layout.
     const tactile::TactileFrame& felt(std::uint32_t player, std::size_t layout) const;
     const tactile::MixerCounts& counts(std::uint32_t player, std::size_t layout) const;
     /// Number of a layout by name; std::nullopt: the script has not asked for it.

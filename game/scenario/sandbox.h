@@ -39,7 +39,8 @@ struct SandboxLimits {
     double verbs_s = 300;
 };
 
-/// A fault thrown by a verb, which becomes a Lua error with the script's file and line in front.
+/// A fault thrown by a verb (a function of the program), which becomes a Lua error with the script's file and
+/// line in front.
 struct ScriptFault {
     std::string message;
 };

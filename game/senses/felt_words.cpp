@@ -14,7 +14,7 @@ constexpr double told_from_n = 0.15, told_to_n = 0.08;
 /// force turns (ticks).
 constexpr Tick min_time_of_side = 1000;
 
-/// Name of the wand's steady force: the one in its look, or "wand" if the look has none.
+/// Name of the wand's steady force: the one in its data file (the look), or "wand" if it has none.
 std::string_view steady_words(const Simulation& match, ecs::Entity wizard) {
     static const WandLook plain;
     const auto* wand = wand_in_hand(match.data(), match.world().get<WandBelt>(wizard));

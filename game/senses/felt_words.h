@@ -16,7 +16,8 @@ namespace thaum::game::inline senses {
 /// Words for a force on the hand.
 struct ForceWords {
     std::string_view
-        words;  ///< name of the force; empty: the steady force of the wand in hand, whose look has the name
+        /// name of the force; empty: the steady force of the wand in hand, whose data file has the name
+        words;
     std::string_view verb;  ///< verb for what the force does to the hand
 };
 /// Name and verb for each ForceSource.

@@ -16,7 +16,7 @@ struct Fader {
     bool on = true;    ///< false: nothing of this source is felt; `share` keeps its value for later
     bool operator==(const Fader&) const = default;
 };
-/// One fader for each source, in the order of haptics::fluid_modes.
+/// One fader for each source of force in the brew, in the order of haptics::fluid_modes.
 using Faders = std::array<Fader, haptics::fluid_modes.size()>;
 
 /// The first function gives the name of a fader's source ("Viscosity"), the second one its effect in one

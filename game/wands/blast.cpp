@@ -51,7 +51,7 @@ struct Blast {
 struct BlastHand {
     double charge{};      ///< charge of the wand, 0 to 1
     double affordable{};  ///< charge that the remaining energy can pay for
-    double leaning{};     ///< charge whose steady force is still fading after the shot; 0: none
+    double leaning{};     ///< charge before the shot, whose steady force on the hand still fades; 0: none
     Tick began{};
     Tick went_off{};           ///< tick of the last shot, at which the recoil began
     std::uint32_t charging{};  ///< 1 while fire is held

@@ -9,7 +9,8 @@ namespace {
 
 // Presets and profiles --------------------------------------------------------------------------------------
 
-/// Index of the preset that feels like the player's values; the number of presets if none does.
+/// Index of the preset (a fixed set of strengths) that feels like the player's values; the number of presets
+/// if none does.
 std::size_t preset_of(const MenuState& s) {
     const auto own = feel_of(s.settings, s.player);
     const auto& presets = feel_presets();
@@ -18,8 +19,8 @@ std::size_t preset_of(const MenuState& s) {
     return static_cast<std::size_t>(same - presets.begin());
 }
 
-/// Chooses the preset after or before the present one. Values of no preset count as between the last and the
-/// first one.
+/// Chooses the preset (a fixed set of strengths) after or before the present one. Values of no preset count
+/// as between the last and the first one.
 void turn_preset(const RowPress& press, int way) {
     auto& s = press.state;
     const auto& presets = feel_presets();

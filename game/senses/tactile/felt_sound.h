@@ -20,7 +20,7 @@ struct FeltBands {
     std::array<audio::Band, felt_bands> bands{};
     std::array<double, felt_bands> full{};  ///< amplitude that is felt at full strength
 };
-/// Loads the bands. The error names file, line and key.
+/// Loads the frequency bands in which sounds are felt. The error names file, line and key.
 Expected<FeltBands> load_felt_bands(const std::filesystem::path& file);
 
 /// Strength over time of all sounds of a bank, in these bands.
@@ -51,7 +51,7 @@ public:
     void follow(const audio::AudioFrame& frame);
     /// Ends all voices (playing sounds), after a jump to another time.
     void stop();
-    /// Strengths that a listener of the last frame (0 or 1) feels.
+    /// Strength in each frequency band that a listener of the last frame (0 or 1) feels.
     BandStrengths strengths(std::uint32_t listener, const FeltSoundWish& wish) const;
 
 private:

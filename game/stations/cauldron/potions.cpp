@@ -159,7 +159,7 @@ void succeed(MatchContext& context, Cauldron& cauldron, ecs::Entity wizard, cons
 
 // ---- time -------------------------------------------------------------------------------------------------
 
-/// Product of one factor in PotionGift over all potions that act now.
+/// Product of one factor (a member of PotionGift) over all potions that act on a wizard now.
 double product_of(const MatchData& data, const Potions* potions, Tick tick, double PotionGift::*share) {
     double product = 1;
     if (potions == nullptr) return product;

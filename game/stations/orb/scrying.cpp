@@ -33,7 +33,7 @@ void tell(MatchContext& context, const Scryer& scryer, EventKind kind, vec3 plac
 
 // ---- modes ------------------------------------------------------------------------------------------------
 
-/// Switches a mode on or off. Records this, and also that an older mode went off to make room.
+/// Switches a haptic mode on or off. Records this, and also that an older mode went off to make room.
 void change_mode(MatchContext& context, const Scryer& scryer, vec3 place, std::uint32_t mode,
                  WornModes& modes) {
     const auto before = modes.worn;
@@ -44,7 +44,7 @@ void change_mode(MatchContext& context, const Scryer& scryer, vec3 place, std::u
     tell(context, scryer, EventKind::mode_worn, place, mode, on ? 1 : 0);
 }
 
-/// Replaces the newest active mode by the next or previous inactive one.
+/// Replaces the newest active haptic mode by the next or previous inactive one.
 void step_mode(MatchContext& context, const Scryer& scryer, vec3 place, int step, WornModes& modes) {
     const auto next = neighbour_of_last(modes, context.data.orb->modes.size(), step);
     if (next == no_mode) return;
@@ -52,7 +52,7 @@ void step_mode(MatchContext& context, const Scryer& scryer, vec3 place, int step
     change_mode(context, scryer, place, next, modes);
 }
 
-/// Changes modes by the keys of wands. While the button Trace is held, these keys cast spells instead.
+/// Changes haptic modes by the keys of wands. While the button Trace is held, these keys cast spells instead.
 void choose_modes(MatchContext& context, const Scryer& scryer, vec3 place, const Controls& controls,
                   WornModes& modes) {
     if ((controls.held & bit(Button::trace)) != 0) return;
