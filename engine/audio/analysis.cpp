@@ -12,11 +12,13 @@ namespace thaum::audio {
 namespace {
 
 constexpr std::size_t window_samples = 2048;
-/// How far below the loudest band another band counts as silent in a signature (dB).
+/// In a signature (the numbers by which two sounds are compared), a band of frequencies counts as silent if
+/// it is this far below the loudest band (dB).
 constexpr double signature_floor_db = 24;
-/// Share of a sound's energy that its audible part holds.
+/// The audible part of a sound is its shortest beginning that holds this share of its energy.
 constexpr double audible_share = 0.97;
-/// Difference in a signature between a sound and one of twice the length (dB).
+/// By how much the last number of a signature, which stands for the length of the sound, grows when the
+/// length doubles (dB).
 constexpr double octave_of_length_db = 12;
 
 double decibels(double power) { return power <= 1e-20 ? -200 : 10 / det::log(10) * det::log(power); }
@@ -44,7 +46,7 @@ std::vector<double> lines_around(std::span<const float> samples, std::ptrdiff_t 
     fourier(values);
     std::vector<double> lines(window_samples / 2);
     constexpr double scale =
-        2.0 / (0.375 * window_samples * window_samples);  // 0.375 is the mean square of the window
+        2.0 / (0.375 * window_samples * window_samples);  // 0.375 is the mean square of the Hann window
     for (std::size_t i = 0; i < lines.size(); ++i) lines[i] = std::norm(values[i]) * scale;
     return lines;
 }

@@ -1,4 +1,4 @@
-// audio/frame.h: what is heard, as plain data. One frame covers eight ticks of a match.
+// audio/frame.h: what is heard, as plain data. One frame covers eight ticks (8 ms) of a match.
 //
 //     simulation -> AudioFrame every 8 ms -> Mixer -> samples -> Speakers, or a WAV file
 //

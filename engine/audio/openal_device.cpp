@@ -28,7 +28,8 @@ public:
         if (device_ == nullptr)
             return fail(name_.empty() ? "no sound device was found"
                                       : "there is no sound device of this name");
-        // Sends are needed for reverberation only. Without them OpenAL needs less memory for its voices.
+        // OpenAL's auxiliary sends are needed for reverberation only. Without them OpenAL needs less memory
+        // for its voices.
         const ALCint attributes[] = {ALC_FREQUENCY, static_cast<ALCint>(sample_rate), ALC_MAX_AUXILIARY_SENDS,
                                      0, 0};
         context_ = alcCreateContext(device_, attributes);

@@ -49,7 +49,8 @@ public:
     /// Queues a voice that begins, such as a sound of the menu; called by the main thread. Returns false if
     /// the queue is full.
     bool hear(const Voice& voice) { return voices_.push(voice); }
-    /// Changes faders and ears from the next step on; called by the main thread.
+    /// Changes the faders and the way two listeners share the speakers from the next step on; called by the
+    /// main thread.
     void set(const MixSettings& settings);
 
     /// Whether a device plays; if not, frames need not be made. Any thread may ask.

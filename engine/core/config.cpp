@@ -435,7 +435,7 @@ void ConfigTable::demand(std::string_view key, std::string_view allowed, bool mi
         return;
     }
     const auto first = path_.substr(0, path_.find('.'));
-    // The key exists but is no table, which has been reported already.
+    // The key exists but holds no table. This has been reported already.
     if (as_table(holder_)->contains(first)) return;
     const auto path = path_of(state_->root, as_table(holder_));
     state_->report(as_table(holder_), FaultKind::missing, first,

@@ -12,9 +12,9 @@
 
 namespace thaum {
 
-/// Reads a whole file. From then on no writer of this run may replace it (write_rule.h). The error names the
-/// path and the fault: missing, not an ordinary file (directory, fifo, device), larger than `limit` bytes, or
-/// not readable.
+/// Reads a whole file. From then on no writer of this run may replace it, so that no output destroys an
+/// input. The error names the path and the fault: missing, not an ordinary file (directory, fifo, device),
+/// larger than `limit` bytes, or not readable.
 Expected<Bytes> read_file(const std::filesystem::path& path, std::size_t limit);
 
 /// Reads the first bytes of a file, at most `most`. The file may have any length; the other errors are those
@@ -68,8 +68,8 @@ private:
     std::filesystem::path path_;
 };
 
-/// Checks before long work whether a file can be written at `path` (rules: write_rule.h). Leaves no file
-/// behind.
+/// Checks before long work whether a file can be written at `path`. An existing file that is an input or a
+/// recording must not be replaced. Leaves no file behind.
 Expected<void> check_output(const std::filesystem::path& path);
 
 /// Writes a temporary file beside the target, then renames it over the target. The target is always either

@@ -5,9 +5,9 @@
 
 namespace thaum {
 
-/// Whether a file or folder of this name is to be ignored: hidden files, copies of editors (bolt.toml~,
-/// bolt.toml.bak), files that desktops write (desktop.ini, Thumbs.db), and files that explain a folder's data
-/// (README.md).
+/// Whether a file or folder of this name is to be ignored when a folder of data is read: hidden files, copies
+/// of editors (bolt.toml~, bolt.toml.bak), files that desktops write (desktop.ini, Thumbs.db), and files that
+/// explain a folder's data (README.md).
 bool is_left_behind(std::string_view file_name);
 
 }  // namespace thaum

@@ -10,8 +10,10 @@ using Tick = std::uint64_t;
 
 inline constexpr double tick_seconds = 0.001;
 inline constexpr Tick ticks_per_second = 1000;
-inline constexpr Tick hash_interval = 128;  ///< interval between state hashes in the log (ticks)
-/// Interval between rebuilds of physics from the state (ticks).
+/// Interval between hashes of the state in the log of a match (ticks).
+inline constexpr Tick hash_interval = 128;
+/// Interval at which physics is rebuilt from the state (ticks). A replay can start at such a tick, because
+/// physics then depends on the saved state alone.
 inline constexpr Tick keyframe_interval = 2048;
 
 /// Converts ticks to seconds.

@@ -57,7 +57,8 @@ bool lies_below(const fs::path& folder, const fs::path& path) {
     return false;
 }
 
-/// Returns true if `path` is a declared input. `info` is null if no file exists at the path yet.
+/// Returns true if `path` is a file or folder that was declared as an input, so that no writer may replace
+/// it. `info` is null if no file exists at the path yet.
 bool is_input(const fs::path& path, const struct stat* info) {
     auto& known = known_files();
     const std::lock_guard lock(known.mutex);

@@ -22,7 +22,7 @@ bool begins_like_recording(const std::filesystem::path& path);
 /// it. Two names mean the same file if device and inode agree.
 void declare_read(const std::filesystem::path& path);
 
-/// Declares a file that a writer has completed.
+/// Declares a file that a writer of this run has completed, so that it may be replaced again.
 void declare_written(const std::filesystem::path& target);
 
 /// Declares a file, or a folder of files, that no writer may replace, whoever wrote them. Commands use this

@@ -22,7 +22,8 @@ struct Described {
     std::vector<FieldInfo> fields;
 };
 
-/// Bytes of each component of one entity, by the name of the component; a tag has no bytes.
+/// Bytes of each component of one entity, by the name of the component. A tag (a component without fields)
+/// has no bytes.
 using Parts = std::map<std::string, std::span<const std::byte>>;
 
 struct Parsed {
@@ -51,7 +52,8 @@ std::optional<std::vector<Described>> get_components(ByteReader& in) {
             }
             c.fields.push_back(std::move(field));
         }
-        if (c.is_blob && c.fields.size() != 1) return {};  // a blob's elements have one field: a number
+        // A blob (an array that no entity owns) has elements of one field: a number.
+        if (c.is_blob && c.fields.size() != 1) return {};
     }
     if (!in.ok()) return {};
     return result;
@@ -64,7 +66,9 @@ bool get_table(ByteReader& in, const std::vector<Described>& components, Parsed&
     std::vector<Parts*> parts;
     for (std::uint32_t row = 0; row < rows && in.ok(); ++row) {
         parts.push_back(&out.entities[in.get<std::uint32_t>()]);
-        in.get<std::uint32_t>();  // skips the generation, which is in the records too
+        // Skips the generation (how often the number of the entity was used before), which is in the records
+        // too.
+        in.get<std::uint32_t>();
     }
     for (std::uint32_t c = 0; c < max_components && in.ok(); ++c) {
         if (!mask.test(c)) continue;
@@ -163,7 +167,7 @@ void diff_fields(const Described& a, std::span<const std::byte> bytes_a, const D
     }
 }
 
-/// A blob in one snapshot. Without bytes, the snapshot may lack it.
+/// A blob (an array of numbers that no entity owns) in one snapshot. Without bytes, the snapshot may lack it.
 struct BlobOf {
     const Described* type{};
     std::span<const std::byte> bytes;
@@ -184,8 +188,9 @@ std::string element_text(const BlobOf& blob, std::size_t i) {
     return value_text(blob.bytes.data() + i * blob.type->size + number.offset, number.scalar);
 }
 
-/// Lists the elements of a blob that differ. A blob that one snapshot lacks, or whose size differs, counts as
-/// one difference. If the types of the elements differ, so does each element.
+/// Lists the elements of a blob (an array of numbers that no entity owns) that differ. A blob that one
+/// snapshot lacks, or whose size differs, counts as one difference. If the types of the elements differ, so
+/// does each element.
 void diff_blob(const Parsed& a, const Parsed& b, const std::string& name, std::size_t limit,
                std::vector<Difference>& out) {
     const auto x = blob_of(a, name), y = blob_of(b, name);

@@ -20,8 +20,8 @@ struct Difference {
 };
 
 /// Returns at most `limit` differences, sorted by entity, then component, then field, blobs last. Entities
-/// are matched by number and components by name. If only the order of iteration or the free list differs, one
-/// Difference has the field "order". The error says which snapshot cannot be read.
+/// are matched by number and components by name. If only the order of iteration or the list of free entity
+/// numbers differs, one Difference has the field "order". The error says which snapshot cannot be read.
 Expected<std::vector<Difference>> diff(std::span<const std::byte> a, std::span<const std::byte> b,
                                        std::size_t limit = 100);
 

@@ -166,6 +166,7 @@ struct SnapshotAccess {
         for (std::uint32_t c = 0; c < max_components; ++c) {
             if (mask.test(c) && (c >= world.infos_.size() || !has_cells(world.infos_[c]))) return false;
         }
+        // A table holds the entities that have the same components, and the first table those that have none.
         // Refuses a second table with the same components, and a first table that has components.
         if (world.table_with(mask) != number) return false;
         auto& table = *world.tables_[number];
@@ -181,7 +182,8 @@ struct SnapshotAccess {
         return get_tags(in, world, table);
     }
 
-    /// Whether this is a component with data; tags and blobs have no column.
+    /// Whether this is a component with data. Only such a component has a column of values in each table;
+    /// tags and blobs have none.
     static bool has_cells(const ComponentInfo& info) { return info.size != 0 && !info.is_blob; }
 
     static bool get_tags(ByteReader& in, World& world, Table& table) {
@@ -208,8 +210,9 @@ struct SnapshotAccess {
         return in.ok();
     }
 
-    /// Returns true if the tables and the records agree: the entity of every row points back to its row,
-    /// every living record has a row, and the free list consists of all other records.
+    /// Returns true if the tables and the records agree. A record says in which table and row the entity with
+    /// one number is. The entity of every row must point back to its row, every living record must have a
+    /// row, and the list of free records must consist of all others.
     static bool consistent(World& world) {
         std::size_t rows = 0;
         for (std::uint32_t t = 0; t < world.tables_.size(); ++t) {

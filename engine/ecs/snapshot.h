@@ -28,8 +28,9 @@ inline constexpr std::uint32_t snapshot_format = 2;
 /// Saves the World in `out`, whose contents are replaced. Reusing the same `out` avoids allocation.
 void save(const World& world, Bytes& out);
 
-/// Restores a saved World. The World must have declared the same components. Hooks are not called, so the
-/// owner of any data derived from the World must rebuild that data. On an error the World is empty.
+/// Restores a saved World. The World must have declared the same components. Hooks (functions called when a
+/// component is added or removed) are not called, so the owner of any data derived from the World must
+/// rebuild that data. On an error the World is empty.
 Expected<void> restore(World& world, std::span<const std::byte> snapshot);
 
 /// Hash of everything that decides how the World behaves from here on: components, entities, blobs,

@@ -196,7 +196,8 @@ struct Table {
     /// takes its place. `move_cells` moves the cells afterwards.
     Moved move(std::uint32_t row, Entity entity, const TableEdge& edge);
     /// Moves only the cells that both tables of the edge have. If the table `to` has one column less, the
-    /// caller fills the hole in that column, since only the caller may know its type.
+    /// moved row leaves a free cell in that column. The caller fills it, since only the caller may know its
+    /// type.
     static void move_cells(const TableEdge& edge, std::uint32_t row, std::uint32_t last,
                            std::uint32_t to_row);
     /// Creates the edge to `other`, which differs from this table in `component` only. Called once for each

@@ -1,6 +1,6 @@
 // input/arm.h: measurements, forces and facts that pass between a force feedback arm and its user. The user
-// passes a function, which the arm's servo thread calls once a tick. It gets a measurement and returns the
-// force.
+// of an arm passes a function, which the arm's servo thread calls once a tick. It gets a measurement and
+// returns the force.
 //
 // A driver quantises its measurements before anything else sees them (1 um, 1 urad), so the integers of a log
 // are exact.
@@ -59,12 +59,12 @@ enum class ArmPresence : std::uint8_t {
 /// State of an arm, for the user.
 struct ArmStatus {
     ArmPresence state{};
-    std::string text{};        ///< one line: what is wrong, then what to do; empty while present
+    std::string text{};        ///< one line: what is wrong, then what to do; empty while the arm is present
     std::int64_t newest_ns{};  ///< time of the newest measurement (ns, monotonic clock); 0: none yet
 };
 
 /// First sentence of the text, for display in the player's view: "The arm's motors are too warm: let them
-/// rest". Empty while present.
+/// rest". Empty while the arm is present.
 std::string caption_of(const ArmStatus& status);
 
 /// A value rounded to whole units, limited to 1e9 units in size; the value must be finite.

@@ -59,8 +59,9 @@ public:
     virtual Expected<void> open() = 0;
     /// Facts about the open arm. Impossible numbers are treated as unknown.
     virtual ArmFacts spec() const = 0;
-    /// Starts the servo thread of the vendor's library, which calls run_arm_tick(`ticks`) at 1 kHz. Returns
-    /// false if there is no such thread: then the engine runs one.
+    /// Starts the servo thread of the vendor's library, which calls run_arm_tick(`ticks`) at 1 kHz; `ticks`
+    /// is the number by which the engine finds the open arm. Returns false if there is no such thread: then
+    /// the engine runs one.
     virtual Expected<bool> start(std::uint64_t ticks);
     /// Ends the force if `write_zero` could not, ends the vendor's thread, and releases the arm. Another
     /// thread may still hang in a read or write.

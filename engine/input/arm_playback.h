@@ -6,9 +6,9 @@
 //     while (hand.push(force, jumps)) ...          // ahead of time
 //     (*arm)->start(hand.tick());
 //
-// These forces do not depend on the present position of the hand. To the servo they are an active source,
-// with its budget of energy (haptics/energy.h). If forces are missing, the force ramps to zero as for an old
-// model.
+// These forces do not depend on the present position of the hand. To the servo they are an active source: one
+// that may give energy to the hand, within a budget (haptics/energy.h). If forces are missing, the force
+// ramps to zero, as it does in a match when no new haptic model arrives.
 #pragma once
 #include <array>
 #include <atomic>

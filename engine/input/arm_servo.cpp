@@ -7,7 +7,8 @@
 namespace thaum::input {
 namespace {
 
-constexpr std::uint32_t newest_samples = 40;  // largest age of a model that is still used (samples)
+// Largest age of a haptic model that may still give a force (samples).
+constexpr std::uint32_t newest_samples = 40;
 // Ticks without a sample or a pose after which the arm counts as silent.
 constexpr std::uint32_t patience = 20;
 
@@ -22,8 +23,8 @@ std::uint32_t buttons_of(std::uint32_t arm) {
     return buttons;
 }
 
-/// The servo step, the same function for the arm's thread and the simulation. `age` is that of the model or
-/// of the pose, whichever is older (samples).
+/// The servo step, which computes the force from the pose and the haptic model. The arm's thread and the
+/// simulation use the same function. `age` is that of the model or of the pose, whichever is older (samples).
 vec3 arm_step(const haptics::Servo& servo, haptics::ServoState& state, const haptics::HapticModel& model,
               vec3 position, std::uint32_t age) {
     return haptics::servo_step(servo, state, model, {position, age});

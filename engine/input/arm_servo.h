@@ -66,13 +66,14 @@ public:
     /// Starts a new simulation, whose epochs begin at 1 again; called by the simulation thread. No tick may
     /// run meanwhile.
     void begin_match() { epochs_before_ = epoch_; }
-    /// Order for the arm's thread. The caller fills it as ArmState describes, then calls `publish`.
+    /// Order (the newest haptic model and what belongs to it) for the arm's thread. The caller fills it with
+    /// the values that ArmState describes, then calls `publish`.
     ArmOrder& order() { return orders_.to_fill(); }
     /// Hands the filled order to the arm's thread.
     void publish();
-    /// Takes the next sample, with counts as in arm::Count. model_age is 0 if no sample can be used. A
-    /// positive `skips` means that samples of this epoch were lost or the model is forgotten; then the
-    /// simulation must begin a new epoch.
+    /// Takes the next sample, with pose and age of the pose as counts (arm::Count). model_age is 0 if no
+    /// sample can be used. A positive `skips` means that samples of this epoch were lost or the model is
+    /// forgotten; then the simulation must begin a new epoch.
     DeviceSample take();
     /// Number of samples in the queue.
     std::size_t waiting() const { return samples_.size(); }
@@ -96,8 +97,9 @@ private:
     // The next members are used by the simulation thread.
     bool taken_now_ = false;  ///< true: a sample was taken since the last order
     std::uint32_t epochs_before_ = 0;
-    std::uint32_t epoch_ = 0, number_ = 0, taken_ = 0;  ///< as in the last order: epoch, model, samples taken
-    std::uint32_t without_ = 0;                         ///< ticks since the last sample
+    /// Epoch, number of the model and samples taken, as in the last order.
+    std::uint32_t epoch_ = 0, number_ = 0, taken_ = 0;
+    std::uint32_t without_ = 0;  ///< ticks since the last sample
     std::uint32_t buttons_ = 0;
     vec3 told_{};  ///< force that the arm got with the last sample (N)
     std::atomic<std::uint64_t> differing_{0};
@@ -111,12 +113,14 @@ struct RememberedModel {
     std::uint32_t samples{};  ///< samples taken in the epoch when the model was made
 };
 
-/// State of an arm in the simulation; no padding. In each tick the simulation calls take_sample, does all
-/// other work of the tick, then adds a RememberedModel with the next `number` and the current `samples`. The
-/// same values form the order for the arm's thread.
+/// State of an arm in the simulation; no padding. In each tick the simulation calls take_sample and does all
+/// other work of the tick. Then it adds a RememberedModel (a haptic model with which it can repeat the arm's
+/// steps) with the next `number` and the current `samples`. The same values form the order for the arm's
+/// thread.
 struct ArmState {
     haptics::ServoState servo{};
-    /// Position of the hand in the servo step: the tip plus the displacement by the clutch (m, device frame).
+    /// Position of the hand in the servo step: the tip, plus the displacement that has built up while the
+    /// clutch was held and the tip moved without the hand (m, device frame).
     vec3 hand{};
     vec3 offset{};  ///< displacement from the tip to the hand for the newest model (m)
     vec3 rest{};    ///< position at which a resting hand stays (m)
@@ -133,14 +137,15 @@ struct ArmState {
 static_assert(sizeof(ArmState) ==
               sizeof(haptics::ServoState) + 3 * sizeof(vec3) + 14 * sizeof(std::uint32_t));
 
-/// Begins a new epoch: arm's thread and simulation go on from the same state.
+/// Begins a new epoch (a run of samples without a gap): the arm's thread and the simulation go on from the
+/// same servo state.
 void begin_epoch(ArmState& arm);
 
-/// Number of the model with which a sample was made; 0: no sample.
+/// Number of the haptic model with which a sample was made; 0: no sample.
 std::uint32_t model_of(const ArmState& arm, const DeviceSample& sample);
 
-/// Repeats the arm's step for a sample. `used` is the model with the sample's model number; null if the
-/// simulation no longer has it. `skipped`: ticks were left out before this one.
+/// Repeats the servo step that the arm's thread made for a sample. `used` is the haptic model with the number
+/// in the sample; null if the simulation no longer has it. `skipped`: ticks were left out before this one.
 void take_sample(ArmState& arm, const haptics::Servo& servo, const DeviceSample& sample,
                  const RememberedModel* used, bool skipped);
 
@@ -150,8 +155,8 @@ void take_sample(ArmState& arm, const haptics::Servo& servo, const DeviceSample&
 /// must be off.
 void rest_hand(ArmState& arm, bool held, vec3 reach);
 
-/// Position of the hand: where it rests, or else the arm's tip plus the displacement by the clutch (m, device
-/// frame).
+/// Position of the hand: where it rests, or else the arm's tip plus the displacement that has built up while
+/// the clutch was held (m, device frame).
 vec3 hand_of(const ArmState& arm);
 /// Position of the arm's tip (m, device frame).
 vec3 position_of(const ArmState& arm);

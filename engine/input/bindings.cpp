@@ -69,13 +69,14 @@ constexpr Default pad_defaults[] = {
     {Action::turn_up, "pad right_y +"},
     {Action::turn_down, "pad right_y -"},
     {Action::fire, "pad right_trigger +"},
-    // Drawing is on a bumper, because the right thumb moves the stick meanwhile. The bumper is on the side of
-    // the stir trigger, so that one hand can hold both: gestures are drawn with the ladle, too.
+    // Gestures are drawn while a bumper is held, because the right thumb moves the stick meanwhile. The
+    // bumper is on the side of the trigger for stirring, so that one hand can hold both: gestures are drawn
+    // with the ladle, too.
     {Action::trace, "pad left_bumper"},
     {Action::next_wand, "pad right_bumper"},
     {Action::previous_wand, "pad left"},
-    // Stirring is on a trigger, because the thumb that would hold a button has to push the right stick, which
-    // moves the ladle.
+    // The ladle stirs the brew while a trigger is held, because the thumb that would hold a button has to
+    // push the right stick, which moves the ladle.
     {Action::stir, "pad left_trigger +"},
     {Action::jump, "pad a"},
     {Action::throw_, "pad right_stick"},
@@ -111,7 +112,7 @@ std::string_view take_piece(std::string_view& remaining, char separator) {
     return piece;
 }
 
-/// Returns +1 or -1, or 0 if the word is neither.
+/// Returns +1 if the word is `plus`, -1 if it is `minus`, otherwise 0.
 int direction_of(std::string_view word, std::string_view plus, std::string_view minus) {
     if (word == plus) return 1;
     return word == minus ? -1 : 0;

@@ -168,7 +168,7 @@ void HandsCollector::update(Bound& bound, double strength) {
     bound.pressed = strength >= threshold;
 }
 
-/// Switches toggled actions on or off when they are pressed.
+/// Switches toggled actions, which stay on from one press to the next, on or off when they are pressed.
 void HandsCollector::flip(std::uint32_t pressed) {
     for (const auto action : toggle_actions) {
         if (toggles(action)) on_ ^= pressed & bit_of(action);

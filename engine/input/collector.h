@@ -74,9 +74,9 @@ private:
     double right_rest_ = 0, up_rest_ = 0, wheel_rest_ = 0;
     double gain_ = 1, up_sign_ = 1;
     StickResponse sticks_;
-    /// Buttons whose controls were held at the last `publish`, before toggles apply.
+    /// Buttons whose controls were held at the last `publish`, whatever toggled actions were on.
     std::uint32_t controls_before_ = 0;
-    std::uint32_t on_ = 0;            ///< buttons that toggles hold on
+    std::uint32_t on_ = 0;  ///< buttons of the toggled actions that are on, though their controls may be up
     std::uint32_t wands_before_ = 0;  ///< bits of the wands whose keys were down at the last `take`
     std::uint8_t wand_ = 0;           ///< wand of the last sample
     std::uint32_t held_before_ = 0;

@@ -20,7 +20,8 @@ inline constexpr std::size_t fluid_faders = 7;
 /// `fluid`. The numbers are part of the log's format.
 enum class HandFader : std::uint8_t { none, force, weight, blows, recoil, roughness, fluid };
 inline constexpr std::size_t hand_faders = static_cast<std::size_t>(HandFader::fluid) - 1 + fluid_faders;
-/// Value of HandFader::force that means the share from the data files.
+/// Value of HandFader::force that means: the largest force is the share of the device's force that the data
+/// files give.
 inline constexpr std::uint8_t force_as_rules = 101;
 
 /// A change of a fader by a player during the match.
@@ -37,8 +38,9 @@ constexpr bool is_valid(const FaderChange& change) {
     return change.fader <= hand_faders && change.percent <= (force ? force_as_rules : 100);
 }
 
-/// Kind of a device, which decides the meaning of `DeviceSample::counts`. `arm` is a stylus, whose counts are
-/// those of arm::Count. All others are hands, whose counts are those of hand::Count.
+/// Kind of a device, which decides the meaning of `DeviceSample::counts`. `arm` is the stylus of a force
+/// feedback arm, whose counts are its pose (arm::Count). All others are hands, whose counts are motion and
+/// levels of mouse, keys or sticks (hand::Count).
 enum class DeviceKind : std::uint8_t { keyboard_mouse, keyboard_half, pad, bot, script, arm };
 inline constexpr std::size_t device_kinds = 6;
 

@@ -58,7 +58,9 @@ struct LogHeader {
     std::string rule_set;           ///< name of the rule set: "thaum" or "classic"
     std::string arena;              ///< name of the arena; its content is among `files`
     std::uint64_t seed{};
-    std::uint64_t maths_probe{};  ///< hash of the results of elementary functions, see maths_probe()
+    /// Hash of the results of elementary functions; another value means a faulty build, which cannot replay
+    /// this log.
+    std::uint64_t maths_probe{};
     std::string physics_library;  ///< name and version, such as "Bullet 3.24"; empty in format 1
     /// Precision of the physics library's numbers, such as "double"; empty in format 1.
     std::string physics_precision;

@@ -197,7 +197,8 @@ struct LogReader::State {
         return false;
     }
 
-    /// Adds the hashes of the last state. Returns false if the last block has others for it.
+    /// Adds the hashes of the last state. Returns false if the log's last block has other hashes for the same
+    /// tick.
     bool add_last(const HashRecord& last) {
         if (!hashes.empty() && hashes.back().tick == last.tick) return hashes.back() == last;
         hashes.push_back(last);

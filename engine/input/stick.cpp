@@ -7,7 +7,7 @@ namespace thaum::input {
 namespace {
 
 constexpr double max_dead_zone = 0.9;
-/// turn_share(t) = linear_part t + cubic_part t^3.
+/// The turn rate at a deflection t, as a share of the full rate, is linear_part t + cubic_part t^3.
 constexpr double linear_part = 0.3, cubic_part = 0.7;
 constexpr double usual_curve = StickResponse{}.curve;
 static_assert(usual_curve == cubic_part && turn_share(1) == 1 && turn_share(-1) == -1);

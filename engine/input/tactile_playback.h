@@ -5,9 +5,9 @@
 //
 // Each frame has a time to live. If no newer frame comes in that time, the output is silenced: the match is
 // paused, or the program hangs. Frames that wait together are merged: each actuator gets its largest
-// amplitude, so that a short blow is felt, and the carrier of the newest frame. The age of a waiting frame is
-// unknown. It is assumed to be the time since the previous step, so frames that waited while an output hung
-// are dropped.
+// amplitude, so that a short blow is felt, and the carrier frequency of the newest frame. The age of a
+// waiting frame is unknown. It is assumed to be the time since the previous step, so frames that waited while
+// an output hung are dropped.
 //
 // A second source, such as a menu in which an effect is tried, passes its frames by `try_out`. They are
 // merged with the match's frames during their time to live.

@@ -9,7 +9,8 @@ namespace thaum::physics {
 namespace {
 
 constexpr vec3 up{0, 1, 0};
-/// Difference in radius between capsule and sweep, so that walls do not stop the sweep (m).
+/// The ground is found by a sphere that is swept down from the mover's capsule. Its radius is smaller than
+/// the capsule's by this, so that walls do not stop it (m).
 constexpr double sole = 0.02;
 /// Largest speed away from the ground at which a falling mover counts as landed (m/s).
 constexpr double caught_speed = 1;
@@ -32,7 +33,8 @@ vec3 along(vec3 v, vec3 normal) { return v - normal * glm::dot(v, normal); }
 std::optional<Ground> find_ground(const Physics& physics, Key key, const MoverSettings& settings) {
     const BodyDesc& desc = physics.desc(key);
     const vec3 foot = physics.state(key).position - desc.size.y * up;
-    // On a slope the thinner sphere must go farther down than on level ground, by a factor of 1 / cos.
+    // The sphere that is swept down is thinner than the capsule. On a slope it must therefore go farther down
+    // than on level ground, by a factor of 1 / cos.
     const double down = sole / settings.steepest_cos + settings.reach;
     const auto hit = physics.sweep_sphere(foot, foot - down * up, desc.size.x - sole, settings.ground, key);
     if (!hit || hit->normal.y < settings.steepest_cos) return std::nullopt;
@@ -60,12 +62,12 @@ vec3 wish_on(const Physics& physics, Key key, const Ground& ground, vec3 wish,
     return limited(carried + wish, most) - carried;
 }
 
-/// Whether something resisted the last drive in this direction.
+/// Whether something resisted the last change of velocity that the mover made in this direction.
 bool resisted(const MoverState& state, vec3 current, vec3 direction, double mass, double dt) {
     return state.driven && glm::dot(state.expected - current, direction) * mass > noticed_force * dt;
 }
 
-/// Change of velocity in the plane of the ground in this step.
+/// Change of velocity towards the wished velocity, in the plane of the ground, in this step.
 vec3 drive(const MoverSettings& settings, const MoverState& state, vec3 target, vec3 current, double mass,
            double dt) {
     const vec3 missing = target - current;
@@ -101,8 +103,8 @@ void walk(Physics& physics, Key key, const Ground& ground, vec3 wish, MoverSetti
     state.driven = 1;
 }
 
-/// Accelerates towards the wished velocity, never beyond it. A motion that is faster along the wish is not
-/// braked.
+/// Accelerates a mover in the air towards the wished velocity, never beyond it. A motion that is faster along
+/// the wish is not braked.
 void fly(Physics& physics, Key key, vec3 wish, const MoverSettings& settings, double dt) {
     const double speed = glm::length(wish);
     if (speed == 0) return;

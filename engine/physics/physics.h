@@ -200,8 +200,8 @@ public:
     void apply_impulse(Key, vec3 impulse, vec3 point);
     /// Applies an impulse (N s) at the centre of mass and wakes the body; a static body ignores it.
     void apply_central_impulse(Key, vec3 impulse);
-    /// Applies an impulse (N s) at the centre of mass without resetting the idle time; a sleeping body
-    /// ignores it.
+    /// Applies an impulse (N s) at the centre of mass. The time for which the body has been slow goes on, so
+    /// it can still fall asleep; a sleeping body ignores the impulse.
     void nudge(Key, vec3 impulse);
     /// Wakes the body and resets its idle time; a static body ignores it.
     void wake(Key);

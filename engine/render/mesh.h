@@ -45,8 +45,8 @@ struct Patch {
     /// (render/quality.h) and has faded (Vertex::far_away). Empty if there is no plain form.
     MeshData plain{};
     float detail{};  ///< size of the detail that `plain` lacks (m)
-    // If `full` is empty, `plain` is behind other patches that have such detail. It is visible only if one of
-    // those may be drawn plain.
+    // `full` is empty for a patch behind other patches that have such detail, so only `plain` can be drawn.
+    // It is visible only if one of those others may be drawn in its plain form.
     bool sunless{};  ///< true: the sun never reaches it, so no shadow map look-up is needed
 };
 
@@ -97,8 +97,8 @@ MeshData capsule(float radius, float height, int segments, fvec3 colour);
 /// `crease` (rad) are shaded round. The mesh is not centred: it keeps the y of the profile.
 MeshData revolve(std::span<const fvec2> profile, int segments, fvec3 colour, float crease = 0.7F);
 
-/// A frame of `sides` sides, one corner up, that faces +z. The ring mark has many sides, the triangle mark
-/// three.
+/// A frame of `sides` sides, one corner up, that faces +z. It makes the marks of the teams: a ring has many
+/// sides, a triangle three.
 MeshData frame(int sides, float outer_radius, float inner_radius, float thickness, fvec3 colour);
 /// Only the side of a frame that faces +z, at z = 0, for marks flush on a surface. Not closed.
 MeshData flat_frame(int sides, float outer_radius, float inner_radius, fvec3 colour);

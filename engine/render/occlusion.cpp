@@ -13,7 +13,8 @@ struct Polygon {
     std::size_t count{};
 };
 
-/// Face of the block across `axis`, at its high or low side. The corners are relative to the point.
+/// Face of the block across `axis`, at its high or low side. The corners are relative to the point from which
+/// the face is seen.
 Polygon face(const Block& block, int axis, bool high_side, vec3 point) {
     constexpr int around[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;

@@ -27,7 +27,8 @@ inline constexpr std::array<std::string_view, qualities> quality_names{"low", "m
 /// Frame::internal_scale for a window of this height (px).
 float internal_scale_of(Quality quality, int height);
 
-/// Detail smaller than this may be drawn plainly: Patch::plain, coarser copies (px).
+/// Detail smaller than this may be left out: a patch is then drawn in its plain form, or a mesh as a coarser
+/// copy (px).
 float finest_px(Quality quality);
 
 /// Returns true if the processor draws, instead of a graphics card. `renderer` is OpenGL's GL_RENDERER.

@@ -93,7 +93,7 @@ struct ViewBatches {
     Sight sight;
     Rect at{};  // viewport inside the target (px)
     std::size_t first{}, solid{}, shades{}, mists{};
-    // Number of batches that are patchworks (render/mesh.h); they are the last ones of `solid`.
+    // Number of patchworks (large fixed meshes in patches, such as walls), the last batches of `solid`.
     std::size_t patchworks{};
     SeenVolume volume{};
     std::vector<SeenScan> scans{};
@@ -475,8 +475,7 @@ void Renderer::State::draw_batches(std::size_t first, std::size_t count) {
     statistics.draws += count;
 }
 
-/// Draws those patches of each patchwork that `which` selects: in the sun, without sun, or all. The program
-/// must be in use.
+/// Draws the patches of large fixed meshes that `which` selects, such as the sunlit. The program is in use.
 void Renderer::State::draw_patchworks(const MeshProgram& program, const ViewBatches& its,
                                       IndexRange (*which)(const ChosenPatches&)) {
     const auto end = its.first + its.solid;
@@ -490,8 +489,8 @@ void Renderer::State::draw_patchworks(const MeshProgram& program, const ViewBatc
     }
 }
 
-/// Draws the patchworks. At Quality::medium, patches without sun use a program like that of Quality::low,
-/// which has no shadow map, but with all lights.
+/// Draws the patchworks (large fixed meshes in patches). At Quality::medium, patches without sun use a program
+/// like that of Quality::low, which has no shadow map, but with all lights.
 void Renderer::State::draw_stone(const ViewScene& view, const ViewBatches& its, Quality quality,
                                  const ShadowView& shadow) {
     const auto& program = programs.alone[static_cast<std::size_t>(quality)];

@@ -57,7 +57,8 @@ public:
     /// Uploads a mesh with coarser copies (render/detail/simplify.h), which replace
     /// it if it is small on the screen.
     MeshId upload_with_copies(const MeshData& mesh);
-    /// Uploads a patchwork. Each view draws one instance of it at most.
+    /// Uploads a patchwork (a large fixed mesh in patches, which are left out where they are not seen). Each
+    /// view draws one instance of it at most.
     MeshId upload(const Patchwork& patchwork);
     /// Replaces the triangles of a mesh that changes, such as a surface. The new mesh may be empty.
     void replace(MeshId id, const MeshData& mesh);

@@ -38,7 +38,8 @@ struct SkinVertex {
     float foam{};           ///< share covered by foam, 0 to 1
 };
 
-/// A body that emits and absorbs light, below its skin and within the round.
+/// A body that emits and absorbs light. It lies below its skin (the surface through which the eye looks in)
+/// and within an ellipsoid, the round.
 struct Volume {
     VolumeId id{};
     /// Version of texels and skin. They are sent only if the version differs from the last drawing of this
@@ -48,7 +49,7 @@ struct Volume {
     std::span<const Texel> texels{};  ///< one texel for each cell; otherwise the volume is not drawn
     /// Corner and size of the box of texels (m).
     fvec3 origin{0}, size{1};
-    /// The round: an ellipsoid, whose centre is at the level of the skin (m).
+    /// The round, which is the ellipsoid that bounds the volume; its centre is at the level of the skin (m).
     fvec3 centre{0}, radii{1};
     float brightness = 1;  ///< light that a texel of 255 emits
     /// Absorption where alpha is 255 (1/m): light falls to 1/e over a length of 1 / thickness.

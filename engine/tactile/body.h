@@ -59,7 +59,7 @@ Pose pose_with_arms(double left, double right);
 
 /// Position of a point of one part in a pose (m, body frame).
 vec3 posed(const Pose& pose, Part part, vec3 at_rest);
-/// Inverse of `posed`.
+/// Position on the body at rest of a point of one part in a pose: the inverse of `posed` (m, body frame).
 vec3 at_rest(const Pose& pose, Part part, vec3 posed);
 
 /// Converts a direction of the world (right-handed, +y up) for a wizard turned left
@@ -76,7 +76,7 @@ public:
     /// Place on the chart (distance round the body, height) of the skin point that lies in the direction of
     /// `at` from the torso's axis (m).
     vec2 chart(vec3 at) const;
-    /// Inverse of `chart` for points on the skin (m, body frame).
+    /// Point of the skin at a place on the chart, as `chart` gives it (m, body frame).
     vec3 point(vec2 chart) const;
     /// Point of the skin that faces a direction, at a height (m). A direction without a horizontal
     /// part gives the middle of the front.

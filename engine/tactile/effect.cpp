@@ -111,7 +111,8 @@ double Envelope::peak(double from, double to) const {
 }
 
 double Effect::level(double strength) const {
-    // While the angle a of the grating runs through a period, |F_r| = A (k (1 + sin a) + B w max(0, cos a))
+    // The force on the skin is |F_r| = A (k (1 + sin a) + B w max(0, cos a)), with amplitude A, stiffness k,
+    // damping B, angular frequency w and the angle a of the grating. While a runs through a period, |F_r|
     // goes from 0 to A times `greatest`.
     const double w = 2 * pi * carrier();
     const double greatest = stiffness + std::sqrt(stiffness * stiffness + damping * w * damping * w);

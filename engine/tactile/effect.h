@@ -1,11 +1,11 @@
 // tactile/effect.h: effects on the body as data: what players feel when something happens. Files:
 // assets/tactile/effects.
 //
-// An effect is a grating that is drawn over the skin at 1 m/s (paper 004, section 3.2, see grating.h), so a
-// wavelength of 12 mm lasts 12 ms and gives a carrier of 83 Hz. Its force, as a share of the 5 N of the
-// paper's motors, is the strength of the motors. The paper names five parameters: amplitude A, wavelength L,
-// stiffness K, effect pattern and force shaping; here they are `weakest` to `strongest`, `wavelength`,
-// `stiffness`, `pattern` and `envelope`.
+// An effect is a grating that is drawn over the skin at 1 m/s (paper 004, "Virtual Reality Game Modeling for
+// a Haptic Jacket", section 3.2; see grating.h), so a wavelength of 12 mm lasts 12 ms and gives a carrier of
+// 83 Hz. Its force, as a share of the 5 N of the paper's motors, is the strength of the motors. The paper
+// names five parameters: amplitude A, wavelength L, stiffness K, effect pattern and force shaping; here they
+// are `weakest` to `strongest`, `wavelength`, `stiffness`, `pattern` and `envelope`.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -21,7 +21,7 @@
 
 namespace thaum::tactile {
 
-/// Force that counts as full strength (N): that of the motors in paper 004.
+/// Force that counts as full strength (N): that of the motors of the haptic jacket in paper 004.
 inline constexpr double full_force = 5;
 /// Speed of the skin over the grating (m/s).
 inline constexpr double skin_speed = 1;
@@ -34,7 +34,7 @@ inline constexpr double second_beat = 0.6;
 /// How the force is made. `both` is the mean of the two.
 enum class Method : std::uint8_t { impact, vibration, both };
 
-/// Purposes of effects. Each has a fader of its own.
+/// What effects are for, such as blasts or warnings. Each purpose has a volume fader of its own.
 enum class Purpose : std::uint8_t {
     impact,
     blast,
@@ -117,8 +117,8 @@ struct Effect {
 
 /// Force of an effect at one moment, as a share of full_force.
 struct Signal {
-    double into_skin{};   ///< component along the wall's normal
-    double along_skin{};  ///< component along the wall; 0 for impacts
+    double into_skin{};   ///< component along the normal of the flat wall beneath the grating
+    double along_skin{};  ///< component along the wall beneath the grating; 0 for impacts
 };
 /// Force at a time since the beginning (ms), before any limit, for outputs that play the wave itself.
 Signal signal(const Effect& effect, double strength, double ms);

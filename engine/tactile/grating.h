@@ -1,8 +1,9 @@
-// tactile/grating.h: the sinusoidal grating from which effects are built (paper 004, section 3.2).
+// tactile/grating.h: the sinusoidal grating from which effects are built (paper 004, "Virtual Reality Game
+// Modeling for a Haptic Jacket", section 3.2).
 //
-// The paper models an effect as a one-dimensional sinusoidal grating of amplitude A and
-// wavelength L, over which the collision state p(t) = (p_x, p_y, p_z) moves. z points out of the
-// wall. Two methods make a force from it:
+// The paper models an effect as a one-dimensional sinusoidal grating of amplitude A and wavelength L, over
+// which the collision state p(t) = (p_x, p_y, p_z) moves. z points out of the wall. Two methods make a force
+// from it:
 //
 //     h(x)     = A sin(2 pi x / L) + A                       height of the grating
 //     impact   p_1(t) = 0                    where p_z > 0   F_mag: collision with the flat wall beneath,
@@ -32,9 +33,10 @@ double slope(const Grating& grating, double x);
 /// Unit normal of the grating in the plane of x and z.
 vec2 normal(const Grating& grating, double x);
 
-/// Depth p_1 of the impact-based method (m). `p` is (p_x, p_z).
+/// How far the skin at p = (p_x, p_z) is inside the grating, once it touches the flat wall beneath (m): the
+/// depth p_1 of the impact-based method.
 double impact_depth(const Grating& grating, vec2 p);
-/// Depth p_2 of the vibration-based method (m).
+/// How far the skin is inside the grating (m): the depth p_2 of the vibration-based method.
 double vibration_depth(const Grating& grating, vec2 p);
 
 /// Force F_r of the spring and damper, >= 0 (N). `deepening` is the speed at which the depth grows (m/s).

@@ -181,11 +181,12 @@ TactileMixer::Playing* TactileMixer::free_place(int priority) {
     return least;
 }
 
-/// Starts an event now or when the gap of its actuator is over, or merges it with another event.
+/// Starts an event at once if its actuator is free. Within the gap (the least time between two beginnings at
+/// one actuator) the event waits, or is merged with another one.
 void TactileMixer::schedule(Playing& next, Tick now) {
     auto& free_at = free_at_[next.main];
-    // An event that waits begins a gap of its own, so an actuator is taken for at most two gaps. If it seems
-    // taken for longer, time has jumped back.
+    // An event that waits begins a gap (least time between two beginnings) of its own, so an actuator is
+    // taken for at most two gaps. If it seems taken for longer, time has jumped back.
     const bool in_gap = free_at > now && free_at - now <= 2 * settings_.gap;
     auto* running = in_gap || count_ == max_playing ? running_at(next.main, now) : nullptr;
     if (in_gap && running != nullptr) {
@@ -265,8 +266,8 @@ void TactileMixer::stop() {
 
 // ---- making frames ---------------------------------------------------------------------------------------
 
-/// Part of the effect's time that the frame covers: the time since the last frame. A driven effect stays in
-/// its hold until it is released.
+/// Part of the effect's time that the frame covers: the time since the last frame. An effect that `drive`
+/// keeps alive stays at full strength (the hold of its envelope) until it is released.
 TactileMixer::Span TactileMixer::span_of(const Playing& playing, double ms) const {
     const auto& envelope = effect_of(playing).envelope;
     double to = static_cast<double>(mixed_at_) - static_cast<double>(playing.begin);
@@ -353,7 +354,8 @@ bool TactileMixer::add_heartbeat(Playing& playing, bool held, double ms) {
     return true;
 }
 
-/// Ends the hold. The decay begins at the strength that the attack has reached.
+/// Ends the hold, the time at full strength, of an effect. Its decay begins at the strength that the attack
+/// has reached.
 void TactileMixer::release(Playing& playing, Tick now) {
     const auto& envelope = effect_of(playing).envelope;
     const double age = static_cast<double>(now) - static_cast<double>(playing.begin);
@@ -398,7 +400,8 @@ bool TactileMixer::add(Playing& playing, Tick now, double ms) {
     return !over;
 }
 
-/// Lets an actuator begin now, or makes it wait until the gap since its last beginning is over.
+/// Lets an actuator begin now, or makes it wait until the gap (the least time between two beginnings) since
+/// its last beginning is over.
 double TactileMixer::pass_gap(std::size_t actuator, double amplitude, Tick now) {
     auto& waiting = waiting_[actuator];
     const double wanted = std::max(amplitude, waiting);

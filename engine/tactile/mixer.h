@@ -64,13 +64,14 @@ struct Faders {
 
 /// Counts since the beginning. offered = started + merged, so no event is lost.
 struct MixerCounts {
-    std::uint64_t offered{};     ///< calls of `start`
-    std::uint64_t started{};     ///< events that got one of the places for effects
-    std::uint64_t merged{};      ///< events merged with another one; the stronger one is felt
-    std::uint64_t delayed{};     ///< started events that had to wait until the gap of their actuator was over
-    std::uint64_t replaced{};    ///< effects cut short by one of higher or equal priority
-    std::uint64_t clipped{};     ///< values that were not finite or outside of their range
-    std::uint64_t held{};        ///< number of times that an actuator had to wait for its gap to end
+    std::uint64_t offered{};  ///< events offered to the mixer by calls of `start`
+    std::uint64_t started{};  ///< events that got one of the places for effects
+    std::uint64_t merged{};   ///< events merged with another one; the stronger one is felt
+    /// Started events that had to wait, because another one had just begun at their actuator.
+    std::uint64_t delayed{};
+    std::uint64_t replaced{};  ///< effects cut short by one of higher or equal priority
+    std::uint64_t clipped{};   ///< values that were not finite or outside of their range
+    std::uint64_t held{};  ///< number of times that an actuator had to wait, because it had begun just before
     std::uint64_t limited{};     ///< frames scaled down by the limit of the sum
     std::uint64_t not_driven{};  ///< calls of `drive` for which there was no free place
 };
@@ -159,7 +160,7 @@ private:
     Pose pose_{};
     MixerCounts counts_{};
     std::array<Playing, max_playing> playing_{};
-    /// Indices of the places in use: the first count_ entries.
+    /// Indices in `playing_` of the effects that play: the first count_ entries.
     std::array<std::uint8_t, max_playing> order_{};
     std::size_t count_{};
     /// Tick from which another event may begin at an actuator.
@@ -171,7 +172,8 @@ private:
     std::array<float, max_actuators> strongest_{};
     std::array<bool, max_actuators> on_{};
     std::array<Tick, max_actuators> may_begin_{};
-    std::array<double, max_actuators> waiting_{};  ///< amplitude that waits until the gap is over
+    /// Amplitude that waits until the gap since the actuator's last beginning is over.
+    std::array<double, max_actuators> waiting_{};
     bool ringing_{};  ///< true: some actuator is on, or waits until its gap is over
     Tick mixed_at_{};
     bool mixed_{};

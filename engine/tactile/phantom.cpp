@@ -11,10 +11,11 @@ constexpr double min_share = 1e-4;   // smallest share that is kept if the place
 // Largest error of the felt place that is accepted when actuators are left out (cells).
 constexpr double tolerated = 0.01;
 constexpr double solved = 1e-4;  // error at which the search stops (cells); far below what skin resolves
-// Largest change of l (tactile/phantom.h) in one step, for each cell; keeps Newton's method from
-// overshooting.
+// Largest change of l in one step of Newton's method, for each cell, so that it does not overshoot. The
+// vector l tilts the weights of the actuators towards the wanted place (tactile/phantom.h).
 constexpr double longest_step = 4;
-// Added to the curvature to keep l finite if the place is on the edge; costs an error of about 0.001 cells.
+// Added to the curvature of the minimised function, so that its minimum l stays finite if the place is on the
+// edge of all actuators. Costs an error of about 0.001 cells.
 constexpr double stiffening = 1e-4;
 
 /// Positions of the participating actuators relative to the wanted place, in cells.
@@ -37,7 +38,8 @@ vec2 reachable(const Layout& layout, const ChartPlace& place) {
     return place.at + glm::clamp(vec2(0), low, high);
 }
 
-/// Value of log Z (tactile/phantom.h) at l, and the centroid of the shares there.
+/// Value at l of log Z, the function whose minimum gives the shares of the actuators (tactile/phantom.h), and
+/// the centroid of the shares there.
 struct Potential {
     double value{};
     vec2 centroid{};
@@ -75,9 +77,9 @@ vec2 newton_step(const Cells& cells, vec2 centroid, vec2 slope) {
     return length > longest_step ? step * (longest_step / length) : step;
 }
 
-/// Finds the shares whose centroid is the wanted place. A step that does not lower the potential enough is
-/// halved: if one cell has nearly all of the energy, the curvature is so small that full steps would
-/// oscillate.
+/// Finds the shares of the actuators in the energy whose centroid is the wanted place. A step that does not
+/// lower the potential (the minimised function) enough is halved. If one cell has nearly all of the energy,
+/// the curvature is so small that full steps would oscillate.
 void balance(Cells& cells) {
     vec2 l(0);
     auto here = set_shares(cells, l);

@@ -7,53 +7,53 @@ namespace thaum::bench {
 void audio(const Options& options, Report& report);
 void ecs(const Options& options, Report& report);
 void tick(const Options& options, Report& report);
-/// Part of the area `tick`: a duel with sound and tactile output.
+/// Part of the area (group of benchmarks) `tick`: a duel with sound and tactile output.
 void tick_duel_felt(const Options& options, Report& report);
 void physics(const Options& options, Report& report);
 void primitives(const Options& options, Report& report);
 void replay(const Options& options, Report& report);
-/// Stress test of the area `tick`.
+/// Stress test of the area (group of benchmarks) `tick`.
 void soak(const Options& options, Report& report);
 void skip(const Options& options, Report& report);
-/// Part of the area `skip`: cost of sound and jackets that are not used.
+/// Part of the area (group of benchmarks) `skip`: cost of sound and jackets that are not used.
 void skip_senses(const Options& options, Report& report);
-/// Part of the area `skip`: cost of a scan out of view.
+/// Part of the area (group of benchmarks) `skip`: cost of a scan out of view.
 void skip_scan(const Options& options, Report& report);
-/// Area `coupling`: virtual coupling, alone and with Bullet.
+/// Area (group of benchmarks) `coupling`: virtual coupling, alone and with Bullet.
 void coupling(const Options& options, Report& report);
 void wand_coupling(const Options& options, Report& report);
 void haptics(const Options& options, Report& report);
-/// The next two are parts of the area `haptics`.
+/// The next two are parts of the area (group of benchmarks) `haptics`.
 void surfaces(const Options& options, Report& report);
 void round_bodies(const Options& options, Report& report);
-/// Part of the area `haptics`: haptic modes, and surfaces of scanned volumes.
+/// Part of the area (group of benchmarks) `haptics`: haptic modes, and surfaces of scanned volumes.
 void modes(const Options& options, Report& report);
 void modes_hostile(const Options& options, Report& report);
 void servo_rates(const Options& options, Report& report);
-/// Stress test of the area `haptics`.
+/// Stress test of the area (group of benchmarks) `haptics`.
 void haptics_stress(const Options& options, Report& report);
 void passivity(Report& report);
 void switches(const Options& options, Report& report);
 void arms(const Options& options, Report& report);
 void stirring_passivity(const Options& options, Report& report);
 void field(const Options& options, Report& report);
-/// Part of the area `field`: volumes.
+/// Part of the area (group of benchmarks) `field`: reading volumes between their samples.
 void field_samples(const Options& options, Report& report);
-/// Part of the area `field`: edits of voxels.
+/// Part of the area (group of benchmarks) `field`: edits of voxels.
 void carving(const Options& options, Report& report);
-/// Area `surface`: surface of the brew.
+/// Area (group of benchmarks) `surface`: surface of the brew in the cauldron.
 void surface(const Options& options, Report& report);
 void tactile_mixer(const Options& options, Report& report);
-/// Area `gesture`: recognition of gestures, isolated and in continuous motion.
+/// Area (group of benchmarks) `gesture`: recognition of gestures, isolated and in continuous motion.
 void gestures(const Options& options, Report& report);
 void render(const Options& options, Report& report);
-/// The next two are parts of the area `render`.
+/// The next two are parts of the area (group of benchmarks) `render`.
 void brew_pictures(const Options& options, Report& report);
 void scan_pictures(const Options& options, Report& report);
 void fluid(const Options& options, Report& report);
-/// Part of the area `fluid`: a hand in the fluid.
+/// Part of the area (group of benchmarks) `fluid`: a hand in the fluid.
 void fluid_hand(const Options& options, Report& report);
-/// Part of the area `fluid`: curved walls, and layers of viscosity.
+/// Part of the area (group of benchmarks) `fluid`: curved walls, and layers of viscosity.
 void fluid_walls(const Options& options, Report& report);
 /// Long stress test of the fluid.
 void fluid_stress(const Options& options, Report& report);

@@ -47,8 +47,8 @@ int publish(const Options& options, const Report& report) {
 
 using RunArea = void(const Options&, Report&);
 
-/// Runs an area. If an area cannot make its scene, it prints the reason and adds no row, which counts as a
-/// fault.
+/// Runs an area (a group of benchmarks). If an area cannot make its scene, it prints the reason and adds no
+/// row, which counts as a fault.
 void run_area(const Area& area, RunArea& run, const Options& options, Report& report) {
     const auto rows = report.rows.size(), faults = report.faults.size();
     run(options, report);

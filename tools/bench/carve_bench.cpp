@@ -252,7 +252,7 @@ struct Crystal {
     Bytes saved{};
 
     void carve() { changed = edit(body.view(), tool, dabs[next++ % dabs.size()]).changed; }
-    /// The edits of 128 ticks, one in each fluid step.
+    /// Eight edits, as many as in 128 ticks of a match: one in each fluid step (16 ticks).
     void carve_eight() {
         for (int i = 0; i < 8; ++i) carve();
     }

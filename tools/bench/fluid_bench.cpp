@@ -98,7 +98,8 @@ void shear_layers(Report& report) {
     const auto finer = flows::finer_double_shear(n);
     if (!finer) return report.faults.push_back(text("fluid: ", finer.error().message));
     auto runs = runs_of(flow, n, report);
-    // The error is measured on faces, where the classic solver has no velocities, so that one is left out.
+    // The error is measured on the faces of the cells. One solver, `classic`, has no velocities there and is
+    // left out.
     std::erase_if(runs, [](const FluidRun& run) { return run.scheme.solver == Solver::classic; });
     run_by_turns(runs, flow.end);
     for (const FluidRun& run : runs) {
@@ -391,8 +392,9 @@ constexpr std::array stress_cases{
     StressCase{{Solver::classic}, 24},  StressCase{{Solver::thaum, 4}, 32},
     StressCase{{Solver::thaum, 2}, 32}, StressCase{{Solver::thaum, 2}, 32, true}};
 
-/// Bounds for the fluid under an attack. The paper's method (`classic`) guarantees neither zero divergence
-/// nor conserved energy and amounts, so it must only stay finite.
+/// Bounds for the fluid under hostile input, such as violent pushes. The method of the paper on which the
+/// fluid is based (`classic`) guarantees neither zero divergence nor conserved energy and amounts, so it must
+/// only stay finite.
 fluid::AttackBounds bounds_of(const StressCase& stress_case) {
     if (stress_case.bowl) return {.divergence = fluid::bowl_divergence};
     if (stress_case.scheme.solver == Solver::thaum) return {};
@@ -400,8 +402,8 @@ fluid::AttackBounds bounds_of(const StressCase& stress_case) {
     return {.divergence = any, .energy_growth = any, .amount_drift = any};
 }
 
-/// Time of a step whose first run took `first` (us): the minimum over a few repetitions. In a long attack
-/// other programs interrupt some steps, but repeating a step always does the same work.
+/// Time of a step whose first run took `first` (us): the minimum over a few repetitions. In a long stress
+/// test other programs interrupt some steps, but repeating a step always does the same work.
 double minimum_us(fluid::Fluid& fluid, const fluid::State& before, double first) {
     constexpr int runs = 5;
     const fluid::State after = fluid.state;
@@ -413,7 +415,8 @@ double minimum_us(fluid::Fluid& fluid, const fluid::State& before, double first)
     return first;
 }
 
-/// Minimum time of a few steps before the attack begins. All terms are active, but nothing moves fast.
+/// Minimum time of a few steps before the hostile input begins (us). All terms are active, but nothing moves
+/// fast.
 double calm_step_us(fluid::Fluid calm) {
     for (std::size_t s = 0; s < calm.settings.substances.size(); ++s)
         pour(calm, s, vec3(0.5, 0.5, 0.5), 0.3, 1e-3);

@@ -14,7 +14,8 @@ struct FluidRun {
     int n;
     fluid::Fluid fluid;
     std::vector<double> us{};  ///< time of each whole step (us)
-    double divergence{};       ///< worst divergence after a step
+    /// Largest divergence after any step, times the cell size and divided by the largest speed.
+    double divergence{};
     double steps{}, substeps{};
     fluid::StepReport last{};
 };
@@ -45,7 +46,8 @@ inline std::string solver_name(const fluid::flows::Scheme& scheme) {
 inline std::uint64_t velocity_hash(const fluid::Fluid& fluid) {
     std::uint64_t result = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        // Ghosts are left out, because they follow from the other samples.
+        // Ghost samples, which lie outside of the fluid, are left out, because they follow from the other
+        // samples.
         fluid::flows::each_component(fluid, axis,
                                      [&](double v, vec3) { result = hash_combine(result, hash_value(v)); });
     }

@@ -1,5 +1,5 @@
 // Benchmark of the simulated device: the stiffest stable wall (Z-width) compared with theory, and the time of
-// a tick. Also the safety stage under attack, and the time of a servo step.
+// a tick. Also the safety stage, which limits all forces, under hostile input, and the time of a servo step.
 
 #include "core/hash.h"
 #include "core/text.h"
@@ -33,9 +33,9 @@ void z_width(Report& report) {
     }
 }
 
-/// Effective stiffness of a wall at 2 N with its own damping and the passivity controller, and the side
-/// effects of these two: the difference between the felt force and the wall's force while it settles, and the
-/// time until it settles.
+/// Effective stiffness of a wall at 2 N, with the wall's own damping and with the passivity controller. Also
+/// the side effects of these two: the difference between the felt force and the wall's force while it
+/// settles, and the time until it settles.
 void controlled_walls(Report& report) {
     constexpr double newtons = 2;
     for (const int latency : {0, 1, 2}) {
@@ -123,8 +123,8 @@ haptics::DeviceSpec spec_of(const DeviceLimits& device) {
     return spec;
 }
 
-/// Number of ticks in a block. Ticks run in blocks so that the clock measures the safety stage alone, without
-/// the attack and the audit.
+/// Number of ticks in a block. Ticks run in blocks so that the clock measures the safety stage alone, and
+/// neither the making of hostile input nor the check of the results.
 constexpr std::size_t block_ticks = 1000;
 
 struct AttackBlock {

@@ -70,8 +70,8 @@ constexpr std::array invariants{
     Invariant{"fluid", "", "amount_change", -amount_drift, amount_drift},
 };
 
-/// True for rows of the paper's own method, the baseline. It loses part of what it transports, which is a
-/// result and not a fault.
+/// True for rows of `classic`, the method of the paper on which the fluid is based, which serves as baseline.
+/// It loses part of what it transports, which is a result and not a fault.
 bool is_baseline(const Row& row) {
     return std::any_of(row.setting.begin(), row.setting.end(), [](const auto& setting) {
         return setting.first == "solver" && shown(setting.second) == "classic";

@@ -99,7 +99,8 @@ void place_before_crates(Simulation& match) {
     }
 }
 
-/// The hands move to and fro by mouse and clutch. The view moves too, but more slowly.
+/// Moves both mice to and fro. Three quarters of the time the clutch is held, so that the mouse moves the
+/// hand; otherwise it turns the view.
 void shake_hands(Tick tick, input::InputFrame& frame) {
     for (std::size_t d = 0; d < game::players; ++d) {
         auto& sample = frame.devices[d];
@@ -321,7 +322,8 @@ void carve_crystal(SceneMatch& scene, Tick tick) {
     scene.frame = carving(tick);
 }
 
-/// Two wizards search the orb all the time, with unlimited focus.
+/// Two wizards search the flow in the orb with their probes all the time, although that would use up their
+/// focus.
 void search_orb(SceneMatch& scene, Tick tick) {
     if (tick == 0) place_at_the_orb(*scene.match);
     scene.match->world_to_change().view<game::Focus>().each([](game::Focus& focus) { focus.points = 100; });

@@ -8,8 +8,9 @@
 //     edge_vibration  noise of the force on a block with hard edges: on a face, along an edge, across an edge
 //
 // Methods: "isosurface" holds the proxy at the true surface (local distance by Newton's method). "density" is
-// that of paper 003: a force along the gradient at the tip that grows with the density there. Kernels:
-// "smooth" is SmoothGrid. "ball" is spherical contact, the mean of 8 places on a ball of 0.87 samples.
+// that of R. S. Avila and L. M. Sobierajski, A haptic interaction method for volume visualization (1996): a
+// force along the gradient at the tip that grows with the density there. Kernels: "smooth" is SmoothGrid.
+// "ball" is spherical contact, the mean of 8 places on a ball of 0.87 samples.
 #include <algorithm>
 #include <array>
 #include <functional>

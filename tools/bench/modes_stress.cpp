@@ -1,6 +1,6 @@
-// Benchmark of haptic modes under attack (tests/scenes/hostile_modes.h): they must stay within the force
-// limits, finite and passive. Runs briefly as a part of the benchmark, and for a million ticks as its stress
-// test.
+// Benchmark of haptic modes under hostile input (tests/scenes/hostile_modes.h): they must stay within the
+// force limits, finite and passive. Runs briefly as a part of the benchmark, and for a million ticks as its
+// stress test.
 #include "core/text.h"
 #include "tests/scenes/hostile_modes.h"
 #include "tools/bench/areas.h"

@@ -1,11 +1,11 @@
-// Benchmark of the proxy of haptic primitives (engine/haptics/primitives/balance.h): run
-// time and remaining sum of forces.
+// Benchmark of the proxy of haptic primitives (engine/haptics/primitives/balance.h): run time and remaining
+// sum of forces.
 //
 // "exact" is the shipped method. "iterative" is the usual method, which minimises the length of the sum in
-// eq. 8 of paper 001 numerically: damped steps along the sum, halved if the length does not fall, at most
-// 200. "gauss_seidel" is the method of physics engines: 20 rounds in which each primitive in turn takes the
-// force, within its strength, that puts the proxy on its kink (the point, line or plane where its force
-// jumps).
+// eq. 8 of paper 001 (Lundin and others 2007) numerically: damped steps along the sum, halved if the length
+// does not fall, at most 200. "gauss_seidel" is the method of physics engines: 20 rounds in which each
+// primitive in turn takes the force, within its strength, that puts the proxy on its kink (the point, line or
+// plane where its force jumps).
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -27,7 +27,7 @@ using haptics::PrimitiveKind;
 using haptics::PrimitiveSet;
 using haptics::Spring;
 
-/// Displacement to x from the kink, the place where the force of the primitive jumps (m).
+/// Displacement to x from the kink (the point, line or plane where the force of the primitive jumps) (m).
 vec3 from_kink(const Primitive& p, vec3 x) {
     const vec3 m = x - p.position;
     const vec3 along = glm::dot(m, p.direction) * p.direction;
@@ -42,7 +42,8 @@ vec3 within_strength(const Primitive& p, vec3 force) {
     return limited(force, p.strength);
 }
 
-/// Force of a primitive by eqs. 4 to 7 of paper 001; zero on the kink.
+/// Force of a primitive by eqs. 4 to 7 of paper 001 (Lundin and others 2007); zero on the kink, where the
+/// force jumps.
 vec3 force_at(const Primitive& p, vec3 x) {
     if (p.kind == PrimitiveKind::directed) return p.strength * p.direction;
     const vec3 m = from_kink(p, x);
@@ -53,7 +54,7 @@ vec3 force_at(const Primitive& p, vec3 x) {
 }
 
 /// Remaining sum of forces plus the largest change of a force that is computed again from the proxy (N). For
-/// every method it is zero at the balance and only there.
+/// every method it is zero if the proxy is in balance, and only then.
 double residual(const PrimitiveSet& set, const Spring& spring, const Balance& found) {
     vec3 sum = spring.stiffness * (spring.centre - found.proxy);
     double worst = 0;
@@ -160,7 +161,7 @@ Tally tally_of(const Method& method, std::size_t count, std::size_t sets) {
 
 constexpr std::size_t batch = 64;
 
-/// Solves sets of primitives from a fixed list, one after another.
+/// A fixed list of sets of primitives, which a method solves one after another.
 struct Stock {
     Solve solve;
     std::vector<haptics::sets::Case> cases;

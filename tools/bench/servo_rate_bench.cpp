@@ -1,9 +1,9 @@
 // Benchmark of the servo's rate: the stiffest coupling that stays stable on a wall, for steps of 0.2 to 1 ms.
 //
-// The step consists of tip -> modes -> balance -> force only, without safety stage and passivity controller,
-// whose limits are counted in ticks of 1 ms. The device is the reference device without a hand, pressed on
-// the wall with 1 N. By the passive bound b / (T / 2), with damping b and step T, five times the rate should
-// allow five times the stiffness.
+// The step goes from the tip to the haptic modes, the balance of the proxy and the force. It leaves out the
+// safety stage and the passivity controller, whose limits are counted in ticks of 1 ms. The device is the
+// reference device without a hand, pressed on the wall with 1 N. By the passive bound b / (T / 2), with
+// damping b and step T, five times the rate should allow five times the stiffness.
 #include <array>
 #include <cmath>
 

@@ -1,6 +1,6 @@
-// Benchmarks the energy that switches of passive sources create at the hand, for every device model and
-// hand: the worst switch, the mean, and the largest change of force in the tick of a switch. A row above
-// the bound of HAPTICS.md is a fault.
+// Benchmarks the energy that switches create at the hand, in which a passive source of force begins, ends or
+// jumps, for every device model and hand: the worst switch, the mean, and the largest change of force in the
+// tick of a switch. A row above the bound of HAPTICS.md is a fault.
 #include "core/file.h"
 #include "core/text.h"
 #include "game/hud/hud.h"

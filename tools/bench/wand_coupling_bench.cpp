@@ -119,7 +119,8 @@ constexpr double wizard_mass = 75;       // mass of the wizard (kg)
 constexpr double rope_stiffness = 4000;  // stiffness of the rope (N/m)
 constexpr double rope_length = 7;        // length of the rope (m): 0.7 times the 10 m at which it attached
 constexpr double rope_seconds = 60;
-const vec3 let_go_at{6, -4.2, 0};  // position at which the wizard lets go, relative to the anchor (m)
+// Position at which the wizard lets go, relative to the point at which the rope is fixed (m).
+const vec3 let_go_at{6, -4.2, 0};
 
 struct Swung {
     double energy_drift{};  ///< drift of the energy, as a share of the swing's energy

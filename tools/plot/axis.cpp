@@ -78,7 +78,7 @@ std::vector<Tick> ticks(const LogAxis& axis) {
     std::vector<Tick> result;
     if (axis.has_zero) result.push_back({axis.zero_px, "0"});
     for (int step = first; step <= last; ++step) {
-        // A stride of whole decades starts at a power of ten.
+        // Ticks that are whole decades apart start at a power of ten.
         if (step % stride != 0 && stride > 1) continue;
         const double along = (log_of(step) - axis.low) / (axis.high - axis.low);
         result.push_back({axis.low_px + along * (axis.high_px - axis.low_px), label_of(step)});

@@ -23,7 +23,8 @@ struct Point {
 struct FrontFigure {
     std::string title;
     std::string error_name;
-    /// Names of the series, made of the settings that are words; one empty name if there are too many series.
+    /// Names of the series, made of those settings that are words, not numbers; one empty name if there are
+    /// too many series.
     std::vector<std::string> series;
     std::vector<Point> points;  ///< points of the figure, sorted by time
 };

@@ -136,7 +136,7 @@ std::string form_of(std::size_t series) {
     }
 }
 
-/// Mark of a point: filled for the front, otherwise an outline.
+/// Mark of a point: filled if it is on the Pareto front, otherwise an outline.
 std::string mark(std::size_t series, bool full, double x, double y, std::string_view tooltip) {
     const auto& colour = series_colours.at(series).light;
     const auto filled = text(" class=\"t-fill-", series, " t-line-", series, "\" fill=\"", colour, "\"");
@@ -209,8 +209,8 @@ std::array<Rect, 6> places_beside(double x, double y, double width) {
              {x - width / 2, y + gap, width, line_px}}};
 }
 
-/// Labels of the points: defaults first, then the front. Each takes the first place that overlaps neither a
-/// label nor a mark of the front.
+/// Labels of the points: those of shipped settings first, then those on the Pareto front. Each takes the
+/// first place that overlaps neither a label nor a mark on the front.
 class Labels {
 public:
     Labels(const FrontFigure& figure, const FrontAxes& axes, const Rect& frame) : frame_(frame) {
@@ -253,7 +253,7 @@ private:
 
 std::string marks(const FrontFigure& figure, const FrontAxes& axes) {
     std::string out;
-    for (const bool front : {false, true}) {  // the front is drawn last, on top
+    for (const bool front : {false, true}) {  // points on the Pareto front are drawn last, on top
         for (const auto& p : figure.points) {
             if (p.front != front) continue;
             const double x = axes.time.at(p.time_us), y = axes.error.at(p.error);

@@ -15,8 +15,8 @@ struct FrontAxes {
 };
 FrontAxes axes_of(const FrontFigure&);
 
-/// Draws every point with its row as a tooltip. The front is joined by lines and labelled, and the default is
-/// ringed. Labels for which there is no room are left out.
+/// Draws every point with its row as a tooltip. The points of the Pareto front are joined by lines and
+/// labelled, and the shipped setting is ringed. Labels for which there is no room are left out.
 std::string to_svg(const FrontFigure&);
 
 /// Draws bars from 1 to the ratio, labelled with their numbers, on a logarithmic axis.

@@ -8,8 +8,8 @@ namespace thaum::audio::detail {
 std::size_t blocks_to_queue(double period) {
     if (!(period > 0)) return BlockStream::min_queued;
     const double blocks = std::min(period / frame_samples, 1e3);
-    // Beside the blocks of a period, one block is being mixed. A period that is no multiple of a block ends
-    // within yet another block.
+    // While a device plays the blocks of one period (the samples that it takes at a time), one more block is
+    // being mixed. A period that is no multiple of a block ends within yet another block.
     const double needed = blocks == std::floor(blocks) ? blocks + 1 : std::floor(blocks) + 2;
     return std::clamp(static_cast<std::size_t>(needed), BlockStream::min_queued, BlockStream::max_queued);
 }

@@ -9,7 +9,7 @@ namespace {
 constexpr double min_pitch = 0.25, max_pitch = 4;
 constexpr double longest_reach_m = 1e5;
 
-/// Clips a value, or replaces one that is not a number.
+/// Clips a value, or replaces one that is not a number. Counts each value that had to be changed.
 void clip(double& value, double least, double most, double otherwise, std::uint64_t& bad_values) {
     const double clipped = std::isnan(value) ? otherwise : std::clamp(value, least, most);
     if (clipped == value) return;

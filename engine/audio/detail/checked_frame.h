@@ -17,12 +17,13 @@ struct SoundFacts {
     std::uint32_t samples{};  ///< length of the sound (samples); 0: it cannot be played
 };
 
-/// Returns the facts of all sounds. Impossible distances are replaced by the defaults and counted.
+/// Returns the facts of all sounds. Impossible distances are replaced by the defaults and counted in
+/// `bad_values`.
 std::vector<SoundFacts> facts_of(const SoundBank& bank, std::uint64_t& bad_values);
 
 /// Clips the values of a voice and counts those that were wrong. Returns false if the voice must be left out:
-/// its sound does not exist, it loops although the voice is not lasting, it does not loop although the voice
-/// is, or its position is NaN.
+/// its sound does not exist, it loops although the voice plays only once, it does not loop although the voice
+/// lasts, or its position is NaN.
 bool check_voice(Voice& voice, bool lasting, std::span<const SoundFacts> sounds, std::uint64_t& bad_values);
 
 /// Makes the axes orthogonal unit vectors. Instead of a listener with invalid values, returns `before`, the

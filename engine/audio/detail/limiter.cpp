@@ -34,7 +34,8 @@ bool Limiter::process(std::span<float> stereo) {
         held_sum_ += held - held_[at_];
         held_[at_] = held;
         calm_ = held < 1 ? 0 : calm_ + 1;
-        if (calm_ >= window) held_sum_ = window;  // set exactly, so that a quiet signal keeps its bits
+        // Set exactly, because rounding of the running sum would change the samples of a quiet signal.
+        if (calm_ >= window) held_sum_ = window;
         const double gain = held_sum_ / window;
         std::swap(delayed_[2 * at_], left);
         std::swap(delayed_[2 * at_ + 1], right);

@@ -120,13 +120,14 @@ void ListenerMix::gather(const Listener& listener, BlockVoices voices,
         if (heard(voice)) add({&voice, -1, false, gain_of(voice, listener, faders)});
 }
 
-/// Keeps the loudest candidates, in an order that does not depend on the algorithm of std::sort.
+/// Keeps the loudest of the voices that want a source of OpenAL. Their order does not depend on the algorithm
+/// of std::sort.
 void ListenerMix::choose(MixReport& report) {
     if (candidate_count_ <= max_heard) return;
     const auto all = std::span(candidates_).first(candidate_count_);
     const auto rank = [](const Candidate& c) { return c.gain * (c.playing >= 0 ? keep_factor : 1); };
-    // Of candidates with equal gains the earlier ones come first. Voices lie in several lists, so each gets
-    // an index here.
+    // Of voices with equal gains the earlier ones come first. Voices lie in several lists, so each gets an
+    // index here.
     std::array<std::uint16_t, max_candidates> order{};
     for (std::size_t i = 0; i < all.size(); ++i) order[i] = static_cast<std::uint16_t>(i);
     const auto used = std::span(order).first(all.size());
@@ -140,7 +141,7 @@ void ListenerMix::choose(MixReport& report) {
     candidate_count_ = max_heard;
 }
 
-/// Fades out the playing voices that were not chosen.
+/// Fades out the playing voices that get no source in this block.
 void ListenerMix::fade_the_rest() {
     for (const auto& candidate : std::span(candidates_).first(candidate_count_))
         if (candidate.playing >= 0) playing_[static_cast<std::size_t>(candidate.playing)].chosen = true;

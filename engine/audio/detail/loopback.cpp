@@ -159,8 +159,8 @@ void Loopback::attach(Source& source, std::uint32_t sound) {
 void Loopback::warm_up() {
     if (buffers_.empty()) return;
     std::array<float, 2 * frame_samples> unheard{};
-    // OpenAL Soft starts with memory for 256 voices. It doubles this memory before a start of sources that
-    // could use it up, so that start is made now.
+    // OpenAL Soft starts with memory for 256 voices. It doubles this memory when so many sources are started
+    // that it could run out. Such a start is made now, so that none allocates during play.
     const auto playing = std::span(pool_).first(max_at_once);
     for (int round = 0; round < 3; ++round) {
         begin_changes();

@@ -15,8 +15,8 @@
 namespace thaum::audio::detail {
 namespace {
 
-/// Settings for three periods of 384 samples. OpenAL's default, three periods of 1,024 samples, delays the
-/// sound by 60 ms.
+/// Settings for three periods (pieces that the device takes at a time) of 384 samples. OpenAL's default,
+/// three periods of 1,024 samples, delays the sound by 60 ms.
 constexpr std::string_view short_periods = "[general]\nfrequency = 48000\nperiod_size = 384\nperiods = 3\n";
 
 /// Passes settings to OpenAL as a file in memory, because OpenAL has no call for them.

@@ -35,7 +35,7 @@ inline double sine_of_cycles(const SineTable& table, double cycles) {
 }
 inline double sine_of_cycles(double cycles) { return sine_of_cycles(sine_table(), cycles); }
 
-/// Gain of an envelope at `time`, as if it held its level instead of decaying.
+/// Gain of an envelope at `time` without its decay: after the rise it stays at its level.
 double steady_gain_at(const Envelope& envelope, double time);
 
 /// Factor by which a gain with this decay (s) falls within `time` (s). With a decay of 0 the gain never
@@ -89,8 +89,8 @@ private:
     bool loops_;
 };
 
-/// The rate nearest to `hz` that has a whole number of periods in a loop (Hz). In a sound without a loop,
-/// `hz` itself. 0 stays 0.
+/// The frequency nearest to `hz` that has a whole number of periods in a loop (Hz). In a sound without a
+/// loop, `hz` itself. 0 stays 0.
 double fitted_rate(double hz, const Canvas& canvas);
 
 }  // namespace thaum::audio

@@ -172,7 +172,7 @@ void add_grain(Canvas& canvas, const Grains& grains, std::size_t start, double l
     }
 }
 
-/// Time from one grain to the next (s).
+/// Time from the start of one grain (a short decaying sine wave) to that of the next (s).
 double interval(const Grains& grains, double rate, Random& random) {
     const double spread = -det::log(1 - random.uniform());
     return (grains.even + (1 - grains.even) * spread) / rate;
@@ -213,8 +213,8 @@ void add_grains(Canvas& canvas, const Grains& grains, Random random) {
     const Envelope envelope = fitted(grains.envelope, canvas, span);
     const double seconds = static_cast<double>(span.count) * sample_s;
     const double widest = det::log(grains.high_hz / grains.low_hz);
-    // In a part that lasts, the first grain comes at a random time; else it comes as the part becomes
-    // audible.
+    // In a part that lasts as long as its loop, the first grain (a short sine wave) starts at a random time.
+    // In any other part it starts as the part becomes audible.
     double time = span.lasting ? random.uniform() / grains.rate : std::min(envelope.attack, 1 / grains.rate);
     while (time < seconds) {
         const double hz = grains.low_hz * det::exp(widest * random.uniform());

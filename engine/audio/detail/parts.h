@@ -1,4 +1,5 @@
-// audio/detail/parts.h: adds the parts of a recipe to a sound.
+// audio/detail/parts.h: adds the parts of a recipe (the description of a sound in a data file) to the samples
+// of the sound.
 #pragma once
 #include "audio/detail/oscillator.h"
 #include "core/random.h"

@@ -132,7 +132,7 @@ std::string hint_after_number(std::string_view number, std::string_view remainin
     return text("after the number only a comment may stand, which begins with '#'; a number has no unit");
 }
 
-/// True if a number has a zero before another digit.
+/// True if a number begins with a zero before another digit, as in 012, which TOML does not allow.
 bool is_zero_first(std::string_view number) {
     const auto first = number.find_first_of("0123456789");
     return first + 1 < number.size() && number[first] == '0';

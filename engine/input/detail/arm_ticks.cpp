@@ -14,13 +14,15 @@
 namespace thaum::input {
 namespace {
 
-/// Progress of the call that runs a tick. The step's context belongs to the user of the arm. A tick may use
-/// it only in the phase `in_step`, during which close_ticks waits.
+/// Progress of the call that runs a tick. The step is a function of the arm's user, with a context that
+/// belongs to the user. A tick may use the context only in the phase `in_step`, during which close_ticks
+/// waits.
 enum Phase : std::uint64_t { nobody = 0, in_driver = 1, in_step = 2, left_behind = 3 };
 
 /// The entry of an open arm in the table of this process.
 struct Slot {
-    /// The ticks' number and a Phase in one word, so that one comparison admits or refuses a call; 0: free.
+    /// Number of the open arm and the Phase of its tick in one word, so that one comparison admits or refuses
+    /// a call; 0: free.
     std::atomic<std::uint64_t> gate{0};
     std::atomic<ArmTicks*> ticks{nullptr};
     std::atomic<const char*> thread{nullptr};  ///< servo thread of the newest tick, by its thread_mark
@@ -61,8 +63,8 @@ void prepare_this_thread(ArmTicks& ticks) {
     ticks.preferred = prefer_this_thread(servo_priority);
 }
 
-/// Ends the ticks with zero as the last force. The zero comes before `note`, because the driver may hang in
-/// `note`.
+/// Ends the ticks with zero as the last force. The zero comes before the driver's `note`, which stores the
+/// vendor's message about the fault, because the driver may hang in it.
 bool end_ticks(ArmTicks& ticks, ArmFault fault) {
     if (ticks.driver->write_zero()) ticks.pushes = false;
     if (fault != 0) ticks.driver->note(fault);
@@ -80,7 +82,8 @@ std::optional<vec3> answer(ArmTicks& ticks, const ArmReading& reading) {
     return is_finite(force) ? limited(force, ticks.peak_force) : vec3(0);
 }
 
-/// The force, faded in over `ramp_ticks` if the watchdog has ended the force in a stall.
+/// The force. After the watchdog has ended the force because ticks had stopped, it fades in over
+/// `ramp_ticks`.
 vec3 resumed(ArmTicks& ticks, vec3 force) {
     constexpr std::uint32_t ramp_ticks = 50;
     if (ticks.stalled.exchange(false)) ticks.resumed = 1;

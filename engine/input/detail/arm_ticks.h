@@ -33,7 +33,8 @@ struct ArmTicks {
     std::atomic<bool> pushes{false};
     std::atomic<bool> stalled{false};    ///< true: the watchdog has ended the force since the newest tick
     std::atomic<bool> unwatched{false};  ///< true: the watchdog must end
-    /// Ticks since the last stall, at most the length of the ramp after it; used by the servo thread.
+    /// Ticks since they last came again after a stop, at most the length of the ramp of the force that
+    /// follows; used by the servo thread.
     std::uint32_t resumed{};
 };
 

@@ -18,9 +18,10 @@ constexpr std::uint32_t block_magic = 0x4b4c4254;  // the characters "TBLK"
 constexpr std::size_t block_checksum_offset = 32;
 constexpr int compression_level = 3;
 
-/// Largest unpacked size of a block (bytes). In a column, a tick takes at most a token (2 bytes) and a
-/// residual (5 bytes). A hash takes at most 18 bytes and a mark 8. Counts, lengths and the total take at most
-/// 10.
+/// Largest unpacked size of a block (bytes). In a column (one field of a device over all ticks), a tick takes
+/// at most a token, which begins a run of values, (2 bytes) and a residual, which is a value or a difference
+/// (5 bytes). A record of hashes takes at most 18 bytes and a mark 8. Counts, lengths and the total take at
+/// most 10.
 constexpr std::size_t max_raw(BlockKind kind, std::size_t ticks, std::uint32_t format) {
     if (kind == BlockKind::end) return 10 + 4 + result_limit + 16;
     return max_devices * columns(format) * (1 + ticks * 7) + block_hashes * 18 + block_marks * 8 + 8;
@@ -29,11 +30,13 @@ static_assert(max_raw(BlockKind::ticks, block_ticks, format_version) <= raw_limi
 
 using Column = std::array<std::uint32_t, block_ticks>;
 
-/// Columns that follow those of the counts.
+/// Numbers of the columns (one field of a device over all ticks of a block) that follow those of the device's
+/// counts.
 constexpr std::size_t buttons_column = max_counts, model_age_column = buttons_column + 1,
                       skips_column = model_age_column + 1, wand_column = skips_column + 1,
                       state_column = wand_column + 1;
-// Bits in the column of states: whether the device is away, and which fader has changed to what.
+// Bits of the state of a device in one tick: whether the device is away, and which fader (of the forces at
+// the hand) has changed to what.
 constexpr std::uint32_t away_bit = 1;
 constexpr unsigned fader_shift = 8, percent_shift = 16;
 
@@ -42,7 +45,8 @@ std::uint32_t state_of(const DeviceSample& s) {
            std::uint32_t{s.change.percent} << percent_shift;
 }
 
-/// Sets the state of a sample. Returns false if the value is not one that `state_of` can give.
+/// Sets from a number whether the device of a sample is away, and its change of a fader. Returns false if the
+/// number is not one that `state_of` can give.
 bool set_state(DeviceSample& s, std::uint32_t state) {
     s.away = (state & away_bit) != 0;
     s.change = {static_cast<std::uint8_t>(state >> fader_shift),

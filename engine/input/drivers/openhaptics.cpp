@@ -127,8 +127,8 @@ struct Session {
     std::mutex mutex{};
     std::vector<OpenHaptics*> arms{};  ///< the open arms
     bool running = false;              ///< true: the library's scheduler runs
-    /// Last time that an arm could not be opened. Trying again stops the ticks of the open arms for a moment,
-    /// so while there are any it is not done at once.
+    /// The last failure to open an arm, and when it was. Trying again stops the ticks of the open arms for a
+    /// moment. So while any arm is open, the next try comes later.
     struct Refusal {
         std::int64_t at_ns{};
         std::string line{};

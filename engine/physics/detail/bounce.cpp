@@ -34,8 +34,9 @@ ClosingSpeeds closing_at(const btManifoldPoint& point, const btRigidBody* a, con
 
 /// Speed at which two bodies separate at the end of the step in which they bounce (m/s). They bounce with
 /// their speed at the time of contact. At the start of the step they are `gap` apart, or -gap inside each
-/// other. While they move apart, their acceleration acts as in free flight. Penetration adds no speed,
-/// because it is removed from the positions alone; `taken_out` is the share of it that this step removes.
+/// other; `e` is the restitution. While they move apart, their acceleration acts as in free flight.
+/// Penetration adds no speed, because it is removed from the positions alone; `taken_out` is the share of it
+/// that this step removes.
 btScalar rebound(const ClosingSpeeds& closing, btScalar gap, btScalar e, btScalar dt, btScalar taken_out) {
     const btScalar gained = closing.end - closing.start, acceleration = gained / dt;
     const btScalar at_contact = closing.start * closing.start + 2 * acceleration * gap;  // squared
@@ -43,7 +44,7 @@ btScalar rebound(const ClosingSpeeds& closing, btScalar gap, btScalar e, btScala
     // Distance of the bodies after dt, except for the part `speed * dt` by which they then move apart.
     const btScalar start = gap > 0 ? -e * gap : (1 - taken_out) * gap;
     if (start + speed * dt <= 0) return speed;
-    // v^2 = speed^2 - 2 acceleration (start + v dt)
+    // The speed v at the end of the step solves v^2 = speed^2 - 2 acceleration (start + v dt).
     const btScalar root = gained * gained + speed * speed - 2 * acceleration * start;
     return std::max(btScalar(0), std::sqrt(std::max(btScalar(0), root)) - gained);
 }

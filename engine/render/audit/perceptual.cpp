@@ -10,7 +10,7 @@
 namespace thaum::render {
 namespace {
 
-constexpr int tile = 16;  // side of a tile (px)
+constexpr int tile = 16;  // side of the square tiles over which differences are averaged (px)
 
 /// Linear light, three floats per pixel, in the layout of Image.
 struct Light {

@@ -17,10 +17,10 @@ float ahead(const fmat4& view_projection, const Bounds& there) {
     return (view_projection * fvec4(there.centre, 1)).w - there.radius;
 }
 
-/// Displacements below this size are invisible (px).
+/// Displacements of vertices below this size cannot be seen in the picture (px).
 constexpr float unseen = 1;
 
-/// Chooses the coarsest copy whose error is invisible at the instance's nearest point.
+/// Chooses the coarsest copy of a mesh whose error cannot be seen at the instance's nearest point.
 MeshId level_for(MeshId mesh, const MeshTables& meshes, const Bounds& there, const Sight& sight) {
     if (mesh >= meshes.levels.size() || meshes.levels[mesh].empty()) return mesh;
     const float scale = there.radius / meshes.bounds[mesh].radius;

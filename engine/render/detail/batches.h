@@ -1,4 +1,5 @@
-// Selects the instances that a view sees and sorts them into one draw call per mesh. No OpenGL.
+// Selects the instances (placed copies of meshes) that a view sees and sorts them into one draw call per
+// mesh. No OpenGL.
 #pragma once
 #include <span>
 #include <vector>
@@ -28,12 +29,13 @@ struct Batch {
     MeshId mesh{};
     std::size_t first{}, count{};  // range in Batches::instances
     float distance{};              // distance of the nearest instance along the view direction (m)
-    // For a patchwork (render/mesh.h): its visible patches, in Batches::patch_indices.
+    // For a patchwork (a large fixed mesh in patches, of which only the visible ones are drawn): its visible
+    // patches, in Batches::patch_indices.
     ChosenPatches patches{};
 };
 
-/// Batches of a frame. All its views share one buffer of instances and one of patches, so each buffer is sent
-/// once.
+/// Batches (draw calls, each for all instances of one mesh) of a frame. All its views share one buffer of
+/// instances and one of patches, so each buffer is sent once.
 struct Batches {
     std::vector<GpuInstance> instances;
     std::vector<Batch> batches;
@@ -70,7 +72,8 @@ std::size_t collect(std::span<const Instance> instances, const MeshTables& meshe
                     Batches& out);
 
 /// Chooses the patches of the batches from `first` on. Sorts the batches by distance, nearest first, so that
-/// objects are drawn before those that they hide. Patchworks come last, since they are behind everything.
+/// objects are drawn before those that they hide. Patchworks (large fixed meshes in patches, such as walls)
+/// come last, since they are behind everything.
 void arrange(std::size_t first, std::span<const PatchTable> tables, const Sight& world, Batches& out);
 
 }  // namespace thaum::render::detail

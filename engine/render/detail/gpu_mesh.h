@@ -21,8 +21,8 @@ void fill_mesh(GpuMesh& mesh, const MeshData& data);
 /// Draws a whole mesh with one call and returns the number of triangles. The program must be in use;
 /// `instances` holds Batches::instances.
 std::size_t draw_batch(const GpuMesh& mesh, const Batch& batch, const Buffer& instances);
-/// Draws some patches and returns the number of triangles. The program must be in use and have the instance
-/// (set_instance); `indices` holds Batches::patch_indices.
+/// Draws some patches of a large mesh and returns the number of triangles. The program must be in use and
+/// have the instance (set_instance); `indices` holds Batches::patch_indices.
 std::size_t draw_patches(const GpuMesh& mesh, IndexRange which, const Buffer& indices);
 
 /// Declares a float attribute of the bound vertex array, `start` bytes into the bound buffer.

@@ -51,7 +51,7 @@ void allocate(const Scan& scan, GpuScan& gpu) {
     gpu.brick_versions.clear();
 }
 
-/// Sends the samples of a box of bricks to the scan's textures.
+/// Sends the samples of a box of bricks (cubes of 8^3 samples) to the scan's textures.
 void send_box(const Scan& scan, const GpuScan& gpu, const ScanBox& bricks,
               std::vector<std::uint8_t>& scratch) {
     ScanBox box;
@@ -71,7 +71,7 @@ void send_box(const Scan& scan, const GpuScan& gpu, const ScanBox& bricks,
     put(gpu.paint, GL_RGBA, GL_UNSIGNED_BYTE);
 }
 
-/// Sends new samples to the scan's textures and returns the number of bricks sent.
+/// Sends new samples to the scan's textures and returns the number of bricks (cubes of 8^3 samples) sent.
 std::size_t send_samples(const Scan& scan, GpuScan& gpu, std::vector<std::uint8_t>& scratch) {
     const bool painted = !scan.colours.empty() || !scan.materials.empty();
     const bool fits =
@@ -123,7 +123,8 @@ void send_colours(const Scan& scan, GpuScan& gpu) {
     send_table(gpu.materials, values);
 }
 
-/// Recomputes which bricks have a visible density, and sends the result if it has changed.
+/// Finds again which bricks (cubes of 8^3 samples) have a visible density, and sends the result if it has
+/// changed.
 void send_bricks(const Scan& scan, GpuScan& gpu) {
     std::vector<std::uint8_t> before;
     before.swap(gpu.shown);

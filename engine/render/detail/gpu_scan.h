@@ -1,4 +1,4 @@
-// The textures of a scan.
+// The textures of a scan (a volume of samples, such as a CT scan).
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -16,8 +16,9 @@ struct GpuScan {
     bool painted = false;  ///< true: there are colours or materials
     bool shows = false;    ///< true: at least one brick (of 8^3 samples) has a visible density
     std::uint64_t version{};
-    std::uint64_t look{};     ///< hash of everything that decides which bricks have a visible density
-    std::uint64_t colours{};  ///< hash of the table's and the materials' contents
+    std::uint64_t look{};  ///< hash of everything that decides which bricks have a visible density
+    /// Hash of the contents of the colour table (transfer function) and of the materials.
+    std::uint64_t colours{};
     std::vector<std::uint32_t> brick_versions;
     std::vector<DensityRange> ranges;  ///< range of densities of each brick
     /// For each brick, whether it has a visible density, and the distance to the nearest brick that has one.
@@ -30,7 +31,7 @@ GpuScan make_gpu_scan();
 /// bricks sent. `scratch` is kept between calls. drawable(scan) must be true.
 std::size_t send(const Scan& scan, GpuScan& gpu, std::vector<std::uint8_t>& scratch);
 
-/// Hash of the contents of table and materials.
+/// Hash of the contents of the colour table (transfer function) and of the materials.
 std::uint64_t hash_colours(const Scan& scan);
 
 }  // namespace thaum::render::detail

@@ -79,8 +79,9 @@ IndexRange append_chosen(const PatchTable& table, const Sight& sight, const Patc
     for (const auto& [farthest, i] : order.near_first) {
         const auto& patch = table.patches[i];
         if (patch.sunless != sunless) continue;
-        // The distance of a patch's nearest point decides whether it is drawn plain. A patch behind others
-        // may show as soon as the farthest of those is drawn plain, so its own farthest point decides.
+        // The plain form of a patch lacks its fine detail. The distance of a patch's nearest point decides
+        // whether the plain form is drawn. A patch behind others may show as soon as the farthest of those is
+        // drawn in its plain form, so its own farthest point decides.
         const float across = 2 * patch.bounds.radius;
         const float distance = farthest - (is_behind(patch) ? across / 2 : across);
         const bool fine = distance * sight.pixel_angle > patch.detail && distance > gone;

@@ -1,4 +1,5 @@
-// Selects the patches of a patchwork that a view sees, with their detail and order. No OpenGL.
+// Selects the patches of a patchwork (a large fixed mesh) that a view sees, each in full detail or in plain
+// form, and their order. No OpenGL.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -13,7 +14,9 @@ namespace thaum::render::detail {
 struct Sight {
     fmat4 to_clip{1};
     fvec3 eye{0};
-    float pixel_angle{};  ///< angle of one pixel in the middle of the view, times finest_px (rad)
+    /// Angle below which detail need not be drawn: that of one pixel in the middle of the view, times the
+    /// finest_px of the quality (rad).
+    float pixel_angle{};
     std::span<const Hidden> hidden{};
 };
 
@@ -36,16 +39,18 @@ struct PlacedPatch {
     /// all directions.
     fvec3 apex{0}, axis{0};
     float backs = 2;
-    float detail{};  ///< size of the detail that `plain` lacks (m)
+    float detail{};  ///< size of the detail that the plain form of the patch lacks (m)
     bool sunless{};
-    IndexRange full{}, plain{};  ///< ranges in PatchTable::indices; `plain` may be empty
+    /// Ranges in PatchTable::indices of the full and the plain form of the patch; the plain one may be empty.
+    IndexRange full{}, plain{};
 };
 
 /// The patches of one patchwork; empty for an ordinary mesh.
 struct PatchTable {
     std::vector<PlacedPatch> patches;
-    std::vector<std::uint32_t> indices;  ///< indices of all full patches, then those of the plain ones
-    std::uint32_t full_count{};          ///< number of indices of full patches
+    /// Indices of all patches in full detail, then those of the plain forms.
+    std::vector<std::uint32_t> indices;
+    std::uint32_t full_count{};  ///< number of indices of full patches
 };
 
 struct JoinedPatches {

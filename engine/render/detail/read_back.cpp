@@ -14,8 +14,9 @@ namespace {
 // Number of rows that are read at once. They are few, so that packing finds them in the cache.
 constexpr int rows_at_once = 32;
 
-/// Converts blue, green, red and an unused byte to red, green, blue. Converts four pixels at a time as long
-/// as the extra bytes that this writes are overwritten afterwards.
+/// Converts blue, green, red and an unused byte to red, green, blue. Four pixels at a time are written as 16
+/// bytes, of which the last four are none of the picture's. This is done only where later pixels overwrite
+/// those four.
 void pack_rgb(std::span<const std::uint32_t> pixels, std::uint8_t* to) {
     using Four [[gnu::vector_size(16)]] = std::uint8_t;
     std::size_t i = 0;

@@ -180,7 +180,8 @@ void find_shown(const Scan& scan, const std::vector<DensityRange>& ranges, std::
         }
         return;
     }
-    // For each table entry, the number of entries before it that have an opacity above 0.
+    // For each entry of the table of opacities by density, the number of entries before it that have an
+    // opacity above 0.
     std::array<int, 257> before{};
     for (std::size_t i = 0; i < 256; ++i) before[i + 1] = before[i] + ((*scan.table)[i].opacity > 0 ? 1 : 0);
     for (std::size_t i = 0; i < ranges.size(); ++i) {

@@ -1,4 +1,4 @@
-// Densities of a scan as texels, and the bricks that a ray may skip. No OpenGL.
+// Densities of a scan as texels, and the bricks (cubes of 8^3 samples) that a ray may skip. No OpenGL.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -32,8 +32,9 @@ void pack_paint(const Scan& scan, const ScanBox& box, std::vector<std::uint8_t>&
 
 DensityRange density_range(const Scan& scan, const std::array<int, 3>& brick);
 
-/// Runs of bricks along x whose version differs from `sent`, which is then updated. If the versions are
-/// empty, or their number has changed, the result is one run with all bricks.
+/// Runs along x of those bricks (cubes of 8^3 samples) whose version, which counts their changes, differs
+/// from `sent`. Updates `sent`. If the versions are empty, or their number has changed, the result is one run
+/// with all bricks.
 std::vector<ScanBox> changed_bricks(const Scan& scan, std::vector<std::uint32_t>& sent);
 
 /// Calls `visit(brick, index)` for each brick that contains one of the given bricks' samples: the bricks

@@ -1,6 +1,7 @@
-// Scans in OpenGL. Each view's scans are drawn into targets of their own, with fewer pixels while something
-// moves, and drawn over the view: first the surfaces, with depth, then the translucent scans up to the depth
-// of the surfaces and the scene. A sharp picture is kept while nothing changes.
+// Scans (volumes of samples, such as CT scans) in OpenGL. Each view's scans are drawn into targets of their
+// own, with fewer pixels while something moves, and drawn over the view: first the surfaces, with depth, then
+// the translucent scans up to the depth of the surfaces and the scene. A sharp picture is kept while nothing
+// changes.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -107,7 +108,8 @@ private:
     std::vector<GpuScan> all_;
     GLint max_samples_{};  // largest number of samples along an axis that the driver allows
     MarchProgram surface_;
-    // Programs of translucent scans: [glowing, lit][plain, painted].
+    // Programs of translucent scans: [glowing, lit by sky and sun][with colours by density only, also with
+    // colours and materials of its samples].
     std::array<std::array<MarchProgram, 2>, 2> light_;
     ShowProgram show_solid_, show_light_;
     std::vector<ViewTargets> targets_;

@@ -17,8 +17,8 @@ public:
         std::size_t draws{}, triangles{};
     };
 
-    /// Updates the map. `revisions` count the changes of each mesh. Without fixed casters everything is in
-    /// the sun.
+    /// Updates the shadow map after casters (objects that cast a shadow) have changed or moved. `revisions`
+    /// count the changes of each mesh. Without fixed casters everything is in the sun.
     Counts update(const Casters& casters, fvec3 towards_sun, std::span<const GpuMesh> meshes,
                   std::span<const Bounds> mesh_bounds, std::span<const std::uint64_t> revisions,
                   const SmallProgram& program);

@@ -27,7 +27,8 @@ struct SeenVolume {
 bool drawable(const Volume& volume);
 /// Finds the part of the volume that the view sees. `view` has the meaning of SeenVolume::view.
 SeenVolume seen(const Volume& volume, const Camera& camera, const Sight& sight, const Rect& view);
-/// Appends the instances that may be partly inside the volume. A patchwork never counts as inside.
+/// Appends the instances that may be partly inside the volume. A patchwork (a large fixed mesh in patches,
+/// such as walls) never counts as inside.
 void add_dipped(const Volume& volume, std::span<const Instance> instances,
                 std::span<const Bounds> mesh_bounds, std::span<const PatchTable> patches,
                 std::vector<Instance>& out);

@@ -77,7 +77,7 @@ public:
     }
 };
 
-/// Draws the tracks of a project into frames.
+/// Draws the tracks of a .tact project (sequences of effects) into the frames of a clip.
 class Canvas {
 public:
     std::vector<ClipFrame> frames;
@@ -107,7 +107,8 @@ private:
     std::size_t drawn_{};
 };
 
-/// Strength of a step by its playback type, at a share `part` (0 to 1) of its time.
+/// Strength of a step (a part of an effect with its own times) by its playback type, such as FADE_IN, at a
+/// share `part` (0 to 1) of its time.
 double fade(const std::string& type, double part) {
     if (type == "FADE_IN") return part;
     if (type == "FADE_OUT") return 1 - part;
