@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t thinning = 8;
 constexpr double thin_rate = static_cast<double>(sample_rate) / thinning;
 constexpr std::size_t thin_per_block = frame_samples / thinning;
-/// Number of blocks after the end of a sound in which the filters of the bands still ring.
+/// Number of blocks of 8 ms after the end of a sound in which the filters of the bands still ring.
 constexpr std::size_t tail_blocks = 12;
 
 /// A second-order filter: a state variable filter by the trapezoidal rule, which stays exact at low

@@ -28,8 +28,8 @@ using BandLevels = std::array<float, max_bands>;
 
 /// Levels of the bands of one sound over time.
 struct BandCourse {
-    /// One entry for each block of frame_samples samples, and some more for the time in which the filters
-    /// ring after the end of the sound.
+    /// One entry for each block of frame_samples samples (8 ms), and some more for the time in which the
+    /// filters ring after the end of the sound.
     std::vector<BandLevels> levels{};
     double samples{};  ///< length of the sound (samples)
     bool loops{};

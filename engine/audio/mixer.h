@@ -46,10 +46,11 @@ struct MixSettings {
 /// Counts since the mixer was made, except where noted.
 struct MixReport {
     std::uint64_t blocks{};
-    std::uint64_t blocks_without_frame{};  ///< blocks made by `run_on`
-    std::uint32_t voices{};                ///< voices of the last block, of all listeners together
-    std::uint64_t begun{};                 ///< voices that got a source of OpenAL, which plays them
-    std::uint64_t stolen{};                ///< voices that lost their source to louder ones
+    /// Blocks that were mixed by `run_on`, because no new frame had come.
+    std::uint64_t blocks_without_frame{};
+    std::uint32_t voices{};  ///< voices of the last block, of all listeners together
+    std::uint64_t begun{};   ///< voices that got a source of OpenAL, which plays them
+    std::uint64_t stolen{};  ///< voices that lost their source to louder ones
     /// Audible voices without a source, summed over blocks, and voices for which a frame or max_begins had
     /// no room.
     std::uint64_t left_out{};

@@ -10,8 +10,8 @@ namespace thaum {
 /// look like a space.
 std::string invisible_character(std::string_view text);
 
-/// Like invisible_character, but blanks other than the space do not count, as texts for people may contain
-/// them.
+/// The first invisible character of a text, in words; empty if there is none. Blanks other than the space do
+/// not count, as texts for people may contain them.
 std::string hidden_character(std::string_view text);
 
 }  // namespace thaum

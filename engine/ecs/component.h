@@ -233,13 +233,15 @@ inline const std::uint32_t type_number = next_type_number();
 
 }  // namespace detail
 
-/// A type that gives the name of a blob and the type of its elements, which are numbers.
+/// A type that gives the name of a blob (an array of numbers that no entity owns) and the type of its
+/// elements.
 template <class T>
 concept Blob = std::is_arithmetic_v<typename T::Element> && requires {
     std::string_view(T::name);
 };
 
-/// A type that gives the name of a resource (ecs/resource.h) and the type of its value.
+/// A type that gives the name of a resource (a value that systems share beside the components) and the type
+/// of its value.
 template <class T>
 concept ResourceType = std::is_empty_v<T> && requires {
     typename T::Value;
@@ -283,7 +285,7 @@ ComponentInfo component_info() {
     return info;
 }
 
-/// Describes a blob.
+/// Describes a blob, an array of numbers that no entity owns.
 template <Blob T>
 ComponentInfo blob_info() {
     using Element = typename T::Element;

@@ -32,9 +32,9 @@ namespace thaum::ecs {
 
 inline constexpr std::uint32_t none = 0xffffffffU;
 
-/// Memory for tables and table edges. It is allocated in one piece and is released with the World or by a
-/// restore. A table that first appears in the middle of a match, as when a wizard dies holding a new wand,
-/// then needs no allocation.
+/// Memory for tables (arrays of all entities that have the same components) and for edges (links between two
+/// tables). It is allocated in one piece and is released with the World or by a restore. A table that first
+/// appears in the middle of a match, as when a wizard dies holding a new wand, then needs no allocation.
 using TableMemory = std::pmr::monotonic_buffer_resource;
 inline constexpr std::size_t table_memory_bytes = std::size_t{4} << 20U;
 
@@ -119,7 +119,8 @@ struct ColumnPair {
 
 /// Leads from one table to the table that has one component more, or one fewer.
 struct TableEdge {
-    std::uint64_t key = ~std::uint64_t{0};  ///< result of edge_key; the default matches no table
+    /// A change of an entity, packed by edge_key, that follows this edge; the default matches no table.
+    std::uint64_t key = ~std::uint64_t{0};
     Table* from = nullptr;
     Table* to = nullptr;
     std::uint32_t to_number = none;
@@ -186,7 +187,7 @@ struct Table {
     /// Moves the last row into the place of `row`. Returns the entity that moved, or the removed entity if
     /// `row` was the last.
     Entity remove(std::uint32_t row);
-    /// What `move` has changed: rows and the entity that fills the gap.
+    /// What `move` has changed: the rows, and the entity that took the place of the moved one.
     struct Moved {
         /// `to_row`: new row in the other table. `last`: row of this table that no longer exists.
         std::uint32_t to_row{}, last{};

@@ -40,7 +40,7 @@ struct Hook {
     void* context = nullptr;
 };
 
-/// Number of tables for which the lists of tables reserve room at the start.
+/// Number of tables (one for each set of components) for which a World reserves room at the start.
 inline constexpr std::size_t usual_tables = 256;
 
 /// Components and resources that the running system declared to read and write.
@@ -128,10 +128,12 @@ public:
         return counts_[id<C>()];
     }
 
-    /// Gives a blob `elements` elements, all 0. Spans of it that were taken before are invalid afterwards.
+    /// Gives a blob (an array of numbers that no entity owns) `elements` elements, all 0. Spans of it that
+    /// were taken before are invalid afterwards.
     template <Blob B>
     void resize(std::size_t elements);
-    /// Elements of a blob. The span is valid until the blob is resized, the World cleared or restored.
+    /// Elements of a blob (an array of numbers that no entity owns). The span is valid until the blob is
+    /// resized, the World cleared or restored.
     template <Blob B>
     std::span<typename B::Element> blob();
     template <Blob B>
@@ -144,14 +146,15 @@ public:
     template <class... Terms>
     View<Terms...> view() const;
 
-    /// Sets the hook for added components of this type. A Hook whose `call` is null removes it.
+    /// Sets the hook (a function of the caller) that is called after a component of this type was added. A
+    /// Hook whose `call` is null removes it.
     template <Component C>
     void on_add(Hook hook) {
         added_[id<C>()] = hook;
-        forget_packs();  // the cached data of `create` include whether there is a hook
+        forget_packs();  // what `create` keeps in its cache includes whether there is a hook
     }
-    /// Sets the hook for components of this type that are about to be removed. A Hook whose `call` is null
-    /// removes it.
+    /// Sets the hook (a function of the caller) that is called before a component of this type is removed. A
+    /// Hook whose `call` is null removes it.
     template <Component C>
     void on_remove(Hook hook) {
         removed_[id<C>()] = hook;
@@ -176,7 +179,7 @@ public:
     }
     /// Descriptions of components and blobs, by their numbers.
     std::span<const ComponentInfo> components() const { return infos_; }
-    /// All tables, in the order of their creation.
+    /// All tables (one for each set of components), in the order of their creation.
     std::span<const Pooled<Table>> tables() const { return tables_; }
     /// Number of entities that have a component. A resource is always there and counts as 1.
     std::uint32_t count(std::uint32_t number) const { return counts_[number]; }
@@ -199,7 +202,7 @@ private:
     /// Cached data for one list of components passed to `create`. It fills half a cache line.
     struct Pack {
         std::uint32_t table = none;  // table of the new entity; none: not known yet
-        bool hooked = false;         // true: one of the components has an `added_` hook
+        bool hooked = false;  // true: one of the components has a function that is called when it is added
         std::array<std::uint8_t, 27> components{};
     };
     static_assert(max_components <= 256 && sizeof(Pack) == 32);
@@ -252,7 +255,7 @@ private:
     [[noreturn, gnu::cold]] void fail(const char* what, std::uint32_t component, Entity entity) const;
     std::string component_message(std::string_view what, std::uint32_t component, Entity entity) const;
 
-    /// Number of a component, like id(), but without a test whether the component was declared.
+    /// Number of a component in this World. Unlike id(), it does not test whether the component was declared.
     template <Component C>
     std::uint32_t known_id() const {
         return id_of_type_[detail::type_number<C>];
@@ -265,7 +268,8 @@ private:
     }
     std::uint32_t new_number();
     std::uint32_t table_with(const Mask& mask);
-    /// The edge to the table that has this component as well (`more`), or that lacks only this component.
+    /// The edge (link between two tables) to the table that has this component as well (`more`), or that
+    /// lacks only this component.
     const TableEdge& edge_from(std::uint32_t table, std::uint32_t component, bool more, Entity entity) {
         const auto* edge = last_edge_;
         if (edge->key != edge_key(table, component, more)) [[unlikely]] {
@@ -273,10 +277,10 @@ private:
         }
         return *edge;
     }
-    /// Looks the edge up and remembers it. An assertion fails if the entity already has the component to be
-    /// added, or lacks the one to be removed.
+    /// Looks up the edge (link between two tables) that adds or removes a component, and remembers it. An
+    /// assertion fails if the entity already has the component to be added, or lacks the one to be removed.
     const TableEdge& find_edge(std::uint32_t table, std::uint32_t component, bool more, Entity entity);
-    /// Moves the entity along the edge and returns its new row.
+    /// Moves the entity to the table to which the edge leads and returns its new row there.
     std::uint32_t follow(const TableEdge& edge, Record& record, Entity entity);
     void forget_packs();
     void call(const Hook& hook, std::uint32_t component, Entity entity);
@@ -287,8 +291,8 @@ private:
         if (removed_[component].call != nullptr) call(removed_[component], component, entity);
     }
     void removing_all(const Table& table, std::uint32_t row);
-    /// Moves the entity to the table that has this component as well. Returns the new cell, which is not
-    /// written yet.
+    /// Moves the entity to the table that has this component as well. Returns the cell of the new component,
+    /// which is not written yet.
     Cell extend(Entity entity, std::uint32_t component);
     /// Calls the hook and moves the entity to the table that lacks only this component. The caller must still
     /// fill the hole in the component's column.
@@ -462,7 +466,8 @@ inline void World::unmark(Entity entity, std::uint32_t tag) {
     const auto row = record.row;
     const auto [to_row, last, filler] = edge.from->move(row, entity, edge);
     records_[filler.index].row = row;
-    // Set after the record of `filler`, which is this same record if the entity was in the last row.
+    // This is set after the record of `filler`. If the entity was in the last row, both are the same record,
+    // which must end up with the new place.
     record.table = edge.to_number;
     record.row = to_row;
     Table::move_cells(edge, row, last, to_row);
@@ -489,7 +494,7 @@ inline void World::unmark(Entity entity, std::uint32_t tag) {
     return {edge.from->cells[component], row, edge.from->rows};
 }
 
-// Inlined for the same reason as `create`.
+// Inlined, so that the component goes from registers into its cell.
 template <Component C>
 [[gnu::always_inline]] inline void World::add(Entity entity, const C& component) {
     const auto c = id<C>();

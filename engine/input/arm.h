@@ -35,7 +35,8 @@ struct ArmTick {
 /// Facts about an open arm. An arm that can push in three degrees of freedom gets forces and no torques, even
 /// if it measures six.
 struct ArmFacts {
-    haptics::DeviceSpec spec{};  ///< values that are unknown, such as mass, friction or quantum, are zero
+    /// Values that are unknown, such as mass, friction or the smallest measured motion, are zero.
+    haptics::DeviceSpec spec{};
     std::string serial{};
     std::string driver{};  ///< version of the vendor's library
     std::string family{};  ///< word for any arm of this family, such as "phantom"; empty: none
@@ -43,7 +44,7 @@ struct ArmFacts {
 
 /// Model and serial number, such as "Touch F0000001".
 std::string name_of(const ArmFacts& facts);
-/// Edges of the arm's workspace (um), as in DeviceSpec::box_um; zero if unknown.
+/// Edges of the box that the arm reports as its workspace (um); zero if unknown.
 std::array<std::uint32_t, 3> box_um(const ArmFacts& facts);
 /// Whether `word` names this arm: "arm" names any arm; otherwise its family, model, serial number, or model
 /// and serial number, in upper or lower case.

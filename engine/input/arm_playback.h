@@ -25,7 +25,8 @@ struct PlaybackReport {
     std::uint64_t played{};   ///< forces played
     std::uint64_t starved{};  ///< ticks without a force between the first and the last force
     double strongest{};       ///< largest force that was sent to the arm (N)
-    /// Number of ticks for each haptics::SafetyCause.
+    /// Number of ticks for each cause (haptics::SafetyCause) for which the arm got less force than was asked
+    /// for.
     std::array<std::uint64_t, haptics::safety_cause_names.size()> causes{};
     PoseFaults poses{};
 };

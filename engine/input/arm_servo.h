@@ -23,7 +23,7 @@
 
 namespace thaum::input {
 
-/// Ticks for which the simulation remembers its models. An older model gives no force.
+/// Ticks for which the simulation remembers its haptic models. An older model gives no force.
 inline constexpr std::uint32_t remembered_models = 80;
 
 /// Data from the simulation to the arm's thread, in each tick.
@@ -32,19 +32,22 @@ struct ArmOrder {
     haptics::HapticModel model{.on = false};
     vec3 offset{};                ///< displacement from the arm's tip to the hand that feels the model (m)
     haptics::ServoState start{};  ///< servo state at the start of the epoch
-    std::uint32_t epoch{};   ///< number of the epoch, a run of samples without a gap; 0: before the first one
-    std::uint32_t number{};  ///< number of the model, from 1 in each epoch
-    /// Number of samples in the epoch that the simulation had taken when it made the model.
+    std::uint32_t epoch{};  ///< number of the epoch, a run of samples without a gap; 0: before the first one
+    /// Number of the haptic model, from 1 in each epoch (a run of samples without a gap).
+    std::uint32_t number{};
+    /// Number of samples of this epoch (a run of samples without a gap) that the simulation had taken when it
+    /// made the haptic model.
     std::uint32_t samples{};
 };
 
 /// Data from the arm's thread to the simulation, in each tick.
 struct ArmSample {
-    ArmReading reading{};             ///< reading of the arm; the last valid one if `pose_age` is not 0
-    std::uint32_t epoch{}, sample{};  ///< number of the epoch, and of the sample in it; both from 1
-    std::uint32_t model{};            ///< number of the model that the arm's thread used
-    std::uint32_t pose_age{};         ///< ticks since the pose was measured
-    vec3 force{};                     ///< force that the arm got for this sample (N)
+    ArmReading reading{};  ///< reading of the arm; the last valid one if `pose_age` is not 0
+    /// Number of the epoch (a run of samples without a gap), and of the sample in it; both from 1.
+    std::uint32_t epoch{}, sample{};
+    std::uint32_t model{};     ///< number of the haptic model that the arm's thread used
+    std::uint32_t pose_age{};  ///< ticks since the pose was measured
+    vec3 force{};              ///< force that the arm got for this sample (N)
 };
 
 /// Counts of faults in the exchange with an arm's thread, since the start.
@@ -63,8 +66,8 @@ public:
     /// Runs one tick on the arm's thread. No lock, no allocation. Returns the force (N, device frame).
     vec3 step(const ArmReading& reading);
 
-    /// Starts a new simulation, whose epochs begin at 1 again; called by the simulation thread. No tick may
-    /// run meanwhile.
+    /// Starts a new simulation, whose epochs (runs of samples without a gap) are numbered from 1 again;
+    /// called by the simulation thread. No tick may run meanwhile.
     void begin_match() { epochs_before_ = epoch_; }
     /// Order (the newest haptic model and what belongs to it) for the arm's thread. The caller fills it with
     /// the values that ArmState describes, then calls `publish`.
@@ -97,7 +100,7 @@ private:
     // The next members are used by the simulation thread.
     bool taken_now_ = false;  ///< true: a sample was taken since the last order
     std::uint32_t epochs_before_ = 0;
-    /// Epoch, number of the model and samples taken, as in the last order.
+    /// Epoch, number of the haptic model and samples taken, as in the last order.
     std::uint32_t epoch_ = 0, number_ = 0, taken_ = 0;
     std::uint32_t without_ = 0;  ///< ticks since the last sample
     std::uint32_t buttons_ = 0;
@@ -108,9 +111,11 @@ private:
 /// A model that the simulation remembers for remembered_models ticks.
 struct RememberedModel {
     haptics::HapticModel model{};
-    vec3 offset{};            ///< displacement from the arm's tip to the hand that feels the model (m)
-    std::uint32_t number{};   ///< number of the model, from 1 in each epoch
-    std::uint32_t samples{};  ///< samples taken in the epoch when the model was made
+    vec3 offset{};  ///< displacement from the arm's tip to the hand that feels the model (m)
+    /// Number of the haptic model, from 1 in each epoch (a run of samples without a gap).
+    std::uint32_t number{};
+    /// Samples taken in the epoch (a run of samples without a gap) when the model was made.
+    std::uint32_t samples{};
 };
 
 /// State of an arm in the simulation; no padding. In each tick the simulation calls take_sample and does all
@@ -122,16 +127,17 @@ struct ArmState {
     /// Position of the hand in the servo step: the tip, plus the displacement that has built up while the
     /// clutch was held and the tip moved without the hand (m, device frame).
     vec3 hand{};
-    vec3 offset{};  ///< displacement from the tip to the hand for the newest model (m)
+    vec3 offset{};  ///< displacement from the arm's tip to the hand for the newest haptic model (m)
     vec3 rest{};    ///< position at which a resting hand stays (m)
     std::array<std::int32_t, 3> position_um{}, rotation_urad{};
     std::uint32_t epoch{1};
-    std::uint32_t number{};     ///< number of the newest model
-    std::uint32_t samples{};    ///< samples taken in this epoch
+    std::uint32_t number{};     ///< number of the newest haptic model
+    std::uint32_t samples{};    ///< samples taken in this epoch (a run of samples without a gap)
     std::uint32_t without{};    ///< ticks since the last sample
     std::uint32_t old_poses{};  ///< samples without a new measurement, since the start
-    std::uint32_t gaps{};       ///< epochs that ended because samples were missing or lost
-    std::uint32_t rests{};      ///< 1: the hand rests, however the arm moves
+    /// Epochs (runs of samples without a gap) that ended because samples were missing or lost.
+    std::uint32_t gaps{};
+    std::uint32_t rests{};  ///< 1: the hand rests, however the arm moves
     std::uint32_t spare{};
 };
 static_assert(sizeof(ArmState) ==

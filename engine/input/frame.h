@@ -24,7 +24,7 @@ inline constexpr std::size_t hand_faders = static_cast<std::size_t>(HandFader::f
 /// files give.
 inline constexpr std::uint8_t force_as_rules = 101;
 
-/// A change of a fader by a player during the match.
+/// A change, by a player during the match, of a fader for the forces at the hand.
 struct FaderChange {
     /// Number of the fader: a HandFader, or from HandFader::fluid on a source of a fluid; 0: no change.
     std::uint8_t fader{};
@@ -110,7 +110,7 @@ struct DeviceSample {
     /// True: the device is unplugged or lost. A device joins or leaves the match at the tick in which this
     /// value changes.
     bool away{};
-    FaderChange change{};  ///< fader that the player moved in this tick
+    FaderChange change{};  ///< change of a fader for the forces at the hand that the player made in this tick
     /// Age of the haptic model that the servo used (ticks), at least 1. It is 0 for hands, and for an arm in
     /// a tick without a sample; then the counts are meaningless.
     std::uint16_t model_age{};
@@ -158,7 +158,8 @@ struct DeviceSpec {
     std::array<std::uint8_t, fluid_faders> fluid_reduction{};
     /// Strength of the help with aiming (%, at most 100; game/context/aim_assist.h).
     std::uint8_t aim_assist{};
-    /// True: samples may contain changes of faders. Programs that do not know such changes refuse the log.
+    /// True: samples may contain changes of the faders for the forces at the hand. Programs that do not know
+    /// such changes refuse the log.
     bool moves_faders{};
     /// True: gestures of the hand cast spells without a button (game/casting/free_casting.h).
     bool casts_freely{};

@@ -217,7 +217,8 @@ bool log_in_use(const std::filesystem::path& path);
 /// error names a file that stays because it is no log, or because it is being recorded.
 Expected<void> remove_log(const std::filesystem::path& path);
 
-/// Reads only the header, for lists of logs. Errors as for LogReader::open.
+/// Reads only the header, for lists of logs. The error is one line with the path: no ordinary file, no log, a
+/// newer format, or a header that is damaged or cut off.
 Expected<LogHeader> read_log_header(const std::filesystem::path& path);
 
 }  // namespace thaum::input

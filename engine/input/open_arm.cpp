@@ -81,7 +81,8 @@ void note_hanging(std::string_view driver, bool hangs) {
         u.hanging.erase(one);
 }
 
-/// Like run_watched, but work that does not return in time is counted as hanging until it does.
+/// Runs work on a thread of its own and waits for it for a limited time (run_watched). Work that does not
+/// return in time is counted as hanging until it does.
 Watched run_counted(std::string_view driver, std::int64_t limit_ns, const std::atomic<bool>* enough,
                     std::function<void()> work, const std::function<void()>& if_late) {
     auto watched = run_watched(limit_ns, enough, std::move(work), [=] {

@@ -15,7 +15,7 @@ constexpr double open_rest_s = 0.004;
 constexpr double closed_rest_s = 0.1;
 constexpr double s_per_tick = 1e-3;
 
-/// Merges an older frame into a newer one.
+/// Merges an older tactile frame into a newer one: each actuator gets the larger amplitude.
 void merge(const tactile::TactileFrame& older, tactile::TactileFrame& newer) {
     for (std::size_t i = 0; i < newer.amplitude.size(); ++i) {
         if (!(older.amplitude[i] > newer.amplitude[i])) continue;

@@ -220,7 +220,8 @@ public:
     /// First body along the path whose layer is in `mask`; of two at the same distance, the one with the
     /// lower key. Exact to 1 nm for every shape and length. Does not allocate.
     std::optional<RayHit> ray(vec3 from, vec3 to, Layers mask = all_layers, Key ignore_key = no_key) const;
-    /// Like `ray`, for a sphere whose centre moves from `from` to `to`. Even the thinnest body is found.
+    /// First body that a sphere touches while its centre moves from `from` to `to`; the rules of `ray` hold
+    /// here too. Even the thinnest body is found.
     std::optional<RayHit> sweep_sphere(vec3 from, vec3 to, double radius, Layers mask = all_layers,
                                        Key ignore_key = no_key) const;
     /// Surfaces within `radius` (m) of a point, as exact as a ray. If the array is too small, it gets the
@@ -229,7 +230,8 @@ public:
     NearbyResult nearby(vec3 point, double radius, std::span<Nearby> into, Layers mask = all_layers,
                         Key ignore_key = no_key) const;
 
-    /// Discards everything that is not in a BodyState (see the top of this file). Contacts become empty.
+    /// Discards everything that is not in a BodyState, such as contact caches, and starts again from the
+    /// states alone. Contacts become empty.
     void rebuild();
 
     /// Statistics: steps since the start, and the present numbers of bodies.

@@ -131,7 +131,8 @@ std::optional<int> key_code(std::string_view name);
 /// layouts that give digits only with Shift still print them on the keys. Without a window, all keys are
 /// those of a US keyboard. Any thread may call it.
 std::string key_label(int code);
-/// Like key_label, but with the character in place of its name: "," for "Comma".
+/// Name of a key by the user's keyboard layout (key_label), but with the character in place of its name: ","
+/// for "Comma".
 std::string key_sign(int code);
 
 }  // namespace thaum::render

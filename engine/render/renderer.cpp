@@ -475,7 +475,7 @@ void Renderer::State::draw_batches(std::size_t first, std::size_t count) {
     statistics.draws += count;
 }
 
-/// Draws the patches of large fixed meshes that `which` selects, such as the sunlit. The program is in use.
+/// Draws those patches of large meshes that `which` selects, such as the sunlit ones. A program is in use.
 void Renderer::State::draw_patchworks(const MeshProgram& program, const ViewBatches& its,
                                       IndexRange (*which)(const ChosenPatches&)) {
     const auto end = its.first + its.solid;
@@ -489,8 +489,8 @@ void Renderer::State::draw_patchworks(const MeshProgram& program, const ViewBatc
     }
 }
 
-/// Draws the patchworks (large fixed meshes in patches). At Quality::medium, patches without sun use a program
-/// like that of Quality::low, which has no shadow map, but with all lights.
+/// Draws the patchworks (large fixed meshes in patches). At Quality::medium, patches without sun use a
+/// program like that of Quality::low, which has no shadow map, but with all lights.
 void Renderer::State::draw_stone(const ViewScene& view, const ViewBatches& its, Quality quality,
                                  const ShadowView& shadow) {
     const auto& program = programs.alone[static_cast<std::size_t>(quality)];

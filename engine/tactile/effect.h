@@ -82,24 +82,25 @@ struct Effect {
     std::string caption{};      ///< words on the screen while the effect is felt; empty: none
     bool important{};           ///< true: the caption is shown even to players who want few captions
     Method method{};
-    double weakest{};     ///< amplitude A at strength 0 (m)
-    double strongest{};   ///< amplitude A at strength 1 (m)
-    double wavelength{};  ///< wavelength L of the grating (m)
-    double stiffness{};   ///< stiffness k (N/m)
-    double damping{};     ///< damping B (N s/m)
+    double weakest{};     ///< amplitude of the grating at strength 0 (m)
+    double strongest{};   ///< amplitude of the grating at strength 1 (m)
+    double wavelength{};  ///< wavelength of the grating (m)
+    double stiffness{};   ///< stiffness of the contact with the grating (N/m)
+    double damping{};     ///< damping of the contact with the grating (N s/m)
     Envelope envelope{};
     Pattern pattern{};
-    double speed{};       ///< speed of a spread over the skin (m/s)
-    double reach{};       ///< distance at which a spread has faded away (m)
+    double speed{};       ///< speed of a wave that spreads over the skin (m/s)
+    double reach{};       ///< distance at which a wave that spreads over the skin has faded away (m)
     double slowest_hz{};  ///< heartbeats a second at strength 0 (Hz)
     double fastest_hz{};  ///< heartbeats a second at strength 1 (Hz)
     /// Length of a sweep, or of heartbeats that TactileMixer::start has begun (ms).
     double length_ms{};
     std::vector<BodyPoint> places{};  ///< one or two places; empty: at the place that the caller gives
-    std::optional<BodyPoint> to{};    ///< end of a sweep
-    vec2 sigma_cells{0.7};            ///< width along the chart's two directions (cells of the layout)
-    std::string clip_file{};          ///< name of the .tact file beside the effect's own file
-    std::vector<ClipFrame> clip{};    ///< frames of a clip
+    std::optional<BodyPoint> to{};    ///< place at which a sweep ends
+    /// Width of the felt spot along the two directions of the skin's chart (cells of the layout).
+    vec2 sigma_cells{0.7};
+    std::string clip_file{};        ///< name of the .tact file beside the effect's own file
+    std::vector<ClipFrame> clip{};  ///< frames of a clip
     Purpose purpose{};
     /// Priority, 0 to 9. When all places for playing effects are taken, an effect replaces one of lower or
     /// equal priority.

@@ -49,14 +49,14 @@ struct MixerSettings {
     double sum_limit{1.5};  ///< largest sum of amplitudes squared; one actuator at full strength has 1
     Tick gap{40};           ///< least time between the beginnings of two effects at one actuator (ticks)
     Tick time_to_live{48};  ///< time to live of a frame (ticks)
-    Tick driven_for{24};    ///< time for which `drive` holds an effect (ticks)
+    Tick driven_for{24};    ///< time for which an effect lasts after a call of `drive` (ticks)
 };
 
 /// Volume settings of the purposes of effects, 0 to 1. Walking is off until the player turns it up.
 struct Faders {
     std::array<double, purpose_count> values{1, 1, 1, 0, 1, 1, 1, 1, 1, 1};
 
-    /// Fader of one purpose.
+    /// Volume fader of the effects of one purpose, such as blasts.
     double& of(Purpose purpose) { return values[static_cast<std::size_t>(purpose)]; }
     double of(Purpose purpose) const { return values[static_cast<std::size_t>(purpose)]; }
     bool operator==(const Faders&) const = default;
@@ -117,7 +117,7 @@ private:
         double level{};       ///< amplitude of the motors, 0 to 1
         double beat_ms{};     ///< time since the last heartbeat (ms)
         double held_ms{};     ///< time on the envelope at which the decay began (ms); below 0: still held
-        Tick released{};      ///< tick at which the hold ended
+        Tick released{};      ///< tick at which the hold (the time at full strength) ended
         std::uint8_t main{};  ///< actuator at which the beginning of the effect is strongest
         bool felt{};          ///< true: the effect has been in a frame
         /// Shares of the energy for each actuator (tactile/phantom.h), for each place; for a spread, the
@@ -165,7 +165,8 @@ private:
     std::size_t count_{};
     /// Tick from which another event may begin at an actuator.
     std::array<Tick, max_actuators> free_at_{};
-    std::array<Shares, clip_cells> clip_shares_{};  ///< shares of each cell of a clip
+    /// Shares of the actuators in the energy of each cell of a clip.
+    std::array<Shares, clip_cells> clip_shares_{};
     // Sum of the energies of all effects in one frame, at each actuator.
     std::array<float, max_actuators> energy_{};
     /// Largest energy of a single effect at each actuator. The effect with this energy gives the carrier.
@@ -174,7 +175,7 @@ private:
     std::array<Tick, max_actuators> may_begin_{};
     /// Amplitude that waits until the gap since the actuator's last beginning is over.
     std::array<double, max_actuators> waiting_{};
-    bool ringing_{};  ///< true: some actuator is on, or waits until its gap is over
+    bool ringing_{};  ///< true: some actuator is on, or waits to begin
     Tick mixed_at_{};
     bool mixed_{};
     TactileFrame frame_{};

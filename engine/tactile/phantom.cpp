@@ -5,9 +5,11 @@
 namespace thaum::tactile {
 namespace {
 
-constexpr double min_sigma = 0.2;    // smallest width of the Gaussian (cells)
-constexpr double kept_share = 0.01;  // smallest share that is kept, relative to the largest one
-constexpr double min_share = 1e-4;   // smallest share that is kept if the place cannot be rendered otherwise
+constexpr double min_sigma = 0.2;  // smallest width of the Gaussian (cells)
+// Smallest share of the energy that an actuator keeps, relative to the largest share.
+constexpr double kept_share = 0.01;
+// Smallest such share that an actuator keeps if the place cannot be rendered otherwise.
+constexpr double min_share = 1e-4;
 // Largest error of the felt place that is accepted when actuators are left out (cells).
 constexpr double tolerated = 0.01;
 constexpr double solved = 1e-4;  // error at which the search stops (cells); far below what skin resolves
@@ -97,8 +99,8 @@ void balance(Cells& cells) {
     }
 }
 
-/// Removes actuators whose share is less than `share` of the largest one, then balances the others. Returns
-/// false if the others cannot render the place.
+/// Removes actuators whose share of the energy is less than `share` times the largest one, then balances the
+/// others. Returns false if the others cannot render the place.
 bool drop_below(Cells& cells, double share) {
     const auto end = cells.share.begin() + static_cast<std::ptrdiff_t>(cells.count);
     const double least = share * *std::max_element(cells.share.begin(), end);
@@ -126,7 +128,8 @@ bool is_far_side(const Layout& layout, std::size_t actuator, vec3 place) {
     return at.x * place.x + at.z * place.z < 0;
 }
 
-/// Actuators of a region, relative to a target. `near_side`: leave out those on the far side of the torso.
+/// Actuators of a region, relative to the place that is to be felt. `near_side`: leave out those on the far
+/// side of the torso.
 Cells cells_about(const Layout& layout, const ChartPlace& target, vec2 sigma, bool near_side) {
     Cells cells;
     const vec3 place = near_side ? layout.torso.point(target.at) : vec3(0);

@@ -68,8 +68,8 @@ Row row_of(const Contest& contest, std::string_view store, const std::vector<dou
 
 struct Target {
     std::string_view name;
-    double ratio;         ///< largest ratio to raw; 0: no such target
-    double ns;            ///< largest time in the unit of the case; 0: no such target
+    double ratio;  ///< largest allowed ratio of the World's time to that of plain arrays; 0: no such target
+    double ns;     ///< largest allowed time in the unit of the case; 0: no such target
     std::uint32_t min_n;  ///< smallest number of entities to which the target applies
 };
 

@@ -126,10 +126,10 @@ constexpr std::array<std::size_t, 5> counts{1, 2, 4, 8, 16};
 
 /// Statistics of many random sets.
 struct Tally {
-    double residual{};     ///< worst residual (N)
-    double own{};          ///< worst residual as reported by the method itself (N)
+    double residual{};     ///< worst residual, the sum of forces that is left (N)
+    double own{};          ///< worst residual (remaining sum of forces) as reported by the method itself (N)
     double force_error{};  ///< worst error of the force at the hand, compared with the method "exact" (N)
-    double above{};        ///< share of sets with a residual above 1e-9 N
+    double above{};        ///< share of sets with a residual (remaining sum of forces) above 1e-9 N
     double steps{};        ///< mean number of steps
     double max_steps{};
     double allocations{};

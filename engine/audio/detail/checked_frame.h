@@ -1,4 +1,5 @@
-// audio/detail/checked_frame.h: replaces wrong values of a frame, so that the mixer can use every value.
+// audio/detail/checked_frame.h: replaces wrong values of an audio frame (listeners and voices of 8 ms), so
+// that the mixer can use every value.
 #pragma once
 #include <span>
 #include <vector>

@@ -30,11 +30,11 @@ private:
     std::array<float, 2 * window> delayed_{};
     /// Largest gain that keeps each delayed sample within -1 to 1.
     std::array<double, window> needed_ = filled();
-    /// Gain before averaging: the least of `needed_`, slow to rise.
+    /// Gain before averaging: the least gain that any delayed sample needs. It rises slowly after a peak.
     std::array<double, window> held_ = filled();
     double held_sum_{window};
     double lowest_{1};
-    std::size_t calm_{window};  ///< number of samples since needed_ or held_ was last below 1
+    std::size_t calm_{window};  ///< number of samples since a gain was last below 1
     std::size_t at_{};
 
     static constexpr std::array<double, window> filled() {

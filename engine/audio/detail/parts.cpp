@@ -18,7 +18,7 @@ struct Span {
     bool lasting{};  ///< true: the part lasts as long as the whole loop
 };
 
-/// Span of a part; `decay` is the longest of its decays.
+/// Place of a part on the time axis of its sound; `decay` is the longest decay of the part's sine waves (s).
 Span span_of(const Canvas& canvas, const Envelope& envelope, double decay) {
     if (decay == 0 && canvas.loops()) return {0, canvas.size(), true};
     const auto start = static_cast<std::size_t>(envelope.start * sample_rate);

@@ -33,7 +33,7 @@ struct ChosenPatches {
 
 struct PlacedPatch {
     Bounds bounds;
-    fvec3 half{0};  ///< half size of the box around the patch, centred like `bounds` (m)
+    fvec3 half{0};  ///< half size of the box around the patch; its centre is that of `bounds` (m)
     /// Cone that contains all normals. All triangles of the patch face away from a point p if the angle
     /// between p - apex and -axis has a cosine of at least `backs`. `backs` is > 1 if the triangles face in
     /// all directions.

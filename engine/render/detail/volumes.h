@@ -15,9 +15,9 @@ namespace thaum::render::detail {
 struct SeenVolume {
     const Volume* volume{};  ///< the volume; null if there is none or it is not visible
     bool inside{};           ///< true: the eye is inside the volume
-    /// Place of the view in the marched target, from the bottom left (px).
+    /// Place of the view in the target into which volumes are ray-marched, from the bottom left (px).
     Rect view{};
-    Rect part{};  ///< part of `view` that is marched
+    Rect part{};  ///< part of `view` in which rays are marched through the volume
     /// Batches of the objects that stand in the volume: the first one, and their number.
     std::size_t first{}, count{};
 };
@@ -33,14 +33,15 @@ void add_dipped(const Volume& volume, std::span<const Instance> instances,
                 std::span<const Bounds> mesh_bounds, std::span<const PatchTable> patches,
                 std::vector<Instance>& out);
 
-/// Number of view pixels per marched pixel, along a side.
+/// Number of pixels of a view for each pixel that is ray-marched, along a side.
 int march_share(Quality quality);
 
 class Volumes {
 public:
     static Expected<Volumes> load(const std::filesystem::path& shaders);
     VolumeId make();
-    /// Allocates the marched target for a frame of this size (marched pixels).
+    /// Allocates the target into which volumes are ray-marched, for a frame of this size (ray-marched
+    /// pixels).
     void begin(int width, int height, Quality quality);
     /// Sends new texels and skin. Then prepares to draw, with `depth_program`, the depth of the objects in
     /// one view's volume, and sets the view's matrix in that program.
