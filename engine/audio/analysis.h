@@ -41,10 +41,11 @@ inline constexpr std::size_t signature_bands = 24, signature_quarters = 4;
 /// Signature of a sound: the levels by quarter and band (dB), then the number for the length.
 using Signature = std::array<double, signature_bands * signature_quarters + 1>;
 
-/// Signature of a sound at 48 kHz.
+/// Signature of a sound at 48 kHz: numbers that describe its shape in time and frequency, without its
+/// loudness.
 Signature signature_of(std::span<const float> samples);
 
-/// Root mean square of the differences between the numbers of two signatures (dB).
+/// Distance of two sounds by their signatures: root mean square of the differences between the numbers (dB).
 double distance(const Signature& a, const Signature& b);
 
 }  // namespace thaum::audio

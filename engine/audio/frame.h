@@ -15,7 +15,7 @@
 namespace thaum::audio {
 
 inline constexpr Tick frame_ticks = 8;
-/// Samples of one frame for each channel.
+/// Samples of one frame (8 ms) for each channel.
 inline constexpr std::size_t frame_samples = sample_rate * frame_ticks / ticks_per_second;
 static_assert(frame_samples == 384);
 

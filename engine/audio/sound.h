@@ -33,7 +33,9 @@ struct Sound {
 /// All sounds of a program, sorted by name. A sound's number is its index.
 struct SoundBank {
     std::vector<Sound> sounds;
-    std::vector<LeftOut> faulty{};  ///< recipes that were left out because of their faults, sorted by name
+    /// Recipes (descriptions of sounds in data files) that were left out because of their faults, sorted by
+    /// name.
+    std::vector<LeftOut> faulty{};
 
     /// Returns the number of the sound with this name; std::nullopt: there is none.
     std::optional<std::uint32_t> find(std::string_view name) const;

@@ -19,7 +19,8 @@ enum class WavFormat : std::uint8_t {
 /// A WAV file at 48 kHz. Unless `close` is called, no file is left (core/file_writer.h).
 class WavWriter {
 public:
-    /// Starts a file. `channels`: 1, or 2 for stereo. The error is that of FileWriter.
+    /// Starts a file. `channels`: 1, or 2 for stereo. The error names the path and says why the file cannot
+    /// be created.
     static Expected<WavWriter> create(std::filesystem::path path, WavFormat format,
                                       std::uint16_t channels = 2);
 

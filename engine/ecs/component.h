@@ -41,7 +41,7 @@
 
 namespace thaum::ecs {
 
-/// Greatest number of components and resources of a World.
+/// Greatest number of components and resources (values that systems share) of a World.
 inline constexpr std::size_t max_components = 128;
 
 /// A set of numbers of components and resources of one World.

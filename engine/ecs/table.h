@@ -38,14 +38,15 @@ inline constexpr std::uint32_t none = 0xffffffffU;
 using TableMemory = std::pmr::monotonic_buffer_resource;
 inline constexpr std::size_t table_memory_bytes = std::size_t{4} << 20U;
 
-/// Deleter for objects in TableMemory. It runs the destructor and does not free the bytes.
+/// Deleter for objects in TableMemory, which is released as a whole. It runs the destructor and does not free
+/// the bytes.
 struct DestroyOnly {
     template <class T>
     void operator()(T* object) const {
         object->~T();
     }
 };
-/// Owner of an object in TableMemory.
+/// Owner of an object in TableMemory, which is released as a whole.
 template <class T>
 using Pooled = std::unique_ptr<T, DestroyOnly>;
 /// Makes an object in `memory`. Its constructor gets `memory` too, for the arrays of the object.
@@ -124,11 +125,11 @@ struct TableEdge {
     Table* from = nullptr;
     Table* to = nullptr;
     std::uint32_t to_number = none;
-    std::pmr::vector<ColumnPair> pairs;  ///< columns that both tables of the edge have
+    std::pmr::vector<ColumnPair> pairs;  ///< columns that both tables joined by the edge have
 
     explicit TableEdge(TableMemory& memory) : pairs(&memory) {}
 
-    /// Refreshes the array pointers after a reallocation.
+    /// Reads the addresses of both tables' arrays again after one of them has moved.
     void aim();
 };
 
@@ -153,7 +154,7 @@ struct Table {
     /// Edge for each component. It leads to the table that has this component as well, or, if this table has
     /// the component, to the table that lacks only this one. Null: not known yet.
     std::array<Pooled<TableEdge>, max_components> edges;
-    /// Edges from or to this table, which hold the addresses of its arrays.
+    /// Edges (links between two tables) from or to this table, which hold the addresses of its arrays.
     std::pmr::vector<TableEdge*> incident;
 
     explicit Table(TableMemory& table_memory)

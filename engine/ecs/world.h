@@ -196,7 +196,8 @@ private:
 
     struct Record {
         std::uint32_t generation = 0;
-        std::uint32_t table = none;  // none: the record is free, and row is the next free one
+        // None: this record is free, and `row` is the number of the next free record.
+        std::uint32_t table = none;
         std::uint32_t row = none;
     };
     /// Cached data for one list of components passed to `create`. It fills half a cache line.

@@ -30,8 +30,8 @@ inline constexpr std::uint32_t remembered_models = 80;
 struct ArmOrder {
     haptics::Servo servo{};
     haptics::HapticModel model{.on = false};
-    vec3 offset{};                ///< displacement from the arm's tip to the hand that feels the model (m)
-    haptics::ServoState start{};  ///< servo state at the start of the epoch
+    vec3 offset{};  ///< displacement from the arm's tip to the hand that feels the haptic model (m)
+    haptics::ServoState start{};  ///< servo state at the start of the epoch (a run of samples without a gap)
     std::uint32_t epoch{};  ///< number of the epoch, a run of samples without a gap; 0: before the first one
     /// Number of the haptic model, from 1 in each epoch (a run of samples without a gap).
     std::uint32_t number{};
@@ -72,7 +72,7 @@ public:
     /// Order (the newest haptic model and what belongs to it) for the arm's thread. The caller fills it with
     /// the values that ArmState describes, then calls `publish`.
     ArmOrder& order() { return orders_.to_fill(); }
-    /// Hands the filled order to the arm's thread.
+    /// Hands the filled order (the newest haptic model and what belongs to it) to the arm's thread.
     void publish();
     /// Takes the next sample, with pose and age of the pose as counts (arm::Count). model_age is 0 if no
     /// sample can be used. A positive `skips` means that samples of this epoch were lost or the model is
@@ -98,7 +98,7 @@ private:
     std::atomic<std::uint64_t> lost_{0};
 
     // The next members are used by the simulation thread.
-    bool taken_now_ = false;  ///< true: a sample was taken since the last order
+    bool taken_now_ = false;  ///< true: a sample was taken since the last order to the arm's thread
     std::uint32_t epochs_before_ = 0;
     /// Epoch, number of the haptic model and samples taken, as in the last order.
     std::uint32_t epoch_ = 0, number_ = 0, taken_ = 0;
@@ -108,10 +108,10 @@ private:
     std::atomic<std::uint64_t> differing_{0};
 };
 
-/// A model that the simulation remembers for remembered_models ticks.
+/// A haptic model that the simulation remembers for remembered_models ticks.
 struct RememberedModel {
     haptics::HapticModel model{};
-    vec3 offset{};  ///< displacement from the arm's tip to the hand that feels the model (m)
+    vec3 offset{};  ///< displacement from the arm's tip to the hand that feels the haptic model (m)
     /// Number of the haptic model, from 1 in each epoch (a run of samples without a gap).
     std::uint32_t number{};
     /// Samples taken in the epoch (a run of samples without a gap) when the model was made.

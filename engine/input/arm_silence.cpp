@@ -17,7 +17,7 @@ namespace {
 /// Signal that ends the process. The handler of the alarm sends it if another handler hangs in the vendor's
 /// library.
 volatile std::sig_atomic_t ends_by = 0;
-/// Whether this thread is already in the handler on_end.
+/// Whether this thread is already in on_end, the handler of the signals that end the process.
 thread_local volatile std::sig_atomic_t ends_here = 0;
 
 void hung(int) {
@@ -83,7 +83,7 @@ void on_end(int signal, siginfo_t*, void* context) {
     const bool arms = ticks::is_arms_thread(), nested = ends_here != 0;
     if (!is_fault(signal)) {
         if (arms) return hand_on(signal, context);
-        if (nested) return;  // the outer handler ends the process
+        if (nested) return;  // the outer call of this handler ends the process
     }
     ends_here = 1;
     if (!nested && arms) end_as_arms_thread(signal);

@@ -158,7 +158,7 @@ Expected<std::vector<Control>> parse_controls(std::string_view words, const KeyC
 /// Writes controls in the form that parse_control and parse_controls read.
 std::string words_of(const Control& control, const KeyNames& names);
 std::string words_of(const std::vector<Control>& controls, const KeyNames& names);
-/// Writes the value of the setting `toggle`.
+/// Writes the value of the setting `toggle`: the actions that stay on from one press to the next.
 std::string toggles_of(const Bindings& bindings);
 
 }  // namespace thaum::input

@@ -244,7 +244,7 @@ std::uint8_t HandsCollector::newest_wand(std::uint32_t down) {
 
 /// Level of a turn during its slow start. A turn begins from rest or with a change of direction.
 std::int32_t HandsCollector::ramped(std::int32_t level, Turn& turn) const {
-    constexpr double least = 0.3;  // share of the turn's level at its beginning
+    constexpr double least = 0.3;  // share of its full level with which a turn begins
     if (level == 0) {
         turn.ticks = 0;
         return 0;

@@ -28,7 +28,7 @@ inline constexpr std::uint8_t force_as_rules = 101;
 struct FaderChange {
     /// Number of the fader: a HandFader, or from HandFader::fluid on a source of a fluid; 0: no change.
     std::uint8_t fader{};
-    std::uint8_t percent{};  ///< new value, 0 to 100, or force_as_rules
+    std::uint8_t percent{};  ///< new value, 0 to 100, or force_as_rules: as in the data files
     bool operator==(const FaderChange&) const = default;
 };
 /// Whether the numbers are a valid change, or no change. Other numbers occur only in damaged logs.

@@ -71,7 +71,8 @@ struct LogHeader {
     std::vector<std::string> overrides;  ///< values of --set, "key=value", in order; at most 1,000
     /// Parameters of the match, "key=value": kills to win, seconds; at most 1,000.
     std::vector<std::string> parameters;
-    std::vector<KindTable> kinds;      ///< tables of kinds, at most 16, sorted by group; none in format 1
+    /// Numbers of kinds of things, such as wands, by group; at most 16 groups, sorted; none in format 1.
+    std::vector<KindTable> kinds;
     std::vector<ProfileData> profile;  ///< data of players' profiles; at most 1,000
     /// Names of the players for display; an empty one means the team's name. There are at most as many as
     /// `players`.
@@ -190,7 +191,7 @@ public:
     /// The text given to close; empty if the ending is not clean.
     const std::string& result() const;
 
-    /// All hashes by ascending tick, including those of the end block.
+    /// All hashes by ascending tick, including those of the end block, with which a log is closed.
     const std::vector<HashRecord>& hashes() const;
     /// Hashes recorded after `tick` ticks; std::nullopt: there are none.
     std::optional<HashRecord> hash_at(Tick tick) const;

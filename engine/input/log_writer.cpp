@@ -146,7 +146,8 @@ struct LogWriter::State {
     std::atomic<bool> stopped{false};
     std::atomic_flag fault_taken;
     std::string fault;
-    // Text for the end block; set before the last block is handed over, as is `last`.
+    // Text for the end block, with which the log is closed; set before the last block is handed over, as is
+    // `last`.
     std::string result;
     std::optional<HashRecord> last;  // hashes of the last state
 

@@ -9,7 +9,7 @@ namespace thaum::input {
 namespace {
 
 struct Question {
-    std::string_view field;  ///< name of the control in a mapping
+    std::string_view field;  ///< name of the control in mappings, the lines of SDL's gamecontrollerdb.txt
     std::string_view name;   ///< name of the control for people
     std::string_view words;
     bool stick = false;   ///< true: the user must move a whole axis to its positive side
@@ -44,7 +44,7 @@ constexpr int back_at_rest = axis_end / 4;  ///< an axis this near to its rest p
 /// An axis whose rest position is farther out than this can only move one way.
 constexpr int rests_at_end = axis_end / 2;
 
-/// Name of a model without characters that a mapping cannot contain.
+/// Name of a model of joysticks, without characters that a line of SDL's gamecontrollerdb.txt cannot contain.
 std::string name_in_mapping(std::string name) {
     std::erase_if(name, [](char c) { return c == ',' || static_cast<unsigned char>(c) < ' '; });
     return name.empty() ? "Joystick" : name;

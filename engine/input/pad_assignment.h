@@ -40,7 +40,7 @@ public:
 
     /// Whether all controls were asked for and the last part was released.
     bool is_done() const { return asks().empty() && !let_go_first_; }
-    /// The mapping with all assigned parts.
+    /// The mapping with all assigned parts, as a line of SDL's gamecontrollerdb.txt.
     std::string mapping() const;
 
 private:

@@ -113,7 +113,8 @@ struct PadReader::State {
     std::jthread start{};  ///< thread that initialises SDL; `wait` joins it
     bool began = false;
     std::string fault{};
-    /// Mappings of the program, in the order in which they were added to SDL.
+    /// Mappings (which part of a joystick is which control of a pad) of the program, in the order in which
+    /// they were added to SDL.
     std::vector<std::string> mappings{};
     PadPlaces places{};
     Pads pads{};
@@ -174,7 +175,7 @@ bool PadReader::State::look() {
     return std::exchange(plugged, plugged_in) != plugged_in;
 }
 
-/// Assigns places to pads, and opens and closes them.
+/// Assigns places in the list of pads, and opens and closes pads.
 void PadReader::State::open_pads() {
     std::vector<PluggedPad> plugged_in;
     for (std::size_t i = 0; i < plugged.size(); ++i)

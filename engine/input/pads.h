@@ -30,7 +30,7 @@ public:
 
     /// Joysticks found by the last `poll` that cannot be used as pads.
     const std::vector<Stick>& sticks() const;
-    /// Names of pads that cannot be used because all places of Pads are taken.
+    /// Names of pads that cannot be used because all places in the list of pads are taken.
     const std::vector<std::string>& left_over() const;
     /// Names of pads without a right stick.
     std::vector<std::string> without_right_stick() const;

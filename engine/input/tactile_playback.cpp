@@ -134,12 +134,13 @@ void TactilePlayback::lose(double now_s) {
     say(text(output_->name(), ": ", fault));
 }
 
-/// Drops frames while no output can play them.
+/// Drops the tactile frames that wait, while no output can play them.
 void TactilePlayback::drop_waiting() {
     for (; frames_.front() != nullptr; frames_.pop()) ++report_.frames_lost;
 }
 
-/// Takes a frame passed by `try_out`. Returns whether there is a new one.
+/// Takes a tactile frame from a second source, which `try_out` has passed. Returns whether there is a new
+/// one.
 bool TactilePlayback::take_trial(double now_s) {
     const std::lock_guard lock(told_);
     if (!next_trial_) return false;
@@ -148,7 +149,7 @@ bool TactilePlayback::take_trial(double now_s) {
     return true;
 }
 
-/// Merges all waiting frames into frame_. Returns their number.
+/// Merges all waiting tactile frames into frame_. Returns their number.
 std::size_t TactilePlayback::take_frames() {
     const auto count = frames_.size();
     for (std::size_t i = 0; i < count; ++i, frames_.pop()) {
@@ -158,7 +159,7 @@ std::size_t TactilePlayback::take_frames() {
     return count;
 }
 
-/// Passes on each waiting frame unchanged, for an output that wants every frame.
+/// Passes on each waiting tactile frame unchanged, for an output that wants every frame.
 void TactilePlayback::pass_all(double now_s) {
     for (; frames_.front() != nullptr; frames_.pop()) {
         ++report_.frames_sent;
@@ -166,7 +167,7 @@ void TactilePlayback::pass_all(double now_s) {
     }
 }
 
-/// Plays the waiting frames. `age_s` is the greatest age that they may have.
+/// Plays the waiting tactile frames. `age_s` is the greatest age that they may have (s).
 void TactilePlayback::play(double now_s, double age_s) {
     if (output_->wants_every_frame()) return pass_all(now_s);
     const bool tried = take_trial(now_s);

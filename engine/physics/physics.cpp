@@ -161,7 +161,8 @@ void Physics::Impl::wake_near(const Box& box) {
 void Physics::Impl::prepare_damping(Body& body) const {
     body.kept_velocity = det::pow(1 - body.desc.linear_damping, damping_dt);
     body.kept_spin = det::pow(1 - body.desc.angular_damping, damping_dt);
-    const double y = -det::log(1 - body.desc.linear_damping) * damping_dt;  // the product c dt
+    // The damping rate c times the time step.
+    const double y = -det::log(1 - body.desc.linear_damping) * damping_dt;
     if (y < 0.02) {  // Taylor series, because the differences below would lose precision
         body.drive_s = damping_dt * (1 - y / 2 * (1 - y / 3 * (1 - y / 4 * (1 - y / 5))));
         body.fall_s2 = damping_dt * damping_dt / 2 * (1 - y / 3 * (1 - y / 4 * (1 - y / 5 * (1 - y / 6))));

@@ -392,7 +392,7 @@ void Renderer::State::show_volumes(std::span<const ViewBatches> of_views, int he
         glEnable(GL_DEPTH_TEST);
         glEnable(GL_CULL_FACE);
         volumes.show(its.volume, its.sight, at, no_attributes);
-        statistics.draws += 2;  // two draw calls: the skin, and the marched part
+        statistics.draws += 2;  // the skin (upper surface) of the volume, and the ray-marched part behind it
     }
 }
 

@@ -28,7 +28,7 @@ struct DrawStatistics {
     std::size_t shadow_draws{};  ///< draw calls into the shadow map; 0 if no caster has moved
     std::size_t shadow_triangles{};
     std::size_t volumes_drawn{};
-    /// Volumes whose texels and skin were sent again because their version changed.
+    /// Volumes whose texels and skin (upper surface) were sent again because their version changed.
     std::size_t volumes_sent{};
     std::size_t scans_drawn{};  ///< scans in view that show something
     /// Scans whose rays were computed; fewer than those drawn if a sharp picture was kept.
@@ -62,7 +62,7 @@ public:
     MeshId upload(const Patchwork& patchwork);
     /// Replaces the triangles of a mesh that changes, such as a surface. The new mesh may be empty.
     void replace(MeshId id, const MeshData& mesh);
-    /// Reserves a volume. Views supply its texels and skin (ViewScene::volume).
+    /// Reserves a volume. Views supply its texels and its skin (upper surface) in ViewScene::volume.
     VolumeId make_volume();
 
     /// Reserves a scan. Views supply its samples (ViewScene::scans). The first picture of each look takes

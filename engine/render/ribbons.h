@@ -51,7 +51,8 @@ private:
         vec3 seed{};
     };
     std::vector<One> all_;  // ribbons, one for each mesh that was ever made
-    std::size_t used_ = 0;  // number of ribbons with a seed; they come first in `all_`
+    // Number of ribbons with a seed, where the streamline starts; they come first in `all_`.
+    std::size_t used_ = 0;
     std::uint64_t version_ = 0;
     float glow_ = 0;
     std::vector<field::StreamPoint> line_;

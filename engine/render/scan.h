@@ -29,7 +29,7 @@ namespace thaum::render {
 /// Handle of a scan, returned by Renderer::make_scan.
 using ScanId = std::uint32_t;
 
-/// Samples along one side of a brick.
+/// Samples along one side of a brick, a cube of samples that is sent or skipped as a whole.
 inline constexpr int scan_brick = 8;
 
 /// Number of bricks along each axis for a given number of samples. The last brick of an axis may be smaller.
@@ -87,7 +87,7 @@ struct Scan {
     ScanLook look = ScanLook::translucent;
     // Values of a translucent scan:
     const ScanTable* table{};  ///< transfer function; null: not drawn
-    float unit = 0.01F;        ///< thickness of a layer with an entry's opacity (m, own frame)
+    float unit = 0.01F;  ///< thickness of the layer to which the opacities of the table apply (m, own frame)
     /// true: shaded by sky and sun, with the density's gradient as normal; false: the matter glows.
     bool lit = false;
     /// Distance between samples along a ray (in sample distances); a quick picture doubles it.
@@ -97,7 +97,7 @@ struct Scan {
     fvec3 colour{1};     ///< colour in linear light
     float sun = 1;       ///< share of the sunlight that reaches it
 
-    bool leaps = true;  ///< false: rays do not skip empty bricks; for tests
+    bool leaps = true;  ///< false: rays do not skip bricks (of 8^3 samples) that show nothing; for tests
 };
 
 /// Resolution of the scans of a view. In a quick picture one ray serves 3 x 3 pixels at Quality::low, 2 x 2

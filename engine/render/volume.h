@@ -31,7 +31,7 @@ struct Texel {
     bool operator==(const Texel&) const = default;
 };
 
-/// A corner of the skin's triangles.
+/// A corner of a triangle of the skin, the surface of a volume through which the eye looks in.
 struct SkinVertex {
     fvec3 position{0};
     fvec3 normal{0, 1, 0};  ///< normal of the skin, pointing out of the volume (unit)

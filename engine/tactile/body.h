@@ -66,7 +66,7 @@ vec3 at_rest(const Pose& pose, Part part, vec3 posed);
 /// by `yaw` (rad; 0 looks along -z).
 vec3 to_body_frame(vec3 world, double yaw);
 
-/// The skin of the torso as a chart.
+/// The skin of the torso as a chart, a flat map on which distances are those along the skin.
 class Torso {
 public:
     Torso() : Torso(0.16, 0.115) {}

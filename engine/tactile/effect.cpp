@@ -133,7 +133,7 @@ double Effect::duration_ms() const {
 Signal signal(const Effect& effect, double strength, double ms) {
     const Grating grating{effect.amplitude(strength), effect.wavelength};
     const double shape = effect.envelope.at(ms);
-    const vec2 p(ms * 1e-3 * skin_speed, 0);  // position (m) as the skin moves along the wall
+    const vec2 p(ms * 1e-3 * skin_speed, 0);  // position (m) as the skin moves along the grating
     const double deepening = slope(grating, p.x) * skin_speed;
     const double push =
         reaction(effect.stiffness, effect.damping, impact_depth(grating, p), deepening) * shape / full_force;

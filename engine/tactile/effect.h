@@ -48,7 +48,7 @@ enum class Purpose : std::uint8_t {
     music
 };
 inline constexpr std::size_t purpose_count = 10;
-/// Names of the purposes as in data files, in the order of Purpose.
+/// Names of the purposes (what effects are for) as in data files, in the order of Purpose.
 const std::vector<std::string_view>& purpose_names();
 
 /// Strength over time: the strength rises, is held, and falls (ms).

@@ -43,7 +43,7 @@ public:
     ChartPlace chart_place(const BodyPoint& point) const;
     /// Numbers of the actuators that render a region; never empty for a region of a ChartPlace.
     std::span<const std::uint8_t> group(Region region) const;
-    /// Place of an actuator on the chart of a region (m).
+    /// Place of an actuator on the chart (the flattened skin) of a region (m).
     vec2 chart_of(Region region, std::size_t actuator) const;
     /// Mean distance from an actuator of a region to the nearest other (m): the size of one cell.
     double pitch(Region region) const { return pitch_[static_cast<std::size_t>(region)]; }

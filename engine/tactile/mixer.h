@@ -65,15 +65,16 @@ struct Faders {
 /// Counts since the beginning. offered = started + merged, so no event is lost.
 struct MixerCounts {
     std::uint64_t offered{};  ///< events offered to the mixer by calls of `start`
-    std::uint64_t started{};  ///< events that got one of the places for effects
+    std::uint64_t started{};  ///< events that began as effects of their own, because there was room for them
     std::uint64_t merged{};   ///< events merged with another one; the stronger one is felt
     /// Started events that had to wait, because another one had just begun at their actuator.
     std::uint64_t delayed{};
     std::uint64_t replaced{};  ///< effects cut short by one of higher or equal priority
     std::uint64_t clipped{};   ///< values that were not finite or outside of their range
     std::uint64_t held{};  ///< number of times that an actuator had to wait, because it had begun just before
-    std::uint64_t limited{};     ///< frames scaled down by the limit of the sum
-    std::uint64_t not_driven{};  ///< calls of `drive` for which there was no free place
+    std::uint64_t limited{};  ///< frames scaled down by the limit of the sum
+    /// Calls of `drive` that were ignored, because there was no room for one more effect.
+    std::uint64_t not_driven{};
 };
 
 /// Turns running effects into frames for the actuators of one layout.
@@ -167,7 +168,7 @@ private:
     std::array<Tick, max_actuators> free_at_{};
     /// Shares of the actuators in the energy of each cell of a clip.
     std::array<Shares, clip_cells> clip_shares_{};
-    // Sum of the energies of all effects in one frame, at each actuator.
+    // Sum of the energies (squares of the amplitudes) of all effects in one frame, at each actuator.
     std::array<float, max_actuators> energy_{};
     /// Largest energy of a single effect at each actuator. The effect with this energy gives the carrier.
     std::array<float, max_actuators> strongest_{};

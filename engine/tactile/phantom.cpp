@@ -5,14 +5,17 @@
 namespace thaum::tactile {
 namespace {
 
-constexpr double min_sigma = 0.2;  // smallest width of the Gaussian (cells)
+// Smallest width of the Gaussian (cells, the distances between neighbouring actuators).
+constexpr double min_sigma = 0.2;
 // Smallest share of the energy that an actuator keeps, relative to the largest share.
 constexpr double kept_share = 0.01;
 // Smallest such share that an actuator keeps if the place cannot be rendered otherwise.
 constexpr double min_share = 1e-4;
-// Largest error of the felt place that is accepted when actuators are left out (cells).
+// Largest error of the felt place that is accepted when actuators are left out (cells, the distances between
+// neighbours).
 constexpr double tolerated = 0.01;
-constexpr double solved = 1e-4;  // error at which the search stops (cells); far below what skin resolves
+// Error of the felt place at which the search stops (cells); far below what skin resolves.
+constexpr double solved = 1e-4;
 // Largest change of l in one step of Newton's method, for each cell, so that it does not overshoot. The
 // vector l tilts the weights of the actuators towards the wanted place (tactile/phantom.h).
 constexpr double longest_step = 4;
@@ -20,7 +23,8 @@ constexpr double longest_step = 4;
 // edge of all actuators. Costs an error of about 0.001 cells.
 constexpr double stiffening = 1e-4;
 
-/// Positions of the participating actuators relative to the wanted place, in cells.
+/// Positions of the participating actuators relative to the wanted place, in cells (distances between
+/// neighbours).
 struct Cells {
     std::array<std::uint8_t, max_actuators> number{};
     std::array<vec2, max_actuators> offset{};

@@ -122,7 +122,8 @@ std::array<double, 2> exact_pan(double angle, double distance_m) {
     const double width = 0.5 * (det::cos(spread / 2) + 1);
     const double scale = std::sqrt(1 + spread / (2 * pi));
     const double across = width * det::sin(azimuth), along = width * det::cos(azimuth);
-    constexpr double front = 0.0957;  // weight of the component from straight ahead
+    // Weight of the component from straight ahead in OpenAL's decoding for two speakers.
+    constexpr double front = 0.0957;
     const auto gain = [&](double side) {
         return std::clamp(scale * (0.5 + 0.5 * side * across + front * along), 0.0, 1.0);
     };

@@ -12,23 +12,23 @@
 namespace thaum::bench {
 
 struct Options {
-    std::vector<std::string> areas;  ///< areas to run; empty: all
+    std::vector<std::string> areas;  ///< areas (groups of benchmarks) to run; empty: all
     /// true: run every case at smaller sizes, at most 20 s for each area.
     bool quick = false;
-    bool stress = false;                        ///< true: run the long stress tests of the areas instead
+    bool stress = false;  ///< true: run the long stress tests of the areas (groups of benchmarks) instead
     std::optional<std::uint64_t> ticks{};       ///< length of a stress test; std::nullopt: its full length
     std::optional<std::filesystem::path> json;  ///< file for the report; "-": standard output
 };
 
 struct Area {
     std::string_view name;
-    /// Function that appends the area's rows to the report.
+    /// Function that measures the area (group of benchmarks) and appends its rows to the report.
     void (*run)(const Options& options, Report& report);
-    /// Stress test of the area; null: it has none.
+    /// Stress test of the area (group of benchmarks); null: it has none.
     void (*stress)(const Options& options, Report& report) = nullptr;
 };
 
-/// All areas in the order in which they run. To add an area, add a line to areas.cpp.
+/// All areas (groups of benchmarks) in the order in which they run. To add an area, add a line to areas.cpp.
 std::span<const Area> areas();
 
 /// Runs the areas, prints the table and writes the JSON. Returns the exit code: 0; 1 if a row breaks an

@@ -33,7 +33,7 @@ field::Operation melting(double radius) {
             .rate = 12};
 }
 
-/// A tool with one, two or three operations, all with this radius.
+/// A tool that changes voxels by one, two or three operations, all with this radius.
 Tool tool_of(std::string_view name, double radius) {
     field::Operation first = melting(radius);
     if (name == "cut") {

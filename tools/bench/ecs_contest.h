@@ -27,7 +27,7 @@ struct Contest {
     Side raw, thaum;
     std::size_t calls = 1;
     std::string unit = "ns_per_entity";
-    std::optional<std::pair<std::string, Value>> setting{};  ///< additional setting of the row
+    std::optional<std::pair<std::string, Value>> setting{};  ///< additional setting in the row of the report
 };
 
 /// Number of runs per sample. Short runs are repeated, because the clock is too coarse for them.

@@ -174,7 +174,7 @@ void add_turn(const TurnedShape& shape, int n, double cfl, Report& report) {
         [](const Scheme& scheme, int cells) { return make_fluid(flows::turning_settings(scheme, cells)); }, n,
         report);
     for (FluidRun& run : runs) {
-        // One order of the flow is enough, because these rows measure transport.
+        // Only one order of the flow's solver is run, because these rows measure transport.
         if (run.scheme.solver == Solver::thaum && run.scheme.order != 4) continue;
         set_velocity(run.fluid, flows::turning);
         set_substance(run.fluid, 0, shape.density);
@@ -235,7 +235,7 @@ void add_deformation(const TurnedShape& shape, int n, Report& report) {
                        {"least_density", least},
                        {"most_density", most}};
         row.hash = hex(hash_bytes(std::as_bytes(std::span(run.fluid.state.substances[0]))));
-        // The highest density of both shapes is 1.
+        // The highest density of both shapes is 1, and transport must not exceed it.
         if (run.scheme.solver == Solver::thaum && !(least >= 0 && most <= 1 + 1e-5))
             report.faults.push_back(text("fluid leveque: ", shape.name, ", n = ", n, ": densities from ",
                                          least, " to ", most, ", not within 0 and 1"));

@@ -57,7 +57,8 @@ Expected<TurningBrew> turning_brew(int n) {
     return brew;
 }
 
-/// Relative root mean square error of velocities read within a cell of the patch's middle.
+/// Relative root mean square error of velocities that are read from a patch (a copied part of the flow),
+/// within a cell of its middle.
 double patch_error(const TurningBrew& brew) {
     Random random = random_stream(5, 2);
     const double cell = brew.fluid.lattice.h;

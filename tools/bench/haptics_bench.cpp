@@ -194,7 +194,7 @@ haptics::PrimitiveSet four_primitives() {
     set.add({directed, {}, {0, -1, 0}, 0.1});
     return set;
 }
-/// A full patch: a rough, moving floor of 32 triangles of eight bodies.
+/// A patch (the surfaces near a hand) that is full: a rough, moving floor of 32 triangles of eight bodies.
 haptics::SurfacePatch full_patch() {
     haptics::SurfacePatch patch;
     patch.body_count = haptics::surface_body_capacity;

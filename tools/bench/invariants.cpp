@@ -15,7 +15,7 @@ constexpr double any = std::numeric_limits<double>::infinity();
 /// Bounds for one value of a row: a metric or the error.
 struct Invariant {
     std::string_view area;
-    std::string_view name;  ///< name of a case; empty: every case in the area
+    std::string_view name;  ///< name of a case; empty: every case in the area (group of benchmarks)
     std::string_view figure;
     double least, most;
 };

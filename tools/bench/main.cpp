@@ -26,7 +26,7 @@ constexpr std::string_view bench_options = R"(
   --json FILE   the report as JSON, replacing an older one; - for stdout
 )";
 
-/// Names of the areas, wrapped to the width of a terminal.
+/// Names of the areas (groups of benchmarks), wrapped to the width of a terminal.
 std::string names_of_areas() {
     constexpr std::size_t widest = 80;
     std::string result = " ";

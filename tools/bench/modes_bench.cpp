@@ -86,7 +86,7 @@ struct Readings {
 
 // ---- methods to feel a surface ----------------------------------------------------------------------------
 
-/// A tip that touches a surface by one of the two methods.
+/// A tip that touches a surface by one of the two methods, isosurface or density.
 struct Feeler {
     ScalarField density{};
     bool by_density{};

@@ -9,7 +9,7 @@
 namespace thaum::bench {
 namespace {
 
-constexpr std::uint64_t switch_every = 2000;  // ticks between two switches of the modes
+constexpr std::uint64_t switch_every = 2000;  // ticks after which other haptic modes take over
 constexpr std::array feel_names{"modes_hostile", "modes_passive", "volume_hostile"};
 
 Row attack(HostileFeel feel, std::uint64_t ticks, std::uint32_t faults_every, std::uint64_t seed) {

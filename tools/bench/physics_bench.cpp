@@ -249,7 +249,9 @@ std::vector<Setting> settings_of(const Case& one, bool quick) {
     const std::vector<int> iterations = iterations_of(one, quick);
     for (const auto* scheme : schemes) {
         if (one.has_iterations && scheme == std::string_view("half_start"))
-            continue;  // the scene starts at rest and is not in flight, so half_start does not apply
+            // The scene starts at rest and not in flight, so the scheme with velocities of half a step
+            // earlier does not apply.
+            continue;
         for (const auto step : steps_ms) {
             for (const int count : iterations) result.push_back({scheme, step, count});
         }

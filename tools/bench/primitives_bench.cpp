@@ -124,7 +124,7 @@ constexpr std::array methods{
     Method{"iterative", iterative}, Method{"gauss_seidel", gauss_seidel}};
 constexpr std::array<std::size_t, 5> counts{1, 2, 4, 8, 16};
 
-/// Statistics of many random sets.
+/// Statistics of many random sets of primitives.
 struct Tally {
     double residual{};     ///< worst residual, the sum of forces that is left (N)
     double own{};          ///< worst residual (remaining sum of forces) as reported by the method itself (N)

@@ -140,7 +140,7 @@ void paced_ticks(RenderScene& scene, Drawer& drawer, int count, std::vector<doub
 }
 
 void tick_beside_pictures(RenderScene& scene, const Options& options, Report& report) {
-    constexpr int slice = 250;  // ticks per slice
+    constexpr int slice = 250;  // ticks in a row with drawing on, or off, before it changes
     const int rounds = options.quick ? 12 : 60;
     const auto quality = render::first_quality(scene.renderer().device());
     scene.drawn->context.release_current();

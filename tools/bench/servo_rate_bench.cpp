@@ -23,7 +23,7 @@ namespace {
 constexpr double wall_damping = 0.5;  // damping of the device (N s/m)
 constexpr std::array rates_ms{0.2, 0.5, 1.0};
 
-/// A device that rests on a wall at the origin, which the mode `isosurface` renders.
+/// A device that rests on a wall at the origin, which the haptic mode `isosurface` renders.
 struct WallRun {
     double dt{};         ///< time step (s)
     double stiffness{};  ///< stiffness between tip and proxy (N/m)

@@ -66,7 +66,7 @@ struct SkippedJacket {
         for (auto& scene : scenes) scene->take(match);
         return now_us() - start;
     }
-    /// Time that the jacket adds to a frame (us).
+    /// Time that the jacket adds to a frame of eight ticks (us).
     double follow(const game::Simulation& match) {
         const double plain = us_of_take(without, match);
         return us_of_take(with, match) - plain;
@@ -75,10 +75,11 @@ struct SkippedJacket {
 
 struct SenseTimes {
     double tick_us{};
-    std::vector<double> sound_us{}, mixing_us{}, jacket_us{};  ///< one time for each frame (us)
+    /// One time for each frame of eight ticks (us).
+    std::vector<double> sound_us{}, mixing_us{}, jacket_us{};
 };
 
-/// Measures `frames` frames; `run` plays eight ticks.
+/// Measures `frames` frames of eight ticks; `run` plays those ticks.
 SenseTimes measure_senses(const game::Simulation& match, std::size_t frames, SkippedSound& hearing,
                           SkippedJacket& jacket, const std::function<void()>& run) {
     std::vector<double> ticks_us;

@@ -10,7 +10,9 @@
 namespace thaum::bench {
 namespace {
 
-constexpr double max_per_switch = 0.02;  // largest energy per switch (J); HAPTICS.md, "Energy and switches"
+// Largest energy (J) that one switch, at which a force begins, ends or jumps, may create; HAPTICS.md, "Energy
+// and switches".
+constexpr double max_per_switch = 0.02;
 constexpr std::size_t max_file = 1U << 16U;
 constexpr std::array device_files{"touch.toml", "omni.toml", "premium.toml", "falcon.toml", "omega3.toml"};
 

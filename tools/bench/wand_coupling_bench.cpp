@@ -75,7 +75,8 @@ double worst_force(const Held& held, std::int64_t step_ms, int age, bool moves_o
     constexpr std::size_t per_ms = 16;
     double worst = 0;
     for (int ms = 100; ms < static_cast<int>(held_seconds * 1000); ++ms) {
-        const auto made = (ms - age) / step_ms;  // number of the step from whose start the model was made
+        // Number of the step from whose start the haptic model was made.
+        const auto made = (ms - age) / step_ms;
         const double late = (ms - static_cast<double>(made * step_ms)) * 1e-3;
         const auto at = static_cast<std::size_t>(made);
         const double place = held.place[at] + (moves_on ? late * held.speed[at] : 0);

@@ -31,7 +31,7 @@ public:
     bool hrtf() const { return hrtf_; }
     /// Turns HRTF on or off; hrtf() tells whether it succeeded. Sources keep playing; the sound may jump.
     void set_hrtf(bool wanted);
-    /// Renders frame_samples samples for two channels.
+    /// Renders frame_samples samples (8 ms) for two channels.
     void render(std::span<float> stereo);
 
     // In the functions below, `source` is an index into the pool. Each call must be made while a scope from

@@ -12,7 +12,7 @@ constexpr double sample_s = 1.0 / sample_rate;
 constexpr double noise_rms = 0.35;     // root mean square of a noise with level 1
 constexpr double highest_hz = 20'000;  // limit that keeps vibrato below half the sample rate
 
-/// Place of a part on the time axis of its canvas (samples).
+/// Place of a part on the time axis of its sound (samples).
 struct Span {
     std::size_t start{}, count{};
     bool lasting{};  ///< true: the part lasts as long as the whole loop

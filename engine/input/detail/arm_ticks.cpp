@@ -169,7 +169,7 @@ bool close_ticks(ArmTicks& ticks) {
         if (gate.compare_exchange_strong(idle, 0)) return true;
         const bool tired = monotonic_ns() > until;
         if (tired && gate.compare_exchange_strong(waits, word(ticks.number, left_behind))) return false;
-        // The user's step is short, so this thread waits until it has ended.
+        // The step function of the arm's user is short, so this thread waits until it has ended.
         sleep_until_ns(monotonic_ns() + look_ns);
     }
 }

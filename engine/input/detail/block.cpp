@@ -65,7 +65,7 @@ std::uint32_t field(const DeviceSample& s, std::size_t column) {
     }
 }
 
-/// Sets a field. Returns false if the value does not fit.
+/// Sets the field of a sample that belongs to a column. Returns false if the value does not fit.
 bool set_field(DeviceSample& s, std::size_t column, std::uint32_t value) {
     switch (column) {
         case buttons_column: s.buttons = value; return true;

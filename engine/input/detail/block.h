@@ -27,7 +27,7 @@ inline constexpr std::size_t result_limit = 4096;
 /// Number of columns for a device: each value of a sample has its own.
 constexpr std::size_t columns(std::uint32_t format) { return max_counts + (format == 1 ? 3 : 5); }
 
-/// Up to 512 ticks as they were appended.
+/// Input of up to 512 ticks, with their hashes and marks.
 struct Block {
     Tick first{};
     std::size_t ticks{};
@@ -38,7 +38,7 @@ struct Block {
     std::array<Mark, block_marks> marks{};
 };
 
-/// Contents of an end block.
+/// Contents of an end block, the last block of a log that was closed.
 struct EndBlock {
     std::string result;
     std::optional<HashRecord> last{};  ///< hashes of the last state; logs of older programs have none

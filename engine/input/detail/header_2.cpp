@@ -6,7 +6,7 @@
 namespace thaum::input::detail {
 namespace {
 
-/// Tags of sections. A new section must take the next number.
+/// Tags of sections (the records of a log's header). A new section must take the next number.
 enum class Section : std::uint16_t {
     match = 1,
     build,
@@ -40,14 +40,14 @@ enum class Setting : std::uint16_t {
 
 // Devices ------------------------------------------------------------------------------------------
 
-/// Appends a setting of one number unless it has its default value.
+/// Appends a setting of a device that is one number, unless it has its default value.
 template <class T>
 void put_setting(Bytes& out, Setting tag, T value, T usual) {
     if (value == usual) return;
     put_record(out, tag, needed, [&](ByteWriter& to) { to.put(value); });
 }
 
-/// Appends a setting of several numbers unless all of them are zero.
+/// Appends a setting of a device that is several numbers, unless all of them are zero.
 template <class T, std::size_t n>
 void put_settings(Bytes& out, Setting tag, const std::array<T, n>& values) {
     if (values == std::array<T, n>{}) return;
@@ -92,7 +92,7 @@ void get_values(ByteReader& in, std::array<T, n>& values) {
     for (auto& value : values) value = in.get<T>();
 }
 
-/// Reads one setting. Returns false if its tag is unknown.
+/// Reads one setting of a device. Returns false if its tag is unknown.
 bool get_setting(Setting tag, ByteReader& in, DeviceSpec& d) {
     switch (tag) {
         case Setting::look_rad_per_count: d.look_rad_per_count = in.get<double>(); return true;
@@ -113,7 +113,7 @@ bool get_setting(Setting tag, ByteReader& in, DeviceSpec& d) {
     return false;
 }
 
-/// Reads a device. `fault` receives the first fault of its settings.
+/// Reads a device from a log's header. `fault` receives the first fault of its settings.
 DeviceSpec get_device(ByteReader& in, std::string& fault) {
     DeviceSpec d;
     d.player = in.get<std::uint32_t>();
@@ -238,7 +238,7 @@ Expected<LogHeader> decode_body_2(std::span<const std::byte> body) {
     constexpr auto last_required = static_cast<std::uint16_t>(Section::kinds);
     LogHeader h;
     std::string device_fault;
-    std::uint16_t required = 0;  // number of required sections so far
+    std::uint16_t required = 0;  // number of required sections (records of the header) so far
     ByteReader in(body);
     auto fault = read_records(in, "section", [&](std::uint16_t tag, ByteReader& content) {
         if (tag <= last_required) ++required;

@@ -111,7 +111,7 @@ Expected<Handle> init_device(const Api& api, const std::string& arm) {
     return fail(advice(api, gravest));
 }
 
-/// The library's servo thread calls this with the number of our ticks.
+/// The library's servo thread calls this with the number by which the engine finds the arm.
 unsigned int on_servo_tick(void* number) {
     const auto ticks = static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(number));
     return run_arm_tick(ticks) ? callback_continue : callback_done;

@@ -62,7 +62,8 @@ void BouncingWorld::adjust_contact(btPersistentManifold& manifold, btScalar dt, 
         const btScalar gap = point.getDistance();
         point.m_combinedRestitution = e;
         const ClosingSpeeds closing = closing_at(point, a, b, dt);
-        if (closing.start < min_speed) continue;  // the solver lets this contact come to rest
+        // The bodies close too slowly to bounce, and the solver lets them come to rest.
+        if (closing.start < min_speed) continue;
         if (exact_flight && gap < closing.end * dt)
             point.m_combinedRestitution =
                 rebound(closing, gap, e, dt, getSolverInfo().m_erp2) / closing.start;

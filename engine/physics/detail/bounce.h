@@ -18,7 +18,7 @@
 
 namespace thaum::physics::detail {
 
-/// Bullet's world with corrected bounces.
+/// Bullet's world, with bounces that begin in the step in which the bodies really meet.
 class BouncingWorld : public btDiscreteDynamicsWorld {
 public:
     using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;
@@ -31,7 +31,8 @@ protected:
     void integrateTransforms(btScalar dt) override;
 
 private:
-    /// Part of a body's path for which there was no time in the step (m, world).
+    /// Part of the path on which Bullet moves a body after a bounce, for which there was no time in the step
+    /// (m, world).
     struct UnusedPath {
         btRigidBody* body;
         btVector3 path;

@@ -16,7 +16,7 @@ inline bool wanted(const NearestSurfaces& gathering, double distance) {
     return distance <= gathering.found.reach;
 }
 
-/// Adds a surface for which wanted() is true.
+/// Adds a surface that is not farther than the `reach` of the search.
 void add(NearestSurfaces&, const Nearby&);
 
 }  // namespace thaum::physics::detail

@@ -6,14 +6,15 @@
 namespace thaum::physics::detail {
 namespace {
 
-// Depth of the spheres below the surface, as a share of the smallest half extent.
+// Depth below a body's surface of the spheres that represent it on a long path, as a share of its smallest
+// half extent.
 constexpr double skin_share = 0.05;
 
 void add(InnerSpheres& spheres, vec3 centre) {
     if (spheres.count < spheres.centres.size()) spheres.centres[spheres.count++] = centre;
 }
 
-/// Adds spheres at the corners, the centres of the faces and the centre.
+/// Represents a box by spheres at the corners, the centres of the faces and the centre.
 void fill_box(InnerSpheres& spheres, vec3 half, double radius) {
     const vec3 inner = half - radius;
     for (int corner = 0; corner < 8; ++corner) {
@@ -29,14 +30,14 @@ void fill_box(InnerSpheres& spheres, vec3 half, double radius) {
     add(spheres, {});
 }
 
-/// Adds spheres along the axis, at most a radius apart if the array is large enough.
+/// Represents a capsule by spheres along the axis, at most a radius apart if the array is large enough.
 void fill_capsule(InnerSpheres& spheres, double radius, double half_length) {
     const double most = static_cast<double>(spheres.centres.size() - 1);
     const double gaps = std::min(std::ceil(2 * half_length / radius), most);
     for (double i = 0; i <= gaps; ++i) add(spheres, {0, gaps > 0 ? (2 * i / gaps - 1) * half_length : 0, 0});
 }
 
-/// Adds spheres at both rims, the centres of the caps and the centre.
+/// Represents a cylinder by spheres at both rims, the centres of the caps and the centre.
 void fill_cylinder(InnerSpheres& spheres, double radius, double half_length, double ball) {
     const double y = half_length - ball, r = radius - ball;
     constexpr double diagonal = 0.70710678118654752;
@@ -55,7 +56,7 @@ void fill_cylinder(InnerSpheres& spheres, double radius, double half_length, dou
 }  // namespace
 
 InnerSpheres inner_spheres(const BodyDesc& desc) {
-    // Radius of the spheres in corners, as a share of the smallest half extent.
+    // Radius of those spheres that are in the corners of a body, as a share of its smallest half extent.
     constexpr double corner_share = 0.25;
     InnerSpheres spheres;
     const vec3 size = desc.size;

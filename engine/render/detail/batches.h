@@ -27,7 +27,7 @@ using Levels = std::vector<Coarser>;
 
 struct Batch {
     MeshId mesh{};
-    std::size_t first{}, count{};  // range in Batches::instances
+    std::size_t first{}, count{};  // the instances of the batch: a range in Batches::instances
     float distance{};              // distance of the nearest instance along the view direction (m)
     // For a patchwork (a large fixed mesh in patches, of which only the visible ones are drawn): its visible
     // patches, in Batches::patch_indices.

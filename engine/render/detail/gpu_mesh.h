@@ -12,7 +12,8 @@ namespace thaum::render::detail {
 struct GpuMesh {
     VertexArray array;
     Buffer vertices, indices;
-    GLsizei index_count{};  ///< number of indices; for a patchwork, those of all patches in full detail
+    /// Number of indices; for a large mesh in patches, those of all patches in full detail.
+    GLsizei index_count{};
 };
 
 GpuMesh make_mesh();

@@ -20,7 +20,7 @@ struct GpuScan {
     /// Hash of the contents of the colour table (transfer function) and of the materials.
     std::uint64_t colours{};
     std::vector<std::uint32_t> brick_versions;
-    std::vector<DensityRange> ranges;  ///< range of densities of each brick
+    std::vector<DensityRange> ranges;  ///< range of densities of each brick (of 8^3 samples)
     /// For each brick, whether it has a visible density, and the distance to the nearest brick that has one.
     std::vector<std::uint8_t> shown, distances;
 };

@@ -69,7 +69,7 @@ bool shows_backs(const PlacedPatch& patch, fvec3 eye) {
     return glm::dot(to, patch.axis) >= patch.backs * glm::length(to);
 }
 
-/// Returns true if the patch is behind other patches of the patchwork.
+/// Returns true if the patch is behind other patches of the same large mesh.
 bool is_behind(const PlacedPatch& patch) { return patch.full.count == 0; }
 
 IndexRange append_chosen(const PatchTable& table, const Sight& sight, const PatchOrder& order, bool sunless,

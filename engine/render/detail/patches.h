@@ -45,12 +45,12 @@ struct PlacedPatch {
     IndexRange full{}, plain{};
 };
 
-/// The patches of one patchwork; empty for an ordinary mesh.
+/// The patches of one large mesh in patches (a patchwork); empty for an ordinary mesh.
 struct PatchTable {
     std::vector<PlacedPatch> patches;
     /// Indices of all patches in full detail, then those of the plain forms.
     std::vector<std::uint32_t> indices;
-    std::uint32_t full_count{};  ///< number of indices of full patches
+    std::uint32_t full_count{};  ///< number of indices of the patches in full detail
 };
 
 struct JoinedPatches {

@@ -55,7 +55,8 @@ void visit_sharing(const ScanBox& bricks, const std::array<int, 3>& count, Visit
     }
 }
 
-/// Finds the bricks in which the scan shows something. One byte for each brick: 1 or 0.
+/// Finds the bricks (cubes of 8^3 samples) in which the scan shows something. One byte for each brick: 1 or
+/// 0.
 void find_shown(const Scan& scan, const std::vector<DensityRange>& ranges, std::vector<std::uint8_t>& shown);
 
 /// Distance of each brick to the nearest visible one: the largest of the distances along the three axes, in

@@ -381,7 +381,7 @@ void Scans::set_scan(const MarchProgram& p, const Drawing& drawing, const SeenSc
     glUniform1i(p.linear, drawing.view.quality == Quality::high ? 1 : 0);
 }
 
-/// Draws the picture of a target over the view.
+/// Draws the picture of the scans, which a target holds, over the view.
 void Scans::show(Drawing& drawing, const DrawnTarget& target, bool solid) const {
     const auto& p = solid ? show_solid_ : show_light_;
     const auto& at = drawing.view.at;

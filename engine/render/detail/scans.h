@@ -41,7 +41,7 @@ struct ScanView {
     const ViewScene* view{};
     const Sight* sight{};
     Rect at{};             ///< rectangle of the view in its target, from the bottom left (px)
-    GLuint framebuffer{};  ///< the target of the view
+    GLuint framebuffer{};  ///< the OpenGL framebuffer into which the view is drawn
     std::size_t number{};  ///< number of the view in its frame
     Quality quality{};
     SceneHashes scene{};
@@ -75,7 +75,7 @@ private:
         int width{}, height{};
         GLint format{};
     };
-    /// Targets of one view, and the hashes of the picture that they hold.
+    /// Textures into which the scans of one view are drawn, and the hashes of the picture that they hold.
     struct ViewTargets {
         DrawnTarget solid, light;
         Texture opaque;

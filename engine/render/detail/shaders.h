@@ -36,7 +36,7 @@ struct MistProgram {
 struct SmallProgram {
     Program program;
     GLint parameter{};
-    /// Uniform for the part of the picture that screen.vert reads; -1 if there is none.
+    /// Uniform that says which part of the picture the program reads; -1 if there is none.
     GLint part{};
 };
 
@@ -46,9 +46,11 @@ struct Programs {
     std::array<MeshProgram, qualities> alone;
     /// Program at Quality::medium, for a single instance that the sun never reaches.
     MeshProgram sunless;
-    /// Programs for the sky: tone mapped, and in linear light for the last pass.
+    /// Programs for the sky: one writes tone-mapped pixels, the other linear light, which the last pass
+    /// converts.
     SkyProgram sky, sky_of_light;
-    /// Programs for mists: tone mapped, and in linear light for the last pass.
+    /// Programs for mists: one writes tone-mapped pixels, the other linear light, which the last pass
+    /// converts.
     MistProgram mist, mist_of_light;
     /// `shadow` draws the depth of what casts shadows, `shade` flat shades on the ground (parameter:
     /// view_projection).
@@ -72,14 +74,14 @@ Expected<Programs> load_programs(const std::filesystem::path& shaders);
 
 /// How to read the sun's shadow map.
 struct ShadowView {
-    fmat4 to_map{1};  ///< maps the world to the map's coordinates and depth, 0 to 1
-    float lift{};     ///< offset along the normal, against self-shadowing (m)
-    float texel{};    ///< size of a texel, as a share of the map's width
+    fmat4 to_map{1};  ///< maps the world to coordinates and depth in the shadow map, 0 to 1
+    float lift{};     ///< offset along a surface's normal, against shadows of the surface on itself (m)
+    float texel{};    ///< size of a texel, as a share of the shadow map's width
 };
 
 void use_mesh_program(const MeshProgram& program, const ViewScene& view, const Sight& sight, Quality quality,
                       const ShadowView& shadow);
-/// Sets the instance of one of Programs::alone, which must be in use.
+/// Sets the uniforms of the one instance that a program of Programs::alone draws; the program must be in use.
 void set_instance(const MeshProgram& program, const GpuInstance& instance);
 /// Sets up the program of the sky. `cleared_to_fog`: the framebuffer was cleared to the colour of the view's
 /// fog.

@@ -10,7 +10,7 @@
 namespace thaum::render::detail {
 namespace {
 
-constexpr GLsizei side = 2048;  // side of the map (texels)
+constexpr GLsizei side = 2048;  // side of the shadow map (texels)
 
 Texture make_depth_texture() {
     Texture texture = make_texture();
@@ -22,7 +22,7 @@ Texture make_depth_texture() {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-    // Outside the map everything is in the sun.
+    // Outside the shadow map everything is in the sun.
     constexpr GLfloat lit[] = {1, 1, 1, 1};
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);

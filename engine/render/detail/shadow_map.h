@@ -48,13 +48,14 @@ private:
     float texel_m_{};
     std::uint64_t fixed_key_{};
     bool made_ = false;
-    std::vector<Instance> moving_;  // moving casters at the last drawing
-    std::vector<Print> prints_;     // rectangle in the map of each of `moving_`
+    std::vector<Instance> moving_;  // moving objects that cast shadows, at the last drawing
+    std::vector<Print> prints_;     // rectangle in the shadow map of each of `moving_`
 
     // Scratch memory for the current picture.
-    std::vector<Print> left_;        // rectangles that casters have left, to be copied back
-    std::vector<Instance> drawn_;    // casters to draw
-    std::vector<Print> new_prints_;  // rectangles of all moving casters
+    // Rectangles that moving objects have left, where the shadows of fixed objects are copied back.
+    std::vector<Print> left_;
+    std::vector<Instance> drawn_;    // objects whose shadows are to be drawn
+    std::vector<Print> new_prints_;  // rectangles in the shadow map of all moving objects
 };
 
 }  // namespace thaum::render::detail

@@ -17,7 +17,7 @@ constexpr GLuint skin_position = 0, skin_normal = 1, skin_foam = 2;
 bool all_finite(fvec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 bool positive(fvec3 v) { return all_finite(v) && v.x > 0 && v.y > 0 && v.z > 0; }
 
-/// Bounding box of Volume's ellipsoid (m).
+/// Bounding box of the ellipsoid that bounds a volume (m).
 Block box_of(const Volume& volume) {
     return {vec3(volume.centre - volume.radii), vec3(volume.centre + volume.radii)};
 }

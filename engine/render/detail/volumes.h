@@ -46,12 +46,13 @@ public:
     /// Sends new texels and skin. Then prepares to draw, with `depth_program`, the depth of the objects in
     /// one view's volume, and sets the view's matrix in that program.
     void begin_depth(const SeenVolume& its, const Sight& sight, const SmallProgram& depth_program);
-    /// Marches the part behind the skin in one view, up to the depth that was drawn.
+    /// Marches rays through the part of the volume behind its skin (upper surface) in one view, up to the
+    /// depth that was drawn.
     void march(const ViewScene& view, const SeenVolume& its, const Sight& sight, Quality quality,
                const VertexArray& no_attributes);
     /// Draws the skin over the drawn view. `at` is the view's place in its target, from the bottom left (px).
     void show(const SeenVolume& its, const Sight& sight, const Rect& at, const VertexArray& no_attributes);
-    /// Number of times that texels and skins were sent, for tests.
+    /// Number of times that texels and skins (upper surfaces) of volumes were sent, for tests.
     std::size_t sent() const { return sent_; }
 
 private:
@@ -84,11 +85,12 @@ private:
     std::vector<Gpu> all_;
     // Programs by the eye's place and by what they write: [outside, inside][pixels, linear light].
     std::array<std::array<MarchProgram, 2>, 2> march_;
-    std::array<SkinProgram, 2> skin_;  // programs by the eye's place: [outside, inside]
+    // Programs for a volume's skin (upper surface), by the eye's place: [outside, inside].
+    std::array<SkinProgram, 2> skin_;
     Framebuffer depth_target_;
     Texture depth_;
     Target marched_;
-    GLint format_{};  // format of `marched_`
+    GLint format_{};  // texture format of `marched_`, the target of the ray marching
     std::size_t sent_{};
 };
 
