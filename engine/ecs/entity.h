@@ -1,4 +1,5 @@
-// ecs/entity.h: a handle to an entity in a World. The generation makes a stale handle recognisable.
+// ecs/entity.h: a handle to an entity in a World. It also holds a generation, which says how often the
+// entity's number was used before. By this a handle of an entity that no longer exists is recognised.
 #pragma once
 #include <cstdint>
 

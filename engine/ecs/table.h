@@ -194,16 +194,16 @@ struct Table {
         std::uint32_t to_row{}, last{};
         Entity filler;  ///< entity that is now in the old row
     };
-    /// Moves the entity's row to the end of the table at the other end of `edge`. The last row of this table
-    /// takes its place. `move_cells` moves the cells afterwards.
+    /// Moves the entity's row to the end of the table to which `edge` (a link between two tables) leads. The
+    /// last row of this table takes its place. `move_cells` moves the cells afterwards.
     Moved move(std::uint32_t row, Entity entity, const TableEdge& edge);
     /// Moves only the cells that both tables of the edge have. If the table `to` has one column less, the
     /// moved row leaves a free cell in that column. The caller fills it, since only the caller may know its
     /// type.
     static void move_cells(const TableEdge& edge, std::uint32_t row, std::uint32_t last,
                            std::uint32_t to_row);
-    /// Creates the edge to `other`, which differs from this table in `component` only. Called once for each
-    /// pair of tables and direction.
+    /// Creates the edge (a link between two tables) to `other`, which differs from this table in `component`
+    /// only. Called once for each pair of tables and direction.
     void add_edge(std::uint32_t number, Table& other, std::uint32_t other_number, std::uint32_t component);
     /// Returns the bit column of a tag and creates it on first use.
     TagColumn& tag_column(std::uint32_t component) {

@@ -295,8 +295,9 @@ private:
     /// Moves the entity to the table that has this component as well. Returns the cell of the new component,
     /// which is not written yet.
     Cell extend(Entity entity, std::uint32_t component);
-    /// Calls the hook and moves the entity to the table that lacks only this component. The caller must still
-    /// fill the hole in the component's column.
+    /// Calls the hook for removed components, and moves the entity to the table that lacks only this
+    /// component. This leaves a hole, the entity's old cell, in the component's column, which the caller must
+    /// fill.
     Hole narrow(Entity entity, std::uint32_t component);
     void mark(Entity entity, std::uint32_t tag);
     void unmark(Entity entity, std::uint32_t tag);

@@ -50,8 +50,8 @@ public:
     bool push(vec3 force, bool jumps) { return forces_.push({force, jumps}); }
     /// Number of forces in the queue.
     std::size_t waiting() const { return forces_.size(); }
-    /// Declares that no more forces follow. After the last one the force falls to zero, no faster than at any
-    /// other switch of forces (haptics/safety.h).
+    /// Declares that no more forces follow. After the last one the force falls to zero, no faster than it may
+    /// change wherever one force ends and another begins (haptics/safety.h).
     void end() { ended_ = true; }
 
     /// Ends all force from the next tick on, permanently. Any thread may call it.

@@ -155,10 +155,10 @@ std::uint32_t model_of(const ArmState& arm, const DeviceSample& sample);
 void take_sample(ArmState& arm, const haptics::Servo& servo, const DeviceSample& sample,
                  const RememberedModel* used, bool skipped);
 
-/// Applies the clutch; called once a tick before the model is made. While the clutch is held, the hand rests
-/// at its position, or at the edge of its reach (m, to both sides of the middle), and the arm's tip moves
-/// freely. After the release, the hand follows the tip from there. While the hand rests, the haptic model
-/// must be off.
+/// Applies the clutch, a button with which the arm is moved without the hand; called once a tick before the
+/// haptic model is made. While the clutch is held, the hand rests at its position, or at the edge of its
+/// reach (m, to both sides of the middle), and the arm's tip moves freely. After the release, the hand
+/// follows the tip from there. While the hand rests, the haptic model must be off.
 void rest_hand(ArmState& arm, bool held, vec3 reach);
 
 /// Position of the hand: where it rests, or else the arm's tip plus the displacement that has built up while

@@ -37,8 +37,8 @@ struct MeshData {
     std::vector<std::uint32_t> indices;
 };
 
-/// A piece of a large mesh that never changes. For each view it is drawn in full form, in plain form, or not
-/// at all.
+/// A piece of a large mesh that never changes. For each view it is drawn in full detail, in a plain form with
+/// fewer triangles, or not at all.
 struct Patch {
     MeshData full;
     /// The same piece with fewer triangles. It is drawn if the missing detail is smaller than finest_px

@@ -65,8 +65,8 @@ public:
     /// Reserves a volume. Views supply its texels and its skin (upper surface) in ViewScene::volume.
     VolumeId make_volume();
 
-    /// Reserves a scan. Views supply its samples (ViewScene::scans). The first picture of each look takes
-    /// longer, since drivers compile a shader at its first use.
+    /// Reserves a scan. Views supply its samples (ViewScene::scans). The first picture of each look (such as
+    /// translucent or surface) takes longer, since drivers compile a shader at its first use.
     ScanId make_scan();
 
     /// Draws into the context's framebuffer; the caller presents it. A frame of size zero draws nothing.

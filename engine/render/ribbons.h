@@ -35,9 +35,10 @@ MeshData ribbon(std::span<const field::StreamPoint> line, const RibbonLook& look
 /// Ribbons along the streamlines of a field, traced again only where something changed.
 class Ribbons {
 public:
-    /// Traces the ribbons of all seeds that are new or have moved; traces all ribbons if `version` differs
-    /// from that of the previous call. The caller increments `version` when field, settings or look change.
-    /// Returns the number of ribbons traced. The context of the renderer must be current.
+    /// Traces the ribbons of all seeds (starting points of streamlines) that are new or have moved;
+    /// traces all ribbons if `version` differs from that of the previous call. The caller increments
+    /// `version` when field, settings or look change. Returns the number of ribbons traced. The context of
+    /// the renderer must be current.
     std::size_t update(Renderer& renderer, const field::VectorField& field, std::span<const vec3> seeds,
                        const field::StreamlineSettings& settings, const RibbonLook& look,
                        std::uint64_t version);

@@ -42,8 +42,8 @@ struct SkinVertex {
 /// and within an ellipsoid, the round.
 struct Volume {
     VolumeId id{};
-    /// Version of texels and skin. They are sent only if the version differs from the last drawing of this
-    /// id.
+    /// Version of texels and skin (upper surface). They are sent only if the version differs from the last
+    /// drawing of this id.
     std::uint64_t version{};
     std::array<int, 3> cells{};       ///< texels along x, y, z; x is contiguous
     std::span<const Texel> texels{};  ///< one texel for each cell; otherwise the volume is not drawn

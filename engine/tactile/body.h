@@ -26,7 +26,8 @@ inline constexpr std::size_t part_count = 7;
 /// Names of the parts of the body as in data files, in the order of Part.
 const std::vector<std::string_view>& part_names();
 
-/// Regions of the body. Each has one chart for all of its parts: the torso has the front and the back.
+/// Regions of the body. Each has one chart (flat map of its skin) for all of its parts: the torso has the
+/// front and the back.
 enum class Region : std::uint8_t { torso, shoulder_left, shoulder_right, arm_left, arm_right, whole };
 inline constexpr std::size_t region_count = 6;
 

@@ -102,8 +102,8 @@ struct Effect {
     std::string clip_file{};        ///< name of the .tact file beside the effect's own file
     std::vector<ClipFrame> clip{};  ///< frames of a clip
     Purpose purpose{};
-    /// Priority, 0 to 9. When all places for playing effects are taken, an effect replaces one of lower or
-    /// equal priority.
+    /// Priority, 0 to 9. When no more effects can play at a time, a new effect replaces one of lower or equal
+    /// priority.
     int priority{};
 
     /// Frequency of the carrier (Hz).

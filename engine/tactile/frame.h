@@ -1,6 +1,6 @@
 // tactile/frame.h: what actuators do, as plain data. One frame covers eight ticks: 125 frames a second.
 //
-//     events -> TactileMixer -> TactileFrame every 8 ms -> jacket, pad, figure of the HUD, recorder
+//     events -> TactileMixer -> TactileFrame every 8 ms -> jacket, pad, figure on the screen, recorder
 //
 // A frame is absolute: it does not depend on earlier ones, so a lost frame does no lasting harm. It has a
 // time to live: an output whose link has died calls `frame_at` and becomes silent. An actuator gets an

@@ -47,7 +47,8 @@ public:
     vec2 chart_of(Region region, std::size_t actuator) const;
     /// Mean distance from an actuator of a region to the nearest other (m): the size of one cell.
     double pitch(Region region) const { return pitch_[static_cast<std::size_t>(region)]; }
-    /// Difference of two places on the chart of a region (m). Round the torso, the shorter way counts.
+    /// Difference of two places on the chart (the flattened skin) of a region (m). Round the torso, the
+    /// shorter way counts.
     vec2 between(Region region, vec2 from, vec2 to) const;
     /// Point of the body at rest for a point of the posed body (m, body frame). Its part is that of the
     /// nearest actuator.
@@ -61,7 +62,8 @@ private:
     void prepare();
 
     std::array<std::vector<std::uint8_t>, region_count> groups_{};
-    /// Chart places of each actuator: on the chart of its own region, then on that of Region::whole (m).
+    /// Places of each actuator on the flattened skin: on the chart of its own region, then on that of
+    /// Region::whole (m).
     std::array<std::array<vec2, max_actuators>, 2> charts_{};
     std::array<double, region_count> pitch_{};
 };

@@ -171,8 +171,8 @@ TactileMixer::Playing* TactileMixer::least_important(bool felt) {
     return least;
 }
 
-/// A place for an effect of this priority; null if all are taken by more important effects, or by effects
-/// that have not been felt yet.
+/// Room for one more effect of this priority; null if all room is taken by more important effects, or by
+/// effects that have not been felt yet.
 TactileMixer::Playing* TactileMixer::free_place(int priority) {
     if (count_ < max_playing) return &playing_[order_[count_++]];
     auto* least = least_important(true);

@@ -121,8 +121,8 @@ private:
         Tick released{};      ///< tick at which the hold (the time at full strength) ended
         std::uint8_t main{};  ///< actuator at which the beginning of the effect is strongest
         bool felt{};          ///< true: the effect has been in a frame
-        /// Shares of the energy for each actuator (tactile/phantom.h), for each place; for a spread, the
-        /// first element holds distances instead (m).
+        /// Shares of the actuators in the energy (tactile/phantom.h), for each place of the effect. For a
+        /// wave that spreads over the skin, the first element holds distances instead (m).
         std::array<Shares, max_places> places{};
     };
     /// Part of an effect's time that a frame covers (ms since the beginning).

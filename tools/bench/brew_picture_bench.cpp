@@ -1,5 +1,6 @@
-// Benchmarks pictures of the brew: the same picture of the arena alternately with and without the brew, seen
-// from the start pads and from the rim. Also the time to make the brew's texels and the mesh of its skin.
+// Benchmarks pictures of the brew, the fluid in the cauldron: the same picture of the arena alternately with
+// and without the brew, seen from where the wizards start and from the cauldron's rim. Also the time to make
+// the brew's texels and the mesh of its surface.
 #include "core/text.h"
 #include "game/scene/brew_look.h"
 #include "render/audit/perceptual.h"

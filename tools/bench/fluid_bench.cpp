@@ -291,8 +291,8 @@ void weighings(const Options& options, Report& report) {
 
 // ---- the cauldron ----------------------------------------------------------------------------------------
 
-/// The load of a match: two ladles and three substances in a bowl, one of them viscous. It is compared with
-/// an empty box with the same number of cells.
+/// The load of a match: two ladles that stir and three substances in a bowl, one of them viscous. It is
+/// compared with an empty box with the same number of cells.
 void cauldron(const Options& options, Report& report) {
     const int n = 32, steps = options.quick ? 60 : 600;
     std::vector<FluidRun> runs;

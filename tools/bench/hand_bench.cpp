@@ -76,7 +76,8 @@ double patch_error(const TurningBrew& brew) {
     return std::sqrt(off / all);
 }
 
-/// Reads all nodes of a patch straight from the fluid's fields. Returns a sum of the values.
+/// Reads all nodes of a patch (a part of the flow that is copied for the servo) straight from the fluid's
+/// fields. Returns a sum of the values.
 double read_through_fields(const FlowSource& source, const FlowPatch& patch) {
     double sum = 0;
     for (int n = 0; n < 64; ++n) {
@@ -87,7 +88,8 @@ double read_through_fields(const FlowSource& source, const FlowPatch& patch) {
     return sum;
 }
 
-/// Times for each place (us): copying a patch, reading the copy twice, and reading its nodes from the fields.
+/// Times for each place (us): copying a patch (a part of the flow for the servo), reading the copy twice, and
+/// reading its nodes from the fields.
 std::vector<std::vector<double>> patch_times(const TurningBrew& brew, const FlowSource& source,
                                              const std::vector<FlowPatch>& patches, const Options& options) {
     const auto each = [&brew](const auto& visit) {
@@ -104,7 +106,8 @@ std::vector<std::vector<double>> patch_times(const TurningBrew& brew, const Flow
         Contestant{{}, each([&](std::size_t i, vec3) {
                        do_not_optimise(read_through_fields(source, patches[i]));
                    })}};
-    // The patches stay in the processor's cache, as in the servo, which reads its patch again and again.
+    // The patches (copied parts of the flow) stay in the processor's cache, as in the servo, which reads its
+    // patch again and again.
     auto samples = measure(contestants, {.seconds = options.quick ? 0.3 : 1.0, .least = 11, .calls = 16});
     for (auto& one : samples) {
         for (double& us : one) us /= hand_places;

@@ -35,7 +35,8 @@ vec3 from_kink(const Primitive& p, vec3 x) {
     return p.kind == PrimitiveKind::line ? m - along : along;
 }
 
-/// The force nearest to `force` that the primitive can exert while the proxy is on its kink (N).
+/// The force nearest to `force` that the primitive can exert while the proxy is on its kink, where its force
+/// jumps (N).
 vec3 within_strength(const Primitive& p, vec3 force) {
     if (p.kind == PrimitiveKind::plane)
         return std::clamp(glm::dot(force, p.direction), 0.0, p.strength) * p.direction;

@@ -198,7 +198,7 @@ void feel_crowd(CrowdRun& run) {
 }
 
 /// Times the look-up among 1 to 1,000 bodies, with and without the servo step. Only the look-up searches all
-/// bodies; the servo step reads just the patch.
+/// bodies; the servo step reads just the patch, the surfaces near the hand.
 void servo_among_bodies(const Options& options, Report& report) {
     std::vector<CrowdRun> runs;
     for (const bool steps : {false, true}) {

@@ -17,13 +17,14 @@ class BlockStream {
 public:
     static constexpr std::size_t min_queued = 2, max_queued = 24;
 
-    /// Makes the source. Up to `queued` blocks wait in it, and one more after each gap. `channels`: 2, or 8
-    /// in the order of surround_channels (audio/channels.h).
+    /// Makes the source. Up to `queued` blocks wait in it, and one more after each gap in playing, so that
+    /// gaps become rare. `channels`: 2, or 8 in the order of surround_channels (audio/channels.h).
     explicit BlockStream(std::size_t queued, std::size_t channels = 2);
     void destroy();
 
     std::size_t wanted();
-    /// Queues a block. Playing begins, and begins again after a gap, as soon as the queue is full.
+    /// Queues a block. Playing begins, and begins again after a gap in which no block was left, as soon as
+    /// the queue is full.
     void write(std::span<const float> block);
     std::size_t queued() const { return queued_; }
 

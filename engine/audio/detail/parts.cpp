@@ -28,8 +28,8 @@ Span span_of(const Canvas& canvas, const Envelope& envelope, double decay) {
     return {start, canvas.loops() ? whole : std::min(whole, remaining), false};
 }
 
-/// The envelope or pitch with tremolo and vibrato rates that fit a whole number of periods into a lasting
-/// part.
+/// The envelope or pitch, with tremolo and vibrato rates that fit a whole number of periods into a part that
+/// lasts as long as its loop.
 Envelope fitted(Envelope envelope, const Canvas& canvas, const Span& span) {
     if (!span.lasting) return envelope;
     envelope.attack = 0;
@@ -80,7 +80,8 @@ void each_block(const Envelope& envelope, double decay, std::span<const double> 
     }
 }
 
-/// Factor on a partial's frequency that gives it a whole number of periods in a lasting part.
+/// Factor on a partial's frequency that gives it a whole number of periods in a part that lasts as long as
+/// its loop.
 double period_fit(std::span<const double> frequencies, std::size_t count, double ratio) {
     double periods = 0;
     for (std::size_t i = 0; i < count; i += control_samples)

@@ -182,7 +182,7 @@ std::vector<ProfileData> get_profile(ByteReader& in) {
     });
 }
 
-/// Reads one section. Returns false if its tag is unknown. `fault` receives the
+/// Reads one section (a record of the header). Returns false if its tag is unknown. `fault` receives the
 /// first fault of a device's settings.
 bool get_section(Section tag, ByteReader& in, LogHeader& h, std::string& fault) {
     switch (tag) {

@@ -24,7 +24,7 @@ struct IndexRange {
     std::uint32_t first{}, count{};
 };
 
-/// The patches of a patchwork that a view sees: first those that the sun may reach, directly followed by the
+/// The patches of a large mesh that a view sees: first those that the sun may reach, directly followed by the
 /// others.
 struct ChosenPatches {
     IndexRange sunlit{}, sunless{};

@@ -1,8 +1,8 @@
 // The sun's shadow map: the depth of the arena seen from the sun.
 //
-// Fixed casters are drawn once into a map of their own. When a moving caster has moved, its old place is
-// copied back from that map. Then this caster and all others in the same place are drawn again. If nothing
-// moves, the map costs nothing.
+// Fixed casters (objects that cast a shadow) are drawn once into a map of their own. When a moving caster has
+// moved, its old place is copied back from that map. Then this caster and all others in the same place are
+// drawn again. If nothing moves, the map costs nothing.
 #pragma once
 #include <vector>
 
@@ -52,8 +52,7 @@ private:
     std::vector<Print> prints_;     // rectangle in the shadow map of each of `moving_`
 
     // Scratch memory for the current picture.
-    // Rectangles that moving objects have left, where the shadows of fixed objects are copied back.
-    std::vector<Print> left_;
+    std::vector<Print> left_;        // where moving objects have left; fixed shadows are copied back there
     std::vector<Instance> drawn_;    // objects whose shadows are to be drawn
     std::vector<Print> new_prints_;  // rectangles in the shadow map of all moving objects
 };

@@ -43,14 +43,16 @@ public:
     /// Allocates the target into which volumes are ray-marched, for a frame of this size (ray-marched
     /// pixels).
     void begin(int width, int height, Quality quality);
-    /// Sends new texels and skin. Then prepares to draw, with `depth_program`, the depth of the objects in
-    /// one view's volume, and sets the view's matrix in that program.
+    /// Sends new texels and a new skin (upper surface) of the volume. Then prepares to draw, with
+    /// `depth_program`, the depth of the objects in one view's volume, and sets the view's matrix in that
+    /// program.
     void begin_depth(const SeenVolume& its, const Sight& sight, const SmallProgram& depth_program);
     /// Marches rays through the part of the volume behind its skin (upper surface) in one view, up to the
     /// depth that was drawn.
     void march(const ViewScene& view, const SeenVolume& its, const Sight& sight, Quality quality,
                const VertexArray& no_attributes);
-    /// Draws the skin over the drawn view. `at` is the view's place in its target, from the bottom left (px).
+    /// Draws the skin (upper surface) of the volume over the drawn view. `at` is the view's place in its
+    /// target, from the bottom left (px).
     void show(const SeenVolume& its, const Sight& sight, const Rect& at, const VertexArray& no_attributes);
     /// Number of times that texels and skins (upper surfaces) of volumes were sent, for tests.
     std::size_t sent() const { return sent_; }
