@@ -255,15 +255,16 @@ concept Component = !Blob<T> && !ResourceType<T> && std::is_trivially_copyable_v
 }
 &&(Tag<T> || Described<T>);
 
-/// A type that a World can declare: a component or a blob.
+/// A type that a World can declare: a component or a blob (an array of numbers that no entity owns).
 template <class T>
 concept Declarable = Component<T> || Blob<T>;
 
-/// A type to which systems declare access: a component, a blob or a resource.
+/// A type to which systems declare access: a component, a blob (an array that no entity owns) or a resource
+/// (a value that systems share).
 template <class T>
 concept Accessible = Declarable<T> || ResourceType<T>;
 
-/// Description of a component or a blob.
+/// Description of a component or of a blob (an array of numbers that no entity owns).
 struct ComponentInfo {
     std::string_view name;
     std::uint32_t size{};  ///< size of the component, 0 for a tag; size of one element for a blob (bytes)

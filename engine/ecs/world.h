@@ -122,7 +122,8 @@ public:
     template <Component C>
     const C& single() const;
 
-    /// Number of entities that have C. For a blob: 1 if it has elements, otherwise 0.
+    /// Number of entities that have C. For a blob (an array that no entity owns): 1 if it has elements,
+    /// otherwise 0.
     template <Declarable C>
     std::uint32_t count() const {
         return counts_[id<C>()];
@@ -337,8 +338,8 @@ private:
     std::vector<Record, ArrayAllocator<Record>> records_;
     std::uint32_t free_ = none;
     Commands commands_;
-    // Cache of queries, by the type number of the view. Each query keeps its address, since views refer to
-    // it.
+    // Cache of queries (the tables that match one kind of view), by the type number of the view. Each query
+    // keeps its address, since views refer to it.
     mutable std::vector<std::unique_ptr<Query>> queries_;
     std::vector<Pack> packs_;  // cached data of `create`, by the type number of the list of components
     mutable std::uint32_t locks_ = 0;

@@ -188,7 +188,7 @@ public:
     /// One line with the path if the ending is not clean, such as "F: cut off after tick 4096 (part of a
     /// block)" or "F: tick 4096: block damaged (payload)".
     const std::string& ending_reason() const;
-    /// The text given to close; empty if the ending is not clean.
+    /// The line of text with which the program closed the log; empty if the ending is not clean.
     const std::string& result() const;
 
     /// All hashes by ascending tick, including those of the end block, with which a log is closed.

@@ -102,8 +102,8 @@ MeshData revolve(std::span<const fvec2> profile, int segments, fvec3 colour, flo
 MeshData frame(int sides, float outer_radius, float inner_radius, float thickness, fvec3 colour);
 /// Only the side of a frame that faces +z, at z = 0, for marks flush on a surface. Not closed.
 MeshData flat_frame(int sides, float outer_radius, float inner_radius, fvec3 colour);
-MeshData ring_mark(float radius, fvec3 colour);      ///< mark of team ember
-MeshData triangle_mark(float radius, fvec3 colour);  ///< mark of team tide
+MeshData ring_mark(float radius, fvec3 colour);      ///< a ring, the mark of one of the two teams (ember)
+MeshData triangle_mark(float radius, fvec3 colour);  ///< a triangle, the mark of the other team (tide)
 
 /// A flat sheet at y = 0 that faces +y, cut into cells so that lights per vertex show. Not closed.
 MeshData grid(fvec2 half, int cells_x, int cells_z, fvec3 colour);

@@ -24,7 +24,7 @@ enum class Quality : std::uint8_t { low, medium, high };
 inline constexpr std::size_t qualities = 3;
 inline constexpr std::array<std::string_view, qualities> quality_names{"low", "medium", "high"};
 
-/// Frame::internal_scale for a window of this height (px).
+/// Scale of the views' resolution (Frame::internal_scale) for a window of this height (px).
 float internal_scale_of(Quality quality, int height);
 
 /// Detail smaller than this may be left out: a patch is then drawn in its plain form, or a mesh as a coarser

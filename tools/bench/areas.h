@@ -1,4 +1,4 @@
-// tools/bench/areas.h: the areas of the benchmark, each in a file of its own.
+// tools/bench/areas.h: the areas (groups of benchmarks), each in a file of its own.
 #pragma once
 #include "tools/bench/bench.h"
 

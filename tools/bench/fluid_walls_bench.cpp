@@ -28,8 +28,8 @@ Row row_between_walls(const std::string& name, const FluidRun& run, double error
 
 using ErrorAtEnd = std::function<double(const Fluid&)>;
 
-/// Advances a fluid between walls until `end` (s), at order 2, and adds its row, which it
-/// returns; null if there is no fluid.
+/// Advances a fluid between walls until `end` (s), at second order of accuracy. Adds its row to the report
+/// and returns the row; null if there is no fluid.
 Row* unforced_flow(const std::string& name, Expected<Fluid> fluid, int n, double end, const ErrorAtEnd& error,
                    Report& report) {
     if (!fluid) {

@@ -322,8 +322,8 @@ void carve_crystal(SceneMatch& scene, Tick tick) {
     scene.frame = carving(tick);
 }
 
-/// Two wizards search the flow in the orb with their probes all the time, although that would use up their
-/// focus.
+/// Two wizards search the flow in the orb with their probes all the time. Their focus, which searching uses
+/// up, is refilled in each tick.
 void search_orb(SceneMatch& scene, Tick tick) {
     if (tick == 0) place_at_the_orb(*scene.match);
     scene.match->world_to_change().view<game::Focus>().each([](game::Focus& focus) { focus.points = 100; });

@@ -61,7 +61,7 @@ struct Report {
 /// A report without rows, with the version of this program and this machine.
 Report empty_report();
 
-/// Sets `front` of every row, by median time and error within one case of one area.
+/// Sets `front` of every row, by median time and error within one case of one area (group of benchmarks).
 void mark_fronts(std::vector<Row>& rows);
 
 /// The report as one indented JSON object, ending with a newline. Numbers that are not finite become null.
@@ -77,8 +77,8 @@ std::string shown(double value);
 /// A text unchanged, an integer in full, any other number with four significant digits.
 std::string shown(const Value& value);
 
-/// One table per area, with a column for each setting and metric that some row of the area has. '*' marks the
-/// Pareto front, 'd' the shipped setting, '!' a row that breaks an invariant.
+/// One table per area (group of benchmarks), with a column for each setting and metric that some row of the
+/// area has. '*' marks the Pareto front, 'd' the shipped setting, '!' a row that breaks an invariant.
 std::string to_table(const Report& report);
 
 }  // namespace thaum::bench

@@ -34,7 +34,7 @@ struct Bar {
     double ratio{};  ///< ratio of the row, above 0
 };
 
-/// Bars for one metric `ratio_to_...` of one area.
+/// Bars for one metric `ratio_to_...` of one area (group of benchmarks).
 struct RatioFigure {
     std::string title;
     std::vector<Bar> bars;
@@ -51,7 +51,7 @@ std::string setting_text(const bench::Row&);
 /// left out.
 std::vector<FrontFigure> front_figures(std::span<const bench::Row* const> rows);
 
-/// Figures for the rows of one area that have no error.
+/// Figures for the rows of one area (group of benchmarks) that have no error.
 std::vector<RatioFigure> ratio_figures(std::span<const bench::Row* const> rows);
 
 }  // namespace thaum::plot

@@ -17,14 +17,15 @@ struct SvgFile {
 struct Page {
     std::string html;
     std::vector<SvgFile> figures;
-    /// Number of cases and areas that got no figure because the page already has max_figures. They are still
-    /// in the tables.
+    /// Number of cases and areas (groups of benchmarks) that got no figure because the page already has
+    /// max_figures. They are still in the tables.
     std::size_t not_drawn{};
 };
 
 inline constexpr std::size_t max_figures = 200;
 
-/// Makes a page with all areas, cases and rows; rows are sorted by time. Every row is in a table.
+/// Makes a page with all areas (groups of benchmarks), cases and rows; rows are sorted by time. Every row is
+/// in a table.
 Page make_page(const bench::Report&);
 
 /// Writes index.html and the SVG files. Makes the folder if it is missing.

@@ -12,8 +12,8 @@ struct ScanBox {
     std::array<int, 3> first{}, count{};
 };
 
-/// Lowest and highest density of a brick; 65,535 stands for 1. A brick includes the first samples of the next
-/// brick along each axis, since the density between the two belongs to it.
+/// Lowest and highest density of a brick (a cube of 8^3 samples); 65,535 stands for 1. A brick includes the
+/// first samples of the next brick along each axis, since the density between the two belongs to it.
 struct DensityRange {
     std::uint16_t low{}, high{};
     bool operator==(const DensityRange&) const = default;

@@ -126,7 +126,7 @@ ShadowMap::Counts ShadowMap::draw(std::span<const Instance> instances, std::span
 
 ShadowMap::Print ShadowMap::print_of(const Bounds& there) const {
     const fvec3 at = fvec3(to_clip_ * fvec4(there.centre, 1));
-    // The rows of the matrix give the distance in clip space that corresponds to one metre.
+    // The rows of the matrix tell how far one metre along each axis of the shadow map is in clip space.
     const auto reach = [&](int row) {
         const fvec3 per_m(to_clip_[0][row], to_clip_[1][row], to_clip_[2][row]);
         return there.radius * glm::length(per_m);
