@@ -79,8 +79,8 @@ void show_scene(LiveShared& shared, std::shared_ptr<const MatchData> data) {
     shared.scene.publish();
 }
 
-/// Makes the recognisers of gestures that the players need before the first tick, so that the first stroke need not
-/// wait.
+/// Makes the recognisers of gestures that the players need before the first tick, so that the first stroke
+/// need not wait.
 void make_readers(const MatchContext& context) {
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto* gestures = gestures_of(context, player);
