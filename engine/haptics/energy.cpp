@@ -87,8 +87,15 @@ vec3 passivity_control(double energy, vec3 velocity, double most) {
     return -std::min(energy / (speed * speed * tick_seconds), most) * velocity;
 }
 
-vec3 steady_brake(PassivityObserver& observer, vec3 wished, double most) {
-    observer.brake = limited(observer.brake + limited(wished - observer.brake, brake_step), most);
+vec3 steady_brake(PassivityObserver& observer, vec3 wished, vec3 braked, vec3 last_output) {
+    const double step = observer.held_back != 0 ? held_brake_step : brake_step;
+    const double most = glm::length(braked), before = glm::length(observer.brake);
+    vec3 brake = observer.brake + limited(wished - observer.brake, step);
+    const vec3 along = most > 0 ? braked : last_output;
+    const double size = glm::length(along);
+    const double against = size > 0 ? -glm::dot(brake, along) / size : before;
+    if (against > most) brake = size > 0 ? brake + (against - most) / size * along : vec3(0);
+    observer.brake = limited(brake, std::max(most, before - step));
     return observer.brake;
 }
 
@@ -110,8 +117,20 @@ vec3 within_budget(const PassivityObserver& observer, vec3 active) {
 double fade_energy(const PassivityObserver& observer) {
     // The springs may still give their reserve, so it counts as given. Energy that the springs received since
     // the last switch does not raise the result above `switch_energy`.
-    return std::clamp(reserve_energy + switch_energy - (observer.created + observer.reserve), 0.0,
-                      switch_energy);
+    const double passive = reserve_energy + switch_energy - (observer.created + observer.reserve);
+    const double active =
+        switch_energy * (active_budget - observer.active_work) / (fading_share * active_budget);
+    return std::clamp(std::min(passive, active), 0.0, switch_energy);
+}
+
+double change_of_fade(const PassivityObserver& observer, vec3 force, vec3 step, double pending,
+                      double stiffness) {
+    const double size2 = glm::dot(force, force);
+    const double outward = size2 > 0 ? glm::dot(force, step) / std::sqrt(size2) : 0;
+    if (!(outward > 0)) return steady_change;
+    constexpr double least = 0.001;  // energy below which the force does not fall faster still (J)
+    const double left = std::max(least, max_slow_creation - observer.created - std::max(0.0, pending));
+    return std::max(steady_change, (size2 / (2 * left) - stiffness) * outward);
 }
 
 void hold_back(PassivityObserver& observer) {
@@ -149,11 +168,11 @@ double force_of_reserve(const PassivityObserver& observer, double outward, doubl
     return std::max(0.0, std::sqrt(2 * stiffness * left) - ahead);
 }
 
-// The safety stage's cap and heat limit scale all sources alike. The fading offset of a switch returns energy
-// that was received and hardly any more, since the reserve limits it. It is therefore passive, like the
-// controller's brake.
+// The safety stage's cap and heat limit scale all sources alike. The fading offset that passive sources left
+// returns energy that was received and hardly any more, since the reserve limits it. It is therefore passive,
+// like the controller's brake.
 void record_output(PassivityObserver& observer, vec3 output, vec3 passive, vec3 active, vec3 world,
-                   vec3 unrequested) {
+                   vec3 unrequested, vec3 active_offset) {
     const vec3 wanted = passive + active;
     const double size2 = glm::dot(wanted, wanted);
     const double share = size2 > 0 ? std::clamp(glm::dot(output - unrequested, wanted) / size2, 0.0, 1.0) : 0;
@@ -162,7 +181,7 @@ void record_output(PassivityObserver& observer, vec3 output, vec3 passive, vec3 
     observer.newest = (observer.newest + 1) % kept;
     auto& force = observer.forces[observer.newest];
     force.share = sane ? share : 0;
-    force.passive = sane ? share * passive + unrequested : vec3(0);
+    force.passive = sane ? share * passive + unrequested - active_offset : vec3(0);
     force.world = sane ? share * world : vec3(0);
     force.active = output - force.passive;
 }
@@ -257,12 +276,19 @@ double energy_of_output(const Servo& servo, const SafetyState& safety) {
 }
 
 /// Limits the springs, which pull with `pull` (N), to the largest force that their reserve allows. Returns
-/// this limit (N).
-double limit_to_reserve(const Servo& servo, const ServoState& state, double pull, Sources& sources) {
+/// this limit (N). Unless it `may_jump`, it moves slowly: by `fall` (N) down and by `reserve_step` up, besides
+/// the way of a spring while the tip moves by `moved` (m).
+double limit_to_reserve(const Servo& servo, const ServoState& state, double pull, bool may_jump, double fall,
+                        vec3 moved, Sources& sources) {
     const vec3 step = tip_motion(state, servo.quantum);
-    const double outward = pull > 0 ? glm::dot(step, sources.springs) / pull : 0;
-    const double most = force_of_reserve(
-        state.energy, outward, pending_work(state.energy, step, servo.latency), servo.max_stiffness);
+    const vec3 way = pull > 0 ? sources.springs / pull : vec3(0);
+    double most = force_of_reserve(state.energy, glm::dot(step, way),
+                                   pending_work(state.energy, step, servo.latency), servo.max_stiffness);
+    if (!may_jump) {
+        const double relaxed = servo.max_stiffness * glm::dot(moved, way), last = state.energy.spring_force;
+        most = std::clamp(most, std::min(last, servo.limits.cap) - fall - std::max(0.0, relaxed),
+                          last + reserve_step + std::max(0.0, -relaxed));
+    }
     if (!(pull > most)) return most;
     const double share = most / pull;
     sources.passive -= (1 - share) * sources.springs;
@@ -316,7 +342,28 @@ vec3 brake_sources(const Servo& servo, ServoState& state, double taken, const So
     // In a fluid the brake acts at once and without the limits of `steady_brake`. With them, a flow that is
     // felt late created more than the 0.02 J that are allowed.
     if (state.fluid.number != 0 && !held_back) return energy.brake = brake;
-    return steady_brake(energy, brake, glm::length(held_back ? sources.springs : sources.passive));
+    return steady_brake(energy, brake, held_back ? sources.springs : sources.passive, state.safety.output);
+}
+
+/// Limits the change of the force after a switch, and holds the springs back until they are covered. In a
+/// tick in which they `may_give` more than before, and while they settle, the offset takes up every jump.
+EnergyLimits limits_after_switch(const Servo& servo, ServoState& state, const Tip& tip, bool may_give,
+                                 const HeldSprings& springs, Sources& sources) {
+    PassivityObserver& energy = state.energy;
+    EnergyLimits limits;
+    const bool fades = state.safety.fade != static_cast<std::uint32_t>(Fade::over);
+    if (!fades && energy.held_back == 0) return limits;
+    const vec3 moved = tip.position - state.safety.tip;
+    limits.change = change_of_fade(energy, energy.forces[energy.newest].passive, moved,
+                                   pending_work(energy, moved, servo.latency), servo.max_stiffness);
+    if (energy.held_back == 0) return limits;
+    const bool may_jump = may_give || energy.unsettled != 0;
+    const double fall = reserve_step + limits.change - steady_change;
+    limits.reserve_force = limit_to_reserve(servo, state, springs.pull, may_jump, fall, moved, sources);
+    forgive(energy, springs.pull > 0);
+    if (!may_give && !fades && !(limits.reserve_force < springs.pull))
+        release_if_covered(energy, springs, servo.max_stiffness);
+    return limits;
 }
 
 }  // namespace
@@ -336,21 +383,12 @@ EnergyLimits update_energy(const Servo& servo, ServoState& state, const HapticMo
     const vec3 step = tether.stiffness > 0 ? tether.anchor_velocity * tick_seconds : surfaces.world_step;
     observe(state.energy, tip.position, step, stored, servo.latency, fluid.supplied);
     sources.active = within_budget(state.energy, sources.active);
-    EnergyLimits limits;
     if (may_give && servo.max_stiffness > 0) hold_back(state.energy);
-    const double pull = glm::length(sources.springs);
-    if (state.energy.held_back != 0) {
-        limits.reserve_force = limit_to_reserve(servo, state, pull, sources);
-        forgive(state.energy, pull > 0);
-        const bool fades = state.safety.fade != static_cast<std::uint32_t>(Fade::over);
-        if (!may_give && !fades)
-            release_if_covered(
-                state.energy,
-                {.energy = stored - fluid.stored,
-                 .pull = pull,
-                 .may_lie_ahead = model.primitives.by_proxy() && conservative(model.primitives)},
-                servo.max_stiffness);
-    }
+    const HeldSprings pulling{.energy = stored - fluid.stored,
+                              .pull = glm::length(sources.springs),
+                              .may_lie_ahead = model.primitives.by_proxy() && conservative(model.primitives)};
+    EnergyLimits limits = limits_after_switch(servo, state, tip, may_give, pulling, sources);
+    state.energy.spring_force = std::min(pulling.pull, limits.reserve_force);
     const double taken =
         energy_to_take_out(state.energy, held + expected_creation(servo, state.energy, tether, tip));
     limits.brake = brake_sources(servo, state, taken, sources);
@@ -361,7 +399,7 @@ EnergyLimits update_energy(const Servo& servo, ServoState& state, const HapticMo
 void record_force(ServoState& state, vec3 output, const Sources& sources) {
     if (is_stopped(state.safety)) return record_ramp(state.energy, output);
     record_output(state.energy, output, sources.passive, sources.active, sources.world,
-                  state.safety.unrequested);
+                  state.safety.unrequested, state.safety.active_offset);
 }
 
 }  // namespace thaum::haptics

@@ -73,9 +73,10 @@ struct PassivityObserver {
     std::uint32_t held_back{};     ///< 1: after a switch, the reserve limits the springs
     std::uint32_t unsettled{};     ///< ticks left in which the primitives settle after a switch
     vec3 brake{};                  ///< brake of the last tick (N)
+    double spring_force{};         ///< length of the springs' force in the last tick (N)
 };
 static_assert(sizeof(PassivityObserver) ==
-              (6 + 10 * (max_latency + 1) + 4 + 2 * active_bins) * sizeof(double) +
+              (7 + 10 * (max_latency + 1) + 4 + 2 * active_bins) * sizeof(double) +
                   6 * sizeof(std::uint32_t));
 
 inline constexpr double longest_step = 0.05;  ///< largest plausible motion of the tip in a tick (m)
@@ -113,13 +114,16 @@ double surplus(const PassivityObserver& observer, double held);
 /// most `most` (N s/m).
 vec3 passivity_control(double energy, vec3 velocity, double most);
 
-/// Largest change of the brake in a tick (N).
-inline constexpr double brake_step = 0.3;
+/// Largest change of the brake in a tick (N), and the same while springs are held back. The latter and
+/// `reserve_step` together stay below `steady_change`.
+inline constexpr double brake_step = 0.3, held_brake_step = 0.15;
 
-/// Moves the brake towards `wished`, the brake of the controller (N), by at most `brake_step`, since a brake
-/// that began at once would be a jump. The brake is at most as strong as the force that it brakes, `most`
-/// (N). So it can cancel that force, but cannot pull a hand that leaves a wall back into the wall.
-vec3 steady_brake(PassivityObserver& observer, vec3 wished, double most);
+/// Moves the brake towards `wished`, the brake of the controller (N), by at most the step above, since a brake
+/// that began at once would be a jump. Against the force that it brakes, `braked` (N), the brake is at most as
+/// strong as that force. So it can cancel the force, but cannot pull a hand that leaves a wall back into the
+/// wall. In other directions a brake longer than `braked` ends by one step a tick. Without `braked`, the last
+/// output (N) tells against what the brake may not pull.
+vec3 steady_brake(PassivityObserver& observer, vec3 wished, vec3 braked, vec3 last_output);
 
 /// Work of the passive forces that are commanded but have not acted yet (J), if the tip moves by `step` (m)
 /// in every tick.
@@ -131,8 +135,21 @@ double pending_work(const PassivityObserver& observer, vec3 step, int latency);
 vec3 within_budget(const PassivityObserver& observer, vec3 active);
 
 /// Work that the fading offset of a switch may do now (J): less soon after other switches, so that the
-/// offsets of many switches together do no more than that of one.
+/// offsets of many switches together do no more than that of one, and less while the budget of active sources
+/// runs out.
 double fade_energy(const PassivityObserver& observer);
+
+/// Energy up to which the output changes slowly at a switch (J). Where it would create more, it changes
+/// faster.
+inline constexpr double max_slow_creation = 0.019;
+
+/// Largest change in a tick of a force that fades (N), beyond that of a spring with the device's `stiffness`
+/// (N/m). `step` is the motion of the tip (m), `pending` the work of forces that have not acted yet (J). A
+/// force F that falls by r a second and by one spring k gives F^2 v / 2 (r + k v) to a hand at speed v. Only
+/// where that is more than may still be created, the force falls faster than `steady_change`: as fast as a
+/// spring that holds no more than that.
+double change_of_fade(const PassivityObserver& observer, vec3 force, vec3 step, double pending,
+                      double stiffness);
 
 /// Begins a reserve at a switch. A reserve that is already running is not reduced.
 void hold_back(PassivityObserver& observer);
@@ -161,11 +178,16 @@ void release_if_covered(PassivityObserver& observer, const HeldSprings& springs,
 /// commanded but have not acted yet (J). `stiffness` is the device's largest (N/m).
 double force_of_reserve(const PassivityObserver& observer, double outward, double pending, double stiffness);
 
+/// Largest change in a tick of the force that the reserve allows (N), beyond that of a spring with the
+/// device's stiffness.
+inline constexpr double reserve_step = 0.3;
+
 /// Records the force commanded to the device (N). `passive` and `active` are the forces that the sources
 /// asked for. `world` is the part of `passive` that acts on moving things of the world. `unrequested` is the
 /// part of `output` that no source asked for: the controller's brake and the fading offset of a switch.
+/// `active_offset` is the part of that offset that active sources left; it counts as active.
 void record_output(PassivityObserver& observer, vec3 output, vec3 passive, vec3 active, vec3 world,
-                   vec3 unrequested = {});
+                   vec3 unrequested = {}, vec3 active_offset = {});
 
 /// Records a force that ramps to zero (N). Each kind of source keeps its part of the last force.
 void record_ramp(PassivityObserver& observer, vec3 output);

@@ -221,10 +221,15 @@ double fade_step(const SafetyLimits& limits, const SafetyInput& input) {
 }
 
 /// Sets the offset to the difference between the last output and the goal, so that the output makes no jump.
-/// The last output is cut to `most` (N), which it exceeds if the cap has been lowered.
-void take_up(double most, SafetyState& state, vec3 goal) {
+/// The last output is cut to `most` (N), which it exceeds if the cap has been lowered. The part of the offset
+/// that active sources left is known from their parts of both.
+void take_up(double most, SafetyState& state, vec3 goal, const SafetyInput& input) {
     state.remnant = shortened(state.output, most);
     state.offset = state.remnant - goal;
+    const double asked = glm::length(input.wanted);
+    const double share = asked > most ? most / asked : 1;
+    const vec3 active = shortened(input.last_active, most) - share * input.active;
+    state.active_offset = is_finite(active) ? active : vec3(0);
 }
 
 /// Adds the offset's work since the last tick. A step longer than any hand makes is a measurement error and
@@ -253,7 +258,7 @@ double work_of_offset(double length, const SafetyInput& input) {
 void begin_fade(const SafetyLimits& limits, double most, SafetyState& state, vec3 goal,
                 const SafetyInput& input) {
     const bool goes_on = glm::length(state.offset) > fade_step(limits, input);
-    take_up(most, state, goal);
+    take_up(most, state, goal, input);
     state.initial_offset = glm::length(state.offset);
     state.fade_work = 0;
     state.fade_budget = work_of_offset(state.initial_offset, input);
@@ -262,8 +267,8 @@ void begin_fade(const SafetyLimits& limits, double most, SafetyState& state, vec
 }
 
 /// Lets the offset take up a jump of sources that settle after a switch. Its budget of work stays.
-void settle(double most, SafetyState& state, vec3 goal) {
-    take_up(most, state, goal);
+void settle(double most, SafetyState& state, vec3 goal, const SafetyInput& input) {
+    take_up(most, state, goal, input);
     state.initial_offset = std::max(state.initial_offset, glm::length(state.offset));
 }
 
@@ -275,18 +280,9 @@ double length_after_work(const SafetyState& state) {
     return state.initial_offset * std::sqrt(left);
 }
 
-/// Length that the offset keeps in this tick even if it has done all its work (N): the force falls no faster
-/// than that of a spring with the device's stiffness and that of a falling cap together.
-double min_length(const SafetyState& state, const SafetyInput& input, double size) {
-    if (!(input.stiffness > 0 && size > 0)) return 0;
-    const double outward = glm::dot(state.offset, input.tip - state.tip) / size;
-    return size - cap_slew * tick_seconds - input.stiffness * std::max(0.0, outward);
-}
-
-/// Share of the offset, 0 to 1, that still serves to hide the switch: the largest with
-/// |share * offset - remnant| <= |goal|. The remnant is what is left of the force before the switch. While
-/// the goal does not change, the share is 1. Without this limit, an offset that cancels a goal would pull the
-/// hand where no source does, once that goal ends.
+/// Largest share of the offset, 0 to 1, whose distance from the remnant (what is left of the force before the
+/// switch) is at most the length of the goal. While the goal does not change, the share is 1. Without this
+/// limit, an offset that cancels a goal would pull the hand where no source does once that goal ends.
 double part_that_hides(const SafetyState& state, vec3 goal) {
     const double square = glm::dot(state.offset, state.offset);
     if (!(square > 0)) return 1;
@@ -296,13 +292,13 @@ double part_that_hides(const SafetyState& state, vec3 goal) {
     return std::clamp(nearest + std::sqrt(std::max(0.0, room) / square), 0.0, 1.0);
 }
 
-/// Smallest share of the offset, 0 to 1, with which the output jumps no farther than a falling cap and a
-/// spring of the device's stiffness explain. If every share jumps farther, the share with the smallest jump.
+/// Smallest share of the offset, 0 to 1, with which the output jumps no farther than `SafetyInput::change` and
+/// a spring of the device's stiffness explain. If every share jumps farther, the share with the smallest jump.
 double steady_part(const SafetyState& state, vec3 goal, const SafetyInput& input) {
     const double square = glm::dot(state.offset, state.offset);
     if (!(input.stiffness > 0 && square > 0)) return 0;
     const vec3 jump = goal - state.output;
-    const double room = cap_slew * tick_seconds + input.stiffness * glm::length(input.tip - state.tip);
+    const double room = input.change + input.stiffness * glm::length(input.tip - state.tip);
     const double nearest = -glm::dot(jump, state.offset) / square;
     const vec3 across = jump + nearest * state.offset;
     const double spare = room * room - glm::dot(across, across);
@@ -316,7 +312,7 @@ vec3 shorter_by(vec3 force, double step) {
 
 vec3 without_offset(SafetyState& state, vec3 goal) {
     state.fade = static_cast<std::uint32_t>(Fade::over);
-    state.offset = {};
+    state.offset = state.active_offset = {};
     return goal;
 }
 
@@ -330,17 +326,20 @@ vec3 faded(const SafetyLimits& limits, double most, SafetyState& state, vec3 goa
         begin_fade(limits, most, state, goal, input);
     else
         add_fade_work(state, input, false);
-    if (input.settles) settle(most, state, goal);
+    if (input.settles) settle(most, state, goal, input);
     const double step = fade_step(limits, input), size = glm::length(state.offset);
+    const double steady = steady_part(state, goal, input);
+    // Time always shortens the offset by `slew`, so that every fade ends.
+    const double longest = size - limits.slew * tick_seconds;
+    if (!(longest > step * (almost_there - 1))) return without_offset(state, goal);
     state.remnant = shorter_by(state.remnant, step);
-    const double worked = std::max(length_after_work(state), min_length(state, input, size));
-    const double left = std::min(size, worked) - step;
-    if (!(left > step * (almost_there - 1))) return without_offset(state, goal);
-    const double steady = steady_part(state, goal, input), share = left / size;
     const vec3 before = state.offset;
+    const double share = std::max(0.0, std::min(size, length_after_work(state)) - step) / size;
     state.offset *= share;
-    const double hiding = share * part_that_hides(state, goal);
-    state.offset = std::min(std::max(hiding, steady), share) * before;
+    const double wished = share * part_that_hides(state, goal);
+    const double kept = std::min(std::max(wished, steady), longest / size);
+    state.offset = kept * before;
+    state.active_offset *= kept;
     // A sum beyond the cap is shortened, not its parts: so the offset only gets shorter, and the output does
     // not jump when the goal reaches the cap.
     const vec3 force = goal + state.offset, within = shortened(force, most);
@@ -425,7 +424,7 @@ vec3 make_safe(const SafetyLimits& wished, SafetyState& state, const SafetyInput
     } else if (ramps(state, cause)) {
         force = shortened(ramped_down(state), max_of_ramp(state, input));
     }
-    if (!follows) state.offset = {};
+    if (!follows) state.offset = state.active_offset = {};
     const bool held_back = follows ? cause == SafetyCause::warm : state.heat_limit > 0 && most < limits.cap;
     state.heat_limit = held_back ? most : 0;
     state.output = final_force(most, force);

@@ -19,8 +19,11 @@
 //   - the cap: if the sum of wanted force and offset exceeds it;
 //   - the wanted force that it hides: the offset leads from the wanted force to what is left of the force
 //     before the switch. An offset that cancels the force of a wall ends with that force when the wall
-//     breaks. But it does not end in one tick if the jump would be larger than that of a spring with the
-//     device's stiffness and of a falling cap together.
+//     breaks.
+// But the sum of wanted force and offset changes by no more than a spring with the device's stiffness and
+// `SafetyInput::change` together. So an offset that yields to the hand waits while a spring yields already.
+// Only the fade by `slew` goes on then.
+//
 // The wanted force itself is never delayed. A passive source therefore stays passive while the offset fades.
 // An offset that only shrinks returns no more energy than it was given. So the whole switch creates at most
 // `switch_energy`.
@@ -64,6 +67,10 @@ inline constexpr double ramp_seconds = 0.05;
 /// work (N/s): 12 N in 30 ms, and less than 0.5 N a tick.
 inline constexpr double cap_slew = 400;
 
+/// Largest change of the output in a tick at a switch (N), beyond that of a spring with the device's largest
+/// stiffness on the way that the tip has moved.
+inline constexpr double steady_change = 0.49;
+
 /// Limits for a device. `share` is the player's cap as a share of the device's peak, 0 to 1.
 SafetyLimits safety_limits(const DeviceSpec& spec, double share);
 
@@ -103,6 +110,7 @@ enum class Fade : std::uint32_t {
 struct SafetyState {
     vec3 output{};                            ///< output of the last tick (N)
     vec3 offset{};                            ///< fading remainder of the last switch (N)
+    vec3 active_offset{};                     ///< part of `offset` that active sources left (N)
     vec3 unrequested{};                       ///< part of the output that no source asked for in its tick (N)
     vec3 tip{};                               ///< measured position at the last tick (m)
     double initial_offset{};                  ///< length of the offset at the switch (N)
@@ -127,7 +135,7 @@ struct SafetyState {
     vec3 remnant{};
     double heat_limit{};  ///< limit by heat in the last tick, if it held the force back (N); 0: it did not
 };
-static_assert(sizeof(SafetyState) == (20 + thermal_bins) * sizeof(double) + 12 * sizeof(std::uint32_t));
+static_assert(sizeof(SafetyState) == (23 + thermal_bins) * sizeof(double) + 12 * sizeof(std::uint32_t));
 
 /// Input of the safety stage in one tick.
 struct SafetyInput {
@@ -136,6 +144,8 @@ struct SafetyInput {
     vec3 spring{};
     /// Damping force of the passivity controller, added to `wanted` after the cap has cut that (N).
     vec3 brake{};
+    /// Part of `wanted` by active sources, and their part of the last output (N, haptics/energy.h).
+    vec3 active{}, last_active{};
     vec3 tip{};       ///< measured position (m, device frame)
     vec3 velocity{};  ///< measured velocity of the tip (m/s)
     /// Speed along the tip's path; a tip that vibrates in place is fast too (m/s).
@@ -145,10 +155,12 @@ struct SafetyInput {
     double reserve_force{HUGE_VAL};
     /// Work that offsets may still do (J); less than `switch_energy` soon after other switches.
     double fade_energy{switch_energy};
-    /// Largest stiffness of the device (N/m). An offset that yields to the hand, or that hides a force which
-    /// ends, changes the force no faster than a spring of this stiffness and `cap_slew` together. 0: no
-    /// limit.
+    /// Largest stiffness of the device (N/m). A fading offset and the wanted force together change no faster
+    /// than a spring of this stiffness and `change`. 0: no limit.
     double stiffness{};
+    /// Largest change of the output in a tick by a fading offset, beyond that of a spring of the device's
+    /// stiffness (N).
+    double change{steady_change};
     std::uint32_t model_age{};  ///< ticks since the model was made
     bool switched{};            ///< a source appeared or went, or the model jumped
     /// The sources still settle after a switch: the offset takes up their jumps in this tick.

@@ -10,9 +10,9 @@ namespace thaum::haptics {
 
 THAUM_FIELDS_OF(SimulatedState, position, velocity, target, force, commanded)
 
-THAUM_FIELDS_OF(SafetyState, output, offset, unrequested, tip, initial_offset, fade_work, fade_budget, cap,
-                heat, tick, bin, gate_open, fade, fast_ticks, latched, excess_ticks, excess_count, cause,
-                ramp_ticks, episodes, remnant, heat_limit)
+THAUM_FIELDS_OF(SafetyState, output, offset, active_offset, unrequested, tip, initial_offset, fade_work,
+                fade_budget, cap, heat, tick, bin, gate_open, fade, fast_ticks, latched, excess_ticks,
+                excess_count, cause, ramp_ticks, episodes, remnant, heat_limit)
 
 THAUM_FIELDS_OF(Pulse, peak, length, number)
 
@@ -29,7 +29,7 @@ THAUM_FIELDS_OF(CommandedForce, passive, active, world, share)
 THAUM_FIELDS_OF(ActiveBin, sum, most)
 
 THAUM_FIELDS_OF(PassivityObserver, position, forces, created, most_created, active_work, active, reserve,
-                active_bin, active_tick, newest, has_position, held_back, unsettled, brake)
+                active_bin, active_tick, newest, has_position, held_back, unsettled, brake, spring_force)
 
 THAUM_FIELDS_OF(SurfaceContact, key, part, force)
 

@@ -57,12 +57,19 @@ struct SwitchedSource {
     }
 };
 
+/// Speed up to which a hand feels no jump at a switch (m/s). At a larger speed, a strong force may have to
+/// fall in larger steps, or it would create too much energy (haptics/energy.h, `change_of_fade`).
+inline constexpr double steady_speed = 0.35;
+
 /// Result of one run of random switches.
 struct SwitchRun {
     double most_created{};  ///< energy created by the worst switch (J)
     double mean_created{};  ///< mean energy created by a switch (J)
     double fastest{};       ///< largest speed of the tip (m/s)
     double max_jump{};      ///< largest change of force in the tick of a switch (N)
+    /// Largest change of force in any tick beyond that of a spring of the device's stiffness (N), while the
+    /// tip is no faster than `steady_speed`, and at any speed.
+    double max_change{}, max_fast_change{};
     int switches{};
 };
 
@@ -147,7 +154,17 @@ private:
         const vec3 force = haptics::servo_step(servo_, state_, model_, {measured, 0});
         if (just_switched_) run_.max_jump = worse(run_.max_jump, glm::length(force - before_));
         just_switched_ = false;
+        const double of_spring = spec_.max_stiffness * glm::length(measured - measured_before_);
+        // A hand that is too fast loses the force at once.
+        const bool too_fast =
+            state_.safety.cause == static_cast<std::uint32_t>(haptics::SafetyCause::over_speed);
+        if (ticks_ > 1 && !too_fast) {
+            const double change = glm::length(force - before_) - of_spring;
+            run_.max_fast_change = worse(run_.max_fast_change, change);
+            if (glm::length(tip_.velocity) <= steady_speed) run_.max_change = worse(run_.max_change, change);
+        }
         before_ = force;
+        measured_before_ = measured;
         const vec3 from = tip_.position;
         tip_ = haptics::step(device_, tip_, target, force);
         created_ += glm::dot(tip_.force, tip_.position - from);
@@ -167,7 +184,7 @@ private:
     haptics::ServoState state_{};
     haptics::HapticModel model_{};
     SwitchedSource source_{};
-    vec3 before_{};
+    vec3 before_{}, measured_before_{};
     double rate_{}, created_{}, max_here_{};
     int ticks_{};
     bool just_switched_{};
@@ -194,6 +211,8 @@ inline SwitchRun random_switches(const haptics::DeviceSpec& spec, const SwitchHa
         all.mean_created += run.mean_created / switch_seeds.size();
         all.fastest = worse(all.fastest, run.fastest);
         all.max_jump = worse(all.max_jump, run.max_jump);
+        all.max_change = worse(all.max_change, run.max_change);
+        all.max_fast_change = worse(all.max_fast_change, run.max_fast_change);
         all.switches += run.switches;
     }
     return all;

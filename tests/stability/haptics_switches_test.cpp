@@ -2,9 +2,12 @@
 // energy at the hand, for every device and hand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
+#include "core/random.h"
 #include "haptics/audit/safety_audit.h"
 #include "tests/scenes/changed_world.h"
 #include "tests/scenes/switches.h"
@@ -14,6 +17,8 @@ namespace thaum::haptics {
 namespace {
 
 constexpr double max_per_switch = 0.02;  // largest energy that a switch may create (J); see HAPTICS.md
+/// Largest change of the output in a tick, beyond that of a spring with the device's stiffness (N).
+constexpr double max_change = 0.5;
 
 TEST(HapticsSwitches, AStretchedSpringThatComesIsNotChased) {
     for (const auto& spec : shipped_devices()) {
@@ -35,6 +40,8 @@ TEST(HapticsSwitches, TenThousandRandomSwitchesOfEachDeviceCreateNextToNothing) 
         for (const auto& hand : bench::switch_hands) {
             const auto run = bench::random_switches(spec, hand, switches);
             EXPECT_LE(run.most_created, max_per_switch) << spec.name << ", " << hand.name;
+            EXPECT_LE(run.max_change, max_change) << spec.name << ", " << hand.name;
+            EXPECT_LE(run.max_fast_change, 1.25) << spec.name << ", " << hand.name;
             EXPECT_EQ(run.switches, switches * static_cast<int>(bench::switch_seeds.size()));
             EXPECT_GT(run.fastest, 0.01) << "nothing moved: " << spec.name << ", " << hand.name;
         }
@@ -258,6 +265,109 @@ TEST(HapticsSwitches, WarmMotorsMakeNoJumpWhenForcesGoOffAndOn) {
             EXPECT_EQ(stage.audit.violations(), 0) << spec.name << ", " << period;
         }
     }
+}
+
+/// What pushes in quick succession have done to a hand.
+struct Pushed {
+    double max_change{};  ///< largest change of the output in a tick, beyond that of a spring (N)
+    double max_work{};    ///< largest work on the hand within a second (J)
+};
+
+/// A loose hand that swings, and a directed force that jumps every few ticks, mostly to the way that the hand
+/// moves. Motor heat is left out, because it would hide work.
+Pushed push_again_and_again(DeviceSpec spec, std::uint64_t seed) {
+    spec.continuous_force = 10 * spec.peak_force;
+    const Servo servo = servo_of(spec, 1);
+    const auto device = simulated_device(spec, {.mass = 0.55, .stiffness = 135, .damping = 6.5});
+    Random random{seed};
+    ServoState state;
+    HapticModel model;
+    model.coupling.stiffness = spec.max_stiffness;
+    auto tip = resting_at({});
+    vec3 before{}, measured_before{};
+    std::vector<double> work(1, 0.0);
+    Pushed pushed;
+    for (int t = 0, next = 0; t < 3000; ++t) {
+        if (t == next) {
+            const vec3 aside{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+            const double speed = glm::length(tip.velocity);
+            const vec3 way = (speed > 0.01 ? 3.0 * tip.velocity / speed : vec3(2, 0, 0)) + aside;
+            model.primitives.clear();
+            model.primitives.add(
+                {PrimitiveKind::directed, {}, glm::normalize(way), spec.peak_force * random.uniform(0.1, 1)});
+            ++model.set_number;
+            next = t + 1 + static_cast<int>(random.below(20));
+        }
+        const vec3 measured = measured_position(device, tip);
+        const vec3 force = servo_step(servo, state, model, {measured, 0});
+        const double of_spring = spec.max_stiffness * glm::length(measured - measured_before);
+        pushed.max_change = std::max(pushed.max_change, glm::length(force - before) - of_spring);
+        before = force;
+        measured_before = measured;
+        const vec3 from = tip.position;
+        tip = step(device, tip, {0.02 * std::sin(2 * pi * t / 700), 0.02 * std::sin(2 * pi * t / 500), 0},
+                   force);
+        work.push_back(work.back() + glm::dot(tip.force, tip.position - from));
+        const auto second = static_cast<std::ptrdiff_t>(std::min<std::size_t>(work.size(), 1001));
+        pushed.max_work =
+            std::max(pushed.max_work, work.back() - *std::min_element(work.end() - second, work.end()));
+    }
+    return pushed;
+}
+
+TEST(HapticsSwitches, PushesInQuickSuccessionKeepToTheirBudgetAndMakeNoJump) {
+    for (const auto& spec : shipped_devices()) {
+        for (std::uint64_t seed = 0; seed < 20; ++seed) {
+            const Pushed pushed = push_again_and_again(spec, seed);
+            EXPECT_LE(pushed.max_change, max_change) << spec.name << ", " << seed;
+            EXPECT_LE(pushed.max_work, active_budget + 1e-3) << spec.name << ", " << seed;
+            EXPECT_GT(pushed.max_work, 0.05) << spec.name << ", " << seed;
+        }
+    }
+}
+
+TEST(HapticsSwitches, AnOffsetThatYieldsWaitsForASpringThatYields) {
+    constexpr double stiffness = 5000, step = 2e-4;
+    AuditedStage stage{safety_limits(shipped_devices().back(), 1)};
+    stage.limits.cap = stage.limits.continuous = 12;
+    SafetyInput input{.wanted = {8, 0, 0}, .stiffness = stiffness};
+    stage.feel(input, 100);
+    // The offset starts with 3 N and no energy. The hand moves out, so that the spring falls by 1 N a tick.
+    input.wanted.x = 5;
+    input.switched = true;
+    input.fade_energy = 1e-9;
+    double before = stage.feel(input).x;
+    input.switched = false;
+    int yielding = 0;
+    for (int tick = 0; tick < 5; ++tick) {
+        input.tip.x += step;
+        input.wanted.x -= stiffness * step;
+        const double force = stage.feel(input).x;
+        EXPECT_LE(before - force, stiffness * step + steady_change + 1e-12) << tick;
+        if (before - force > stiffness * step + 0.1) ++yielding;
+        before = force;
+    }
+    EXPECT_EQ(yielding, 5) << "and yet the offset yields in every tick";
+    EXPECT_EQ(stage.audit.violations(), 0);
+}
+
+TEST(HapticsSwitches, AFadeIsFasterOnlyWhereItWouldCreateTooMuchEnergy) {
+    constexpr double force = 8.5, stiffness = 800;  // those of a Premium
+    PassivityObserver observer;
+    for (const double speed : {0.0, 0.1, 0.3, 0.4, 0.6, 1.0, 2.0}) {
+        const vec3 step{0, speed * tick_seconds, 0};
+        const double change = change_of_fade(observer, {0, force, 0}, step, 0, stiffness);
+        const double rate = steady_change / tick_seconds + stiffness * speed;
+        const double slowly = force * force * speed / (2 * rate);
+        if (slowly <= max_slow_creation) {
+            EXPECT_EQ(change, steady_change) << speed;
+            continue;
+        }
+        const double created = force * force * speed / (2 * (change / tick_seconds + stiffness * speed));
+        EXPECT_NEAR(created, max_slow_creation, 1e-12) << speed;
+        EXPECT_EQ(change_of_fade(observer, {0, force, 0}, -step, 0, stiffness), steady_change) << speed;
+    }
+    EXPECT_GT(change_of_fade(observer, {0, force, 0}, {0, 6e-4, 0}, 0, stiffness), steady_change);
 }
 
 TEST(HapticsSwitches, AFigureThatIsNoNumberStaysTheWorst) {

@@ -340,8 +340,8 @@ TEST(HapticsServo, TheSameTicksGiveTheSameBits) {
     EXPECT_EQ(run(), run());
     // The hash must be the same in every build and on every processor. It changes only if the servo is
     // changed on purpose.
-    EXPECT_EQ(run(), 1484776655602309500ULL);
-    EXPECT_EQ(forces, 7033616599626527150ULL);
+    EXPECT_EQ(run(), 7196815906740282457ULL);
+    EXPECT_EQ(forces, 17329372576814478680ULL);
 }
 
 }  // namespace

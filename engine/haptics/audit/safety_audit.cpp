@@ -259,13 +259,13 @@ double SafetyAudit::share_that_hides(vec3 goal) const {
     return std::fmax(nearest, share_within(length_of_vector(goal), -remnant_, offset_));
 }
 
-/// Smallest share of the offset, 0 to 1, with which the output jumps no farther than a falling cap and a
+/// Smallest share of the offset, 0 to 1, with which the output jumps no farther than the allowed change and a
 /// spring of the device's stiffness explain, found by bisection. If every share jumps farther, it is the
 /// share with the smallest jump.
 double SafetyAudit::steady_share(vec3 goal, const SafetyInput& input) const {
     const double square = glm::dot(offset_, offset_);
     if (!(input.stiffness > 0 && square > 0)) return 0;
-    const double room = cap_falls_by + input.stiffness * length_of_vector(input.tip - tip_);
+    const double room = input.change + input.stiffness * length_of_vector(input.tip - tip_);
     const auto jumps = [&](double share) {
         return length_of_vector(goal + share * offset_ - last_output_) > room;
     };
@@ -280,8 +280,9 @@ double SafetyAudit::steady_share(vec3 goal, const SafetyInput& input) const {
     return steady;
 }
 
-/// Shortens the offset: by time; by the work that it has done; to the share that the remnant allows; and
-/// until goal plus offset is within the cap. In the first tick of a fade, and while the springs have a
+/// Shortens the offset: by time; by the work that it has done; to the share that the remnant allows; each no
+/// more than keeps the output steady, except for the slowest fade in time; and until goal plus offset is
+/// within the cap. In the first tick of a fade, and while the springs have a
 /// reserve of energy (haptics/energy.h), the work of the offset counts as at most that of the whole output.
 void SafetyAudit::fade_on(const SafetyLimits& limits, vec3 goal, const SafetyInput& input, bool begins,
                           bool goes_on) {
@@ -301,13 +302,13 @@ void SafetyAudit::fade_on(const SafetyLimits& limits, vec3 goal, const SafetyInp
     const double remnant = length_of_vector(remnant_);
     remnant_ *= remnant > step ? 1 - step / remnant : 0;
     const double spared = fade_budget_ > 0 ? std::fmax(0, 1 - fade_work_ / fade_budget_) : 0;
-    const double outward = size > 0 ? std::fmax(0, glm::dot(offset_, input.tip - tip_) / size) : 0;
-    const double least = input.stiffness > 0 ? size - cap_falls_by - input.stiffness * outward : 0;
-    const double left = std::fmin(size, std::fmax(least, initial_length_ * std::sqrt(spared))) - step;
+    const double left = std::fmin(size, initial_length_ * std::sqrt(spared)) - step;
+    const double longest = size - limits.slew * tick_seconds;
     const double share = left > 0 ? left / size : 0, steady = steady_share(goal, input);
     const vec3 whole = offset_;
     offset_ *= share;
-    offset_ = whole * std::fmin(share, std::fmax(steady, share * share_that_hides(goal)));
+    const double wished = std::fmax(steady, share * share_that_hides(goal));
+    offset_ = longest > 0 ? whole * std::fmin(longest / size, wished) : vec3(0);
     offset_ = within_cap(goal + offset_, limits.cap) - goal;
 }
 

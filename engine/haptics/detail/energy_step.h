@@ -12,6 +12,7 @@ struct EnergyLimits {
     double reserve_force{
         HUGE_VAL};         ///< largest force of the springs by their reserve (N); infinite: no limit
     double fade_energy{};  ///< work that the fading offset after a jump of the force may do (J)
+    double change{};       ///< largest change of the output while an offset fades (N, SafetyInput::change)
 };
 
 /// Updates the passivity observer. Limits active sources to their budget. Limits the springs to their reserve
