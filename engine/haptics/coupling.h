@@ -21,7 +21,8 @@ namespace thaum::haptics {
 struct Coupling {
     double stiffness{};  ///< stiffness of the spring, >= 0 (N/m)
     double damping{};    ///< damping between hand and object, >= 0 (N s/m)
-    /// Damping of the object against the player's frame, >= 0 (N s/m); the hand does not feel it
+    /// Damping of the object's velocity against CouplingState::drag_velocity, such as the player's, >= 0 (N
+    /// s/m). The hand does not feel it.
     double drag{};
 };
 
@@ -30,15 +31,17 @@ struct CouplingStep {
     Coupling coupling{};
     double inverse_object{};  ///< inverse mass of the object (1/kg)
     double inverse_hand{};    ///< inverse mass of the hand (1/kg)
-    /// Object's share of the relative motion; 1 if the motion of the hand is prescribed.
+    /// Share of the relative motion of hand and object that the object makes, by their masses; 1 if the
+    /// coupling does not move the hand.
     double share{};
     Oscillator relative{};  ///< relative motion, HIP minus object
     Response response{};    ///< response of the relative motion over dt
 };
 
 /// Prepares steps of `dt` seconds, dt > 0. The inverse masses are in 1/kg, >= 0; 0 is a body that nothing
-/// moves. A hand with inverse mass 0, the usual case, follows the prescribed motion. A drag needs a
-/// prescribed hand: with a free hand, the equation of the relative motion would be of third order.
+/// moves. A hand with inverse mass 0, the usual case, moves at its given velocity whatever the coupling does
+/// (a prescribed hand). A drag needs a prescribed hand: with a free hand, the equation of the relative motion
+/// would be of third order.
 CouplingStep coupling_step(Coupling coupling, double inverse_object, double inverse_hand, double dt);
 
 /// Motion of hand and object at the start of a step (world frame).

@@ -31,8 +31,8 @@ struct DeviceSpec {
     int latency{};
 };
 
-/// Reads a device file. An error names file, line and key, and says what is unknown, missing, out of range or
-/// contradictory.
+/// Reads a device's specification from its file. An error names file, line and key, and says what is unknown,
+/// missing, out of range or contradictory.
 Expected<DeviceSpec> read_device(const Config& file);
 
 }  // namespace thaum::haptics

@@ -55,10 +55,11 @@ struct FlowSubstance {
     double density{};      ///< density that the amount 1 adds (kg/m^3)
 };
 
-/// Source of a patch. The mixture is weighted by amounts (Mora and Lee 2008, 4.1): viscosity and density at a
-/// place grow by the sum of amount times value over the substances. They are never below 0.
+/// Fields of the fluid from which a patch is taken. The mixture is weighted by amounts (Mora and Lee 2008,
+/// 4.1): viscosity and density at a place grow by the sum of amount times value over the substances. They are
+/// never below 0.
 struct FlowSource {
-    field::StaggeredGrid velocity{};  ///< velocity (m/s); read linearly, whatever the kernels of its grids
+    field::StaggeredGrid velocity{};  ///< velocity (m/s); read linearly, whatever kernel its grids name
     double viscosity{};               ///< viscosity of the base fluid (Pa s)
     double density{};                 ///< density of the base fluid (kg/m^3)
     std::array<FlowSubstance, flow_substances> substances{};

@@ -12,7 +12,7 @@
 namespace thaum::haptics {
 namespace {
 
-/// Scales from the bowl to the hand (HAPTICS.md, "Units, frames and state").
+/// Factors from quantities of the bowl's frame to those at the hand (HAPTICS.md, "Units, frames and state").
 struct HandScale {
     double stiffness{};  ///< scale of stiffness, damping and mass: s_f s_x
     double energy{};     ///< scale of energy: s_f / s_x
@@ -27,7 +27,8 @@ vec3 force_to_hand(const BowlFrame& frame, vec3 bowl) {
     return frame.newtons_per_newton * (glm::transpose(frame.turn) * bowl);
 }
 
-/// Remaining part of the damping that the device can render (N s/m, at the hand).
+/// Part of the damping that the device can render which no force has used yet in this tick (N s/m, at the
+/// hand).
 struct DampingBudget {
     double left{};
 
@@ -58,8 +59,8 @@ bool has_mass(const FluidTouch& fluid) {
     return fluid.modes.inertia > 0 && mass > 0 && stiffness > 0 && damping >= 0;
 }
 
-/// Moves the ladle's mass on over the coming tick, tied to a tip that moves on at its velocity. So the force
-/// of the mass is not a tick late.
+/// Computes the motion of the ladle's mass over the coming tick, tied to a tip that keeps its velocity, and
+/// the mean force during it. A force from the present positions alone would be a tick late.
 void feel_mass(const FluidTouch& fluid, FluidTouchState& state, const FluidTip& tip, DampingBudget& damping,
                FluidForces& feel) {
     if (!has_mass(fluid)) return;
@@ -138,8 +139,9 @@ struct Drags {
     double viscosity{}, flow{}, resistance{};
 };
 
-/// Computes the drags. All are scaled down together if the device or the loop through the fluid requires it,
-/// so their ratio stays. `most` is the damping that the device can render (N s/m, bowl frame).
+/// Computes the drags. They are scaled down together, so that their ratio stays, if the device cannot render
+/// their damping or if the loop from the hand through the fluid back to the hand would oscillate. `most` is
+/// the damping that the device can render (N s/m, bowl frame).
 Drags drags_of(const FluidModes& modes, const LadleDrag& drag, const FlowSample& sample, double immersed,
                double most) {
     const double stokes = immersed * drag.viscous * sample.viscosity;
@@ -172,14 +174,16 @@ FlowForces forces_of(const FluidTouch& fluid, const FlowSample& sample, vec3 vel
             scale * (drags.viscosity + drags.resistance)};
 }
 
-/// Mixes the forces of two fluid steps, not the flows that cause them. So the force changes linearly in time
-/// even if drag and flow change at once.
+/// Forces between those in the older flow `a` and those in the newer one `b`. The forces are mixed, not the
+/// flows, so that the force changes linearly in time even if the fluid's viscosity changes together with its
+/// velocity.
 FlowForces mixed(const FlowForces& a, const FlowForces& b, double share) {
     return {glm::mix(a.viscosity, b.viscosity, share), glm::mix(a.flow, b.flow, share),
             glm::mix(a.resistance, b.resistance, share), glm::mix(a.slope, b.slope, share)};
 }
 
-/// Share of the newer fluid step in the force, 0 to 1. In the first tick after that step it is 1/16.
+/// Share of the newest fluid step in the force, 0 to 1; the step before it has the rest. It grows from 1/16
+/// in the first tick to 1 in the sixteenth, so that the force does not jump.
 double share_of_newer(std::uint64_t step_age, std::uint32_t model_age) {
     const std::uint64_t age = std::min<std::uint64_t>(step_age, fluid_period) + model_age;
     return static_cast<double>(std::min<std::uint64_t>(age + 1, fluid_period)) / fluid_period;
@@ -203,7 +207,8 @@ void feel_flow(const FluidTouch& fluid, FluidTouchState& state, const FluidTip& 
     if (!is_finite(force) || !is_finite(step)) return;
     damping.take(forces.slope, damping.left);
     state.force = force;
-    // A larger step is taken for a reading error of the flow, and its work does not count.
+    // If the flow moves farther than that in a tick, its velocity is taken for an error, and its work does
+    // not count.
     if (glm::length(step) <= longest_step) state.flow_work = glm::dot(forces.resistance, step);
     feel.passive += forces.viscosity + forces.resistance;
     feel.active += forces.flow;
@@ -216,7 +221,8 @@ void feel_flow(const FluidTouch& fluid, FluidTouchState& state, const FluidTip& 
 void feel_wall(const FluidTouch& fluid, FluidTouchState& state, vec3 place, vec3 velocity,
                DampingBudget& damping, FluidForces& feel) {
     state.wall = {};
-    const vec3 off = state.place - place;  // displacement from the true place into the bowl (m)
+    // Displacement from the tip's true place to the nearest place in the bowl (m).
+    const vec3 off = state.place - place;
     const double depth = glm::length(off);
     if (!(fluid.modes.wall > 0) || !(depth > 0) || !std::isfinite(depth)) return;
     const double scale = hand_scale(fluid.frame).stiffness * fluid.modes.wall;
@@ -229,7 +235,7 @@ void feel_wall(const FluidTouch& fluid, FluidTouchState& state, vec3 place, vec3
     add(feel, force, scale * fluid.wall.stiffness * stretch * stretch / 2);
 }
 
-/// Nearest point within the profile, in a half plane through the axis (r outwards, y up).
+/// Nearest point inside the bowl's profile, its outline in a half plane through the axis (r outwards, y up).
 vec2 held_in_profile(const BowlWall& wall, vec2 place) {
     const std::size_t points = std::min<std::size_t>(wall.points, wall_points);
     vec2 nearest = place;
@@ -240,7 +246,7 @@ vec2 held_in_profile(const BowlWall& wall, vec2 place) {
         const bool outside = -way.y * off.x + way.x * off.y > 0;
         if (!outside || !(length2 > 0)) continue;
         const double along = glm::dot(off, way) / length2;
-        // The first piece of the profile continues upwards, at most to the axis.
+        // The first piece of the profile, at the rim, continues upwards, at most to the axis.
         const double first = i != 0 ? 0 : way.x > 0 ? -from.x / way.x : -HUGE_VAL;
         const vec2 foot = from + std::min(std::max(along, first), 1.0) * way;
         const double distance2 = glm::dot(place - foot, place - foot);
@@ -317,7 +323,7 @@ vec3 full_drag(const FluidTouch& fluid, vec3 place, vec3 velocity, double immers
 
 vec3 recoil_peak(const FluidTouch& fluid, vec3 impulse, std::uint32_t length) {
     if (!(fluid.modes.recoil > 0) || length == 0) return vec3(0);
-    // A half sine of that peak has the impulse 2 / pi peak length.
+    // A half sine has the impulse 2 / pi times peak times duration.
     return fluid.modes.recoil * force_to_hand(fluid.frame, impulse) * (pi / 2 / (length * tick_seconds));
 }
 

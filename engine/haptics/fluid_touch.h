@@ -102,7 +102,7 @@ struct BowlFrame {
     double newtons_per_newton{};  ///< s_f: device force per world force, >= 0
 };
 
-/// Coefficients of the drag on a ladle.
+/// Coefficients of the fluid's drag on a ladle.
 struct LadleDrag {
     double viscous{};  ///< coefficient `viscous` in equations (1) and (2) above, >= 0 (m)
     double form{};     ///< coefficient `form` in equation (3) above, >= 0 (m^3/s)
@@ -115,14 +115,14 @@ struct LadleDrag {
     double height{};
 };
 
-/// Surface under the probe at the model's tick.
+/// Surface of the fluid under the probe (the tip's place in the bowl) when the haptic model was made.
 struct BrewSurface {
     double height{};          ///< height h of the surface (m)
     double velocity{};        ///< upward velocity (m/s)
     double stiffness{};       ///< stiffness k of the surface's spring, >= 0 (N/m)
-    double pop_through{};     ///< largest force on a probe that has not broken through, >= 0 (N)
-    double cling{};           ///< largest pull on a probe that has broken through, >= 0 (N)
-    std::uint32_t inside{};   ///< 1: the probe has broken through
+    double pop_through{};     ///< largest force on a probe that has not broken through the surface, >= 0 (N)
+    double cling{};           ///< largest pull on a probe that has broken through the surface, >= 0 (N)
+    std::uint32_t inside{};   ///< 1: the probe has broken through the surface
     std::uint32_t present{};  ///< 0: no surface; the ladle is fully immersed
 };
 
@@ -155,7 +155,8 @@ inline constexpr double loop_gain = 0.4;
 
 /// Fluid part of the haptic model.
 struct FluidTouch {
-    /// 0: no fluid. It changes when the fluid appears or jumps, so that the safety stage fades the force.
+    /// 0: no fluid. The number changes when the fluid appears or jumps. The safety stage then fades the force
+    /// from the old to the new one.
     std::uint64_t number{};
     FluidModes modes{};
     BowlFrame frame{};
@@ -174,9 +175,11 @@ void add_fluid_step(FluidTouch& fluid, const FlowPatch& newest);
 
 /// State of the fluid forces; no padding. All zero without a fluid.
 struct FluidTouchState {
-    /// Sum of viscosity (1), flow (2) and resistance (3) on the hand, before budget, cap and heat (N).
+    /// Sum of viscosity (1), flow (2) and resistance (3) on the hand, before the limits by energy budget,
+    /// largest allowed force and heat of the motors (N).
     vec3 force{};
-    vec3 place{};  ///< place of the probe, held inside by the wall, whether felt or not (m, bowl frame)
+    /// Place of the probe, kept inside the bowl even if the hand does not feel the wall (m, bowl frame).
+    vec3 place{};
     vec3 wall{};   ///< force of the wall on the hand, equation (5) (N)
     vec3 mass_position{}, mass_velocity{};  ///< position and velocity of the ladle's own mass (m, m/s)
     double surface_force{};   ///< upward force of the surface, equation (4), in the bowl frame (N)
@@ -188,7 +191,7 @@ struct FluidTouchState {
     /// has appeared, ended or jumped.
     std::uint64_t number{};
     std::uint32_t inside{};  ///< BrewSurface::inside of the last tick
-    std::uint32_t begun{};   ///< 0: mass and surface have no earlier state
+    std::uint32_t begun{};   ///< 0: the ladle's mass and the surface have no values of an earlier tick
 };
 static_assert(sizeof(FluidTouchState) == 5 * sizeof(vec3) + 5 * sizeof(double) + 2 * sizeof(std::uint32_t));
 
@@ -199,10 +202,13 @@ struct FluidTip {
     double max_damping{};         ///< largest damping that the device renders (N s/m)
 };
 
-/// Forces on the hand (N), and energies for the passivity observer.
+/// Forces on the hand (N), and energies for the passivity observer, which checks that passive forces create
+/// none.
 struct FluidForces {
     vec3 passive{}, active{};
-    double stored{};  ///< energy held by surface, wall and ladle at the hand's scale (J)
+    /// Energy held by the springs of surface, wall and ladle and by the ladle's mass, at the hand's scale
+    /// (J).
+    double stored{};
     /// Energy that flow and surface gave to the force commanded in the last tick (J).
     double supplied{};
 };
@@ -210,7 +216,8 @@ struct FluidForces {
 /// Returns true if the fluid appeared, ended or jumped. The state is then reset.
 bool detect_fluid_switch(FluidTouchState& state, const FluidTouch& fluid);
 
-/// Computes the forces of one tick with a fluid. A part that is not finite gives no force.
+/// Computes the forces of one tick with a fluid. A part (flow, surface, wall or ladle) that is not finite
+/// gives no force.
 FluidForces feel_fluid(const FluidTouch& fluid, FluidTouchState& state, const FluidTip& tip);
 
 /// Force of the flow on the ladle as commanded in the last tick (N, bowl frame). The fluid gets the opposite.
@@ -223,7 +230,7 @@ vec3 full_drag(const FluidTouch& fluid, vec3 place, vec3 velocity, double immers
                std::uint32_t model_age = 0);
 
 /// Peak (N, device frame) of a pulse of `length` ticks that gives the hand `impulse` (N s, bowl frame) times
-/// the strength of the mode recoil. For a ladle that throws something in.
+/// the strength of the mode recoil. It is the kick that the hand feels when the ladle throws something in.
 vec3 recoil_peak(const FluidTouch& fluid, vec3 impulse, std::uint32_t length);
 
 /// A place of the device frame in the bowl's frame (m).

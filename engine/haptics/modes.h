@@ -35,17 +35,17 @@
 
 namespace thaum::haptics {
 
-/// State of the hand in the last tick, as modes see it (device frame).
+/// State of the hand in the last tick, from which modes compute their primitives (device frame).
 struct ModeInput {
-    vec3 proxy{};           ///< position of the proxy (m)
+    vec3 proxy{};           ///< position of the proxy, the point on which the primitives act (m)
     vec3 tip{};             ///< position of the tip (m)
-    vec3 step{};            ///< expected motion of the tip until the primitives act (m)
+    vec3 step{};            ///< expected motion of the tip until the servo uses the primitives (m)
     double stiffness{300};  ///< stiffness of the spring between tip and proxy (N/m)
     vec3 motion{};          ///< motion of the tip in a tick (m); zero: at rest, or not known
 
     /// Force of the spring on the hand (N).
     vec3 pull() const { return stiffness * (proxy - tip); }
-    /// Expected place of the tip when the primitives act (m).
+    /// Expected place of the tip when the servo uses the primitives (m).
     vec3 next_tip() const { return tip + step; }
 };
 
@@ -59,8 +59,9 @@ struct ModeSettings {
     field::TransferFunction friction{};
     double level{};      ///< isosurface: value of the field on the surface
     bool solid_below{};  ///< isosurface: the solid has smaller values than the level, not larger ones
-    /// Isosurface: strength with which it holds a tip that is outside, within reach (N). Since it lets go at
-    /// the end of the reach, the spring pulls the tip with at most its stiffness times the reach.
+    /// Isosurface: strength with which a magnetic surface holds a tip that is outside, within `reach` (N). It
+    /// lets go at the end of the reach. So the spring between tip and proxy pulls with at most its stiffness
+    /// times the reach.
     double magnet{};
     /// Isosurface: depth at which the surface lets the proxy through, and largest distance at which a proxy
     /// finds it. Snap modes: distance within which they act (m).
@@ -83,13 +84,14 @@ struct Mode {
     std::string_view property{};  ///< quantity that the strength's transfer function maps, such as "length of
                                   ///< the vector"
     FieldKind reads{};
-    bool slope{};                ///< the property is the length of a gradient (per m)
+    bool slope{};                ///< true: the property is the length of a gradient (field's units per m)
     bool derivatives{};          ///< the mode reads derivatives of the field, not the value alone
     std::uint32_t primitives{};  ///< number of primitives that the mode adds
     /// The mode creates no energy in any field: it only resists motion and never pushes.
     bool passive{};
-    bool ends_at_box{};  ///< the mode gives no force outside the samples of its field (field::SampleBox)
-    /// Adds the primitives. The caller has checked that the set has room for them.
+    /// The mode gives no force outside the box of its field's samples (field::SampleBox).
+    bool ends_at_box{};
+    /// Adds the mode's primitives to the set. The caller has checked that the set has room for them.
     void (*add)(const field::AnyField& field, const ModeSettings& settings, const ModeInput& input,
                 PrimitiveSet& set){};
 };
@@ -113,23 +115,24 @@ struct ModeOffer {
                                                  ///< field itself
 };
 
-/// All ways to feel a field of this kind: first the modes that read it, then those that read its gradient, or
-/// its length, divergence and curl.
+/// All ways to feel a field of this kind. First come the modes that read the field itself. Then come those
+/// that read its gradient (of a scalar field), or its length, divergence and curl (of a vector field).
 std::vector<ModeOffer> mode_offers(FieldKind kind);
 
-/// The output of filters that a mode should read: the quick one, which has values only, if the mode needs no
-/// derivatives.
+/// The version of a filtered field that a mode should read: the quick one, which has values only, if the mode
+/// needs no derivatives.
 const field::AnyField& field_for(const Mode& mode, const field::FilteredField& filtered);
 
-/// A chosen mode with its field and settings. The field must outlive it.
+/// A mode in use, with the field that it reads and its settings. The field must outlive it.
 struct ModeUse {
     const Mode* mode{};
     field::AnyField field{};
     ModeSettings settings{};
 };
 
-/// Adds the primitives of all modes, in their order. A mode without room for its primitives, and one that
-/// does not read its field's kind, adds none. Returns the number of modes that were left out. No allocation.
+/// Adds the primitives of all modes to the set, in the order of `uses`. A mode without room for its
+/// primitives, and one that does not read its field's kind, adds none. Returns the number of modes that were
+/// left out. No allocation.
 std::size_t add_modes(std::span<const ModeUse> uses, const ModeInput& input, PrimitiveSet& set) noexcept;
 
 // ---- for the modes themselves -----------------------------------------------------------------------------
@@ -151,17 +154,18 @@ Direction towards_core(const field::Vector& here) noexcept;
 /// value is not finite.
 double strength_at(const field::TransferFunction& strength, double x) noexcept;
 
-/// Largest strength of a primitive whose point, line or plane is not at the proxy (N); no device renders as
-/// much. Such a primitive moves the proxy. Without this limit, two nearly parallel planes that contradict
-/// each other would throw the proxy to where they meet, metres away.
+/// Largest strength of a primitive whose point, line or plane is not at the proxy (N); it is more than any
+/// device renders. Such a primitive moves the proxy. Without this limit, two nearly parallel planes that
+/// contradict each other would throw the proxy to where they meet, metres away.
 inline constexpr double max_pull = 10;
 
-/// Place that a proxy heads for along a plane with this normal (m): the next tip, moved back towards the
-/// proxy by as much as friction on the plane resists, at most `friction` (N).
+/// Place that a proxy heads for along a plane with this normal (m). It is the expected place of the tip,
+/// moved back along the plane towards the proxy by friction: by `friction` (N) over the spring's stiffness at
+/// most.
 vec3 held_back(const ModeInput& input, vec3 normal, double friction) noexcept;
 
 /// Adds a primitive. One with a fault, such as a negative strength or a place that is not finite, is added
-/// without strength, so that the number of primitives stays the same.
+/// with strength 0. The number of primitives thus stays the same, as the servo expects.
 void add_or_rest(PrimitiveSet& set, const Primitive& primitive) noexcept;
 
 /// Adds a directed force or a plane; a negative strength reverses its direction.

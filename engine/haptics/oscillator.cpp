@@ -11,10 +11,11 @@
 namespace thaum::haptics {
 namespace {
 
-// Largest x for the series. For a larger x and q <= 1, z is above 1 and `by_two_rates` serves.
+// Largest x = decay t for which the series is used. For a larger x and q = frequency2 t^2 <= 1, z = x^2 - q
+// is above 1, so `by_two_rates` is accurate.
 constexpr double max_x_of_series = 1.5;
 
-constexpr int max_terms = 40;  // largest number of terms; enough for x = 1.5, most calls need 8
+constexpr int max_terms = 40;  // largest number of terms of the series; enough for x = 1.5, most calls need 8
 
 /// Tables of 1 / ((n + 1) n), 1 / (n + 2) and 1 / ((n + 2) (n + 3)). A division would take as long as all
 /// else that a term of the series needs.
@@ -48,7 +49,7 @@ Response by_series(double x, double q) {
     return r;
 }
 
-/// (1 - e^-x) / x
+/// (1 - e^-x) / x, without loss of digits at small x
 double phi1(double x) {
     if (x > 0.5) return (1 - det::exp(-x)) / x;
     double sum = 0;
@@ -56,7 +57,7 @@ double phi1(double x) {
     return 1 + sum;
 }
 
-/// (1 - phi1(x)) / x
+/// (1 - phi1(x)) / x, without loss of digits at small x
 double phi2(double x) {
     if (x > 0.5) return (1 - phi1(x)) / x;
     double sum = 0;
@@ -64,8 +65,8 @@ double phi2(double x) {
     return (1 + sum) / 2;
 }
 
-/// S and its integrals as differences of two exponentials. For z > 1 and `slow` < 1: the two rates are then
-/// so far apart that the subtraction loses no digits.
+/// S and its integrals as differences of two exponentials, e^-slow and e^-fast. For z > 1 and `slow` < 1 the
+/// two decay rates are so far apart that the subtraction loses no digits.
 Response by_two_rates(double slow, double fast) {
     const double apart = fast - slow;
     return {.t = 1,
@@ -104,11 +105,12 @@ struct Scaled {
     double x_rounded{};  ///< rounding error of x: exact product minus x
 };
 
-// value of x below which the rounding of x^2 does not matter to z
+// value of x = decay t from which the rounding of x^2 matters to z = x^2 - q
 constexpr double rounding_matters_from = 8;
 
-/// Computes x, q and z. Near critical damping with large x, z is a small difference of large numbers, so
-/// their rounding would be an error of z. There the products are computed exactly.
+/// Computes x = decay t, q = frequency2 t^2 and z = x^2 - q. Near critical damping with large x, z is a small
+/// difference of large numbers, so their rounding would be a large error of z. There the products are
+/// computed exactly.
 Scaled scaled(Oscillator o, double t) {
     const double x = o.decay * t, q = o.frequency2 * t * t;
     const double z = x * x - q;

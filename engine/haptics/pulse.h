@@ -17,14 +17,15 @@ struct ServoState;
 struct Pulse {
     vec3 peak{};             ///< largest force (N, device frame)
     std::uint32_t length{};  ///< duration, > 0 (ticks)
-    std::uint32_t number{};  ///< counts up from 1; a number newer than the last one starts a pulse
+    std::uint32_t number{};  ///< counts up from 1 from pulse to pulse; a new number starts the pulse
 };
 
-/// A force that changes slowly and does not depend on the tip's position, such as a growing charge or a
-/// weight. An active source.
+/// A force that changes slowly and does not depend on the tip's position, such as the pull of a growing
+/// charge or a weight. An active source: it may push the hand.
 struct SteadyForce {
     vec3 force{};            ///< force on the hand (N, device frame)
-    std::uint64_t number{};  ///< changes when the force jumps, which is a switch
+    /// Changes when the force jumps, which is a switch: the safety stage then fades it.
+    std::uint64_t number{};
 };
 
 /// Number of pulses that can play at once. A further pulse replaces the oldest one, which is a switch.
@@ -34,11 +35,11 @@ inline constexpr std::size_t pulses_at_once = 4;
 struct PlayingPulse {
     vec3 peak{};
     std::uint32_t length{};
-    std::uint32_t at{};  ///< ticks played; equal to `length` at the end
+    std::uint32_t at{};  ///< number of ticks played so far; equal to `length` at the end
 };
 
-/// Mean force of a pulse over its tick `at`, as a share of its peak. Summed over all ticks it is exact: the
-/// impulse of the pulse is 2/pi times peak times duration.
+/// Mean force of a pulse over its tick `at`, as a share of its peak. As it is the mean, the impulse of a
+/// whole pulse is exactly that of half a sine wave: 2/pi times peak times duration.
 double half_sine(std::uint32_t at, std::uint32_t length);
 
 /// Force of pulses and steady force in one tick.
@@ -48,8 +49,8 @@ struct PushForce {
     bool switched{};  ///< the steady force jumped
 };
 
-/// Starts the newest pulse unless it has been started before. Plays all pulses for one tick, beside the
-/// steady force.
+/// Starts the newest pulse unless it has been started before. Advances all playing pulses by one tick, and
+/// returns the sum of their forces and the steady force.
 PushForce feel_pushes(ServoState& state, const Pulse& newest, const SteadyForce& steady);
 
 }  // namespace thaum::haptics

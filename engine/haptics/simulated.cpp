@@ -8,8 +8,8 @@
 namespace thaum::haptics {
 namespace {
 
-/// Largest number of stops and releases within one tick. A constant force and an evenly moving target allow
-/// three at most. After the last one the axis is held until the tick ends.
+/// Largest number of times that dry friction may stop or release an axis within one tick. A constant force
+/// and an evenly moving target allow three at most. After the last one the axis is held until the tick ends.
 constexpr int max_phases = 8;
 constexpr int max_refinements = 60;
 
@@ -26,7 +26,8 @@ double load(const SimulatedDevice& d, const Axis& a) {
            d.hand_damping * (a.target_velocity - a.velocity) - d.damping * a.velocity;
 }
 
-/// Motion of an axis in one direction. Friction is constant there, so the equation of motion is linear.
+/// Motion of an axis in one direction. Dry friction is constant during it, so the equation of motion is
+/// linear.
 struct SlidePhase {
     const SimulatedDevice& device;
     double velocity, acceleration;  // velocity and acceleration at the start of the phase (m/s, m/s^2)
@@ -89,8 +90,8 @@ double standstill(const SlidePhase& s, double begin, double end, double directio
 }
 
 /// Returns the time at which a slide in `direction` first stops, or a negative number if it does not stop
-/// within `whole`. The velocity turns at most once in so short a time. So there are three cases: the velocity
-/// changes sign; it dips below zero and comes back; it does neither.
+/// within the time of `whole`. The velocity turns at most once in so short a time. So there are three cases:
+/// the velocity changes sign; it dips below zero and comes back; it does neither.
 double stop_time(const SlidePhase& s, const Response& whole, double direction) {
     const bool crossed = s.velocity_at(whole) * direction < 0;
     const bool starts_by_falling = s.acceleration * direction < 0;
@@ -152,8 +153,8 @@ void advance_with_friction(const SimulatedDevice& d, Axis& a) {
         const double held = holding_time(d, a, left);
         hold(a, held);
         left -= held;
-        // Load and friction cancel at the release. Their rounding error must not start the body backwards, so
-        // the acceleration is set to 0.
+        // At the moment of release, load and dry friction cancel. Their rounding error must not start the
+        // body backwards, so the acceleration is set to 0.
         if (left > 0) left = slide_on(d, a, a.target_velocity > 0 ? 1 : -1, 0, left);
     }
     if (left > 0) hold(a, left);

@@ -54,7 +54,8 @@ struct SimulatedDevice {
     int latency{};          ///< delay of the force (ticks)
     double dt{};            ///< length of a tick (s)
     Oscillator oscillator{};
-    Response tick{};  ///< response of the oscillator over one tick
+    /// Response of the oscillator (mass on the hand's spring and the dampers) over one tick.
+    Response tick{};
 };
 
 /// Prepares a simulated device. `dt` is the length of a tick (s). The tick must be short against the hand's

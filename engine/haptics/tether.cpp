@@ -8,8 +8,9 @@
 namespace thaum::haptics {
 namespace {
 
-/// Moves the anchor of a tether on to the present, for a haptic model that is `age` ticks old. The anchor
-/// moves for at most `freshest_ticks`: an older model gives no force.
+/// Moves the anchor of a tether (the point to which the tip is tied) on to the present, since the haptic
+/// model is `age` ticks old. The anchor moves for at most `freshest_ticks`, since the safety stage ends the
+/// force of an older model.
 Tether moved_on(Tether tether, std::uint32_t age) {
     tether.anchor += tether.anchor_velocity * (std::min(age, freshest_ticks) * tick_seconds);
     return tether;

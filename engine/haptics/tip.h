@@ -15,11 +15,12 @@ struct Tip {
     vec3 position{};      ///< measured position (m)
     vec3 velocity{};      ///< velocity over the last `velocity_window` ticks (m/s)
     double path_speed{};  ///< speed along the path, see `path_speed` (m/s)
-    bool switched{};      ///< a source of force appeared, ended or jumped
+    bool switched{};      ///< a source of force on the tip, such as a tether, appeared, ended or jumped
     bool stops{};         ///< the haptic model is stale, or the player wants no forces
 };
 
-/// Stores the position that a device with this quantum (m) has measured. Returns it with its motion.
+/// Stores a measured position of the tip. Returns it with the tip's motion. `quantum` is the device's
+/// distance between two measurable positions (m).
 Tip move_tip(ServoState& state, vec3 position, double quantum);
 
 /// Mean velocity of the tip over the stored positions (m/s); zero before the second one.

@@ -6,11 +6,11 @@
 namespace thaum::haptics {
 namespace {
 
-// The limits below are written here again, not taken from the safety stage, because the audit compares the
-// stage with them.
+// The limits below are written here again instead of taken from the safety stage (haptics/safety.h). A wrong
+// number there would otherwise be wrong here too, and the audit would not notice.
 constexpr std::uint64_t window_ticks = 10'000;  // time over which the thermal budget is averaged (ticks)
-constexpr std::uint64_t memory_ticks = 11'000;  // longest time whose outputs the stage's sums may contain
-                                                // (ticks)
+// Longest time over which the stage may sum squared outputs: its sums leave old ticks out in groups (ticks).
+constexpr std::uint64_t memory_ticks = 11'000;
 constexpr double longest_hand_step = 0.05;      // longest plausible motion of the tip in a tick (m)
 // Share of the thermal budget below which the stage may not scale a force down.
 constexpr double surely_cool = 0.8 * (1 - 1e-9);
@@ -19,8 +19,8 @@ constexpr std::uint64_t fresh_for = 20;  // largest age of a haptic model whose 
 constexpr double ramp_to_zero = 50;      // time in which a force is ramped to zero (ticks)
 constexpr double cap_falls_by = 0.4;     // largest fall of the output in a tick to a cap that was lowered
                                          // (N)
-// Largest work on the hand (J) by the offset that the stage adds after a jump of the wanted force. The offset
-// fades, so that the output does not jump.
+// When the wanted force jumps, the safety stage adds an offset that keeps the output where it was, and then
+// fades it. This is the largest work on the hand by that offset (J).
 constexpr double energy_of_a_switch = 0.01;
 constexpr std::uint64_t calm_after = 100;  // time at low speed after which a force that was cut because of
                                            // speed returns (ticks)
@@ -42,8 +42,8 @@ double distance_from_line(vec3 point, vec3 end) {
 
 /// Distance of a point from the parallelogram of all a * u + b * v, with a and b from 0 to 1.
 double distance_from_parts(vec3 point, vec3 u, vec3 v) {
-    // Part of v at right angles to u. It is computed in two passes, since one subtraction leaves rounding
-    // along u.
+    // Part of v at right angles to u. It is computed in two passes, since after one subtraction rounding
+    // leaves a small part along u.
     vec3 across = v;
     for (int pass = 0; pass < 2 && u != vec3(0); ++pass) across -= u * (glm::dot(across, u) / glm::dot(u, u));
     const double height = glm::dot(v, across);
@@ -159,8 +159,9 @@ void SafetyAudit::follow_ramp(const SafetyInput& input) {
         ramp_start_ = last_output_;
 }
 
-/// Follows the cap. Each change of the cap counts as a switch (a jump of the force, which the stage fades).
-/// After a lower cap, the limit falls tick by tick from the last output down to the cap.
+/// Returns the limits with the cap (largest allowed force) that holds in this tick. When the game lowers the
+/// cap, the limit falls tick by tick from the last output down to it. Each change of the cap counts as a
+/// switch: a jump of the force, which the stage fades.
 SafetyLimits SafetyAudit::follow_cap(SafetyLimits limits) {
     if (limits.cap != cap_) next_is_switch_ = true;
     const double falling = std::fmin(cap_, length_of_vector(last_output_)) - cap_falls_by;
@@ -175,15 +176,17 @@ void SafetyAudit::judge_always(const SafetyLimits& limits, vec3 output) {
     count(SafetyRule::budget, window_sum_ > most * (1 + 1e-9));
 }
 
-/// Whether the output points along the ramp's start and is no longer than the ramp allows in this tick.
+/// Whether the output has the direction that it had when the ramp to zero began, and is no longer than the
+/// ramp allows in this tick.
 bool SafetyAudit::is_on_ramp(vec3 output) const {
     const double left = 1 - static_cast<double>(now_ - last_felt_) / ramp_to_zero;
     if (!(left > 0)) return output == vec3(0);
     return distance_from_line(output, ramp_start_ * left) <= rounding(ramp_start_);
 }
 
-/// Checks the output while a condition stops the force. The next force then counts as a switch. Returns false
-/// if nothing stops the force.
+/// Checks the output while a condition stops the force, such as a panic or an old haptic model. The first
+/// force after it then counts as a switch (a jump that has to be faded). Returns false if nothing stops the
+/// force.
 bool SafetyAudit::judge_stopped(const SafetyInput& input, vec3 output) {
     const bool stale = last_felt_ != now_;
     const bool felt = output != vec3(0);
@@ -214,23 +217,25 @@ bool SafetyAudit::is_cool(const SafetyLimits& limits) const {
     return memory_sum_ <= surely_cool * budget;
 }
 
-/// Length by which an offset fades in a tick (N). While all of the energy for the fade is left, it is the
-/// step of the slew limit. The less is left, the nearer it is to the larger step of a falling cap.
+/// Length by which the offset that hides a jump fades in a tick (N). While the servo allows the fade its
+/// whole energy, it is the step of the slew limit. The less energy it allows, the nearer it is to
+/// `cap_falls_by`, which is larger.
 double fading_step(const SafetyLimits& limits, const SafetyInput& input) {
     const double slow = limits.slew * tick_seconds;
     const double left = std::fmin(1, std::fmax(0, input.fade_energy / energy_of_a_switch));
     return std::fmax(slow, slow * left + cap_falls_by * (1 - left));
 }
 
-/// Starts a fade at a switch. Checks that the force does not jump there, unless it has to shrink.
+/// Starts a fade at a switch (a jump of the wanted force). Checks that the output does not jump there. It may
+/// become shorter at once if the motors are warm or the cap has been lowered.
 void SafetyAudit::begin_fade(const SafetyLimits& limits, const SafetyInput& input, vec3 goal, vec3 output,
                              bool cool) {
     const bool may_shrink = !cool || length_of_vector(last_output_) > limits.cap;
     const double moved =
         may_shrink ? distance_from_line(output, last_output_) : length_of_vector(output - last_output_);
     const double step = limits.slew * tick_seconds;
-    // The jump is not checked if an earlier offset was still fading, because its work on the hand shortens
-    // it, too. `fade_on` checks that case.
+    // The jump is not checked here if an earlier offset was still fading: the work of that offset on the hand
+    // shortens it in the same tick. `fade_on` computes that case.
     if (!may_be_fading_)
         count(SafetyRule::slew, moved > fading_step(limits, input) * (1 + 1e-8) + rounding(last_output_));
 

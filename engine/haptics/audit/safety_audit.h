@@ -7,8 +7,8 @@
 // The audit checks the output against the rules of HAPTICS.md, "Safety". It shares no code with the stage and
 // does not see the stage's state. It keeps tick numbers where the stage keeps counters, and the squared
 // output of every tick of the last seconds where the stage keeps sums of many ticks. The rules leave one
-// thing free: how the stage scales the force down near the thermal budget (the largest mean square of the
-// output over 10 s). Only there the audit accepts any choice.
+// thing free: how the stage scales the force down when the mean square of the output over 10 s comes near its
+// limit, the thermal budget. Only there the audit accepts any choice.
 //
 // One audit follows one device from its start and must see every tick. It takes 90 kB at construction and
 // allocates nothing later.
@@ -26,20 +26,21 @@ namespace thaum::haptics {
 /// Rules that every commanded force must obey.
 enum class SafetyRule : std::uint32_t {
     finite,
-    cap,     ///< the output is at most as long as the cap, to the bit; it reaches a lowered cap over some
-             ///< ticks
+    /// The output is at most as long as the cap (largest allowed force), to the bit; it reaches a lowered cap
+    /// over some ticks.
+    cap,
     budget,  ///< the mean square of the output over exactly the last 10 s is at most the continuous force
              ///< squared
     /// The output does not jump at a switch (a source of force came, ended or jumped). After it, the output
     /// is the wanted force plus an offset that fades by time, by its own work and by the cap.
     slew,
-    /// Without a switch, the output is wanted force and brake in full, or parts of both while the motors are
-    /// warm.
+    /// Without a switch (jump of the wanted force), the output is wanted force plus brake (the force that
+    /// takes excess energy from the hand) in full, or parts of both while the motors are warm.
     unasked,
     stale,       ///< with an old model, the output falls to zero within 50 ms, at least as fast as a straight
                  ///< line
     waiting,     ///< the output is zero before the first wanted force within the cap
-    over_speed,  ///< the output is zero while the tip is too fast
+    over_speed,  ///< the output is zero while the device's tip is too fast
     off,         ///< once the player wants no forces, the output falls as for `stale`; it is zero if the tip
                  ///< is too fast
     shut_off,    ///< the output is zero after the third time that the wanted force was far too large
@@ -63,8 +64,8 @@ public:
     std::uint64_t violations(SafetyRule rule) const { return counts_[static_cast<std::size_t>(rule)]; }
     /// Number of ticks that were checked.
     std::uint64_t ticks() const { return now_; }
-    /// Root of the mean square of the output over the last 10 s (N). Time before the start counts as zero
-    /// output.
+    /// Root of the mean square of the output over the last 10 s, which measures how warm the motors are (N).
+    /// Time before the start counts as zero output.
     double warmth() const;
 
 private:
@@ -101,17 +102,20 @@ private:
     vec3 ramp_start_{};       // output from which a ramp to zero starts (N)
     double cap_{};            // largest output: the cap, or a value that falls to a lowered cap (N)
 
-    bool next_is_switch_ = true;  // true: the next force that is let through counts as a switch, as the first
-                                  // one does
-    bool may_be_fading_ = false;  // the stage may still be fading an offset
-    bool offset_known_ = true;    // `offset_` is the stage's offset; unknown after it scaled the force down
-    // The stage neither scales the force down to keep the motors cool, nor is it returning from that.
+    // True: the next force that is let through counts as a switch (a jump to be faded), as the very first one
+    // does.
+    bool next_is_switch_ = true;
+    bool may_be_fading_ = false;  // the stage may still be fading the offset that hides a jump of the force
+    // `offset_` is the stage's offset; unknown after the stage scaled the force down because of warm motors.
+    bool offset_known_ = true;
+    // The stage does not scale the force down to keep the motors cool, and is not on its way back from that
+    // to the full force.
     bool unscaled_ = true;
     vec3 offset_{};   // offset from the wanted force that fades after a switch (N)
     vec3 remnant_{};  // output before the switch, shortened by as much as time shortens the offset (N)
     vec3 tip_{};      // position of the tip (m)
-    double initial_length_{};  // length of the offset at the switch (N)
-    double fade_work_{};       // work of the offset since the switch (J)
+    double initial_length_{};  // length of the offset when the fade began (N)
+    double fade_work_{};       // work of the offset on the hand since the fade began (J)
     double fade_budget_{};     // largest work that the offset may do (J)
     Moment last_fading_{};     // last tick in which there may be an offset
 

@@ -8,15 +8,18 @@ namespace thaum::haptics {
 
 /// Limits that the energy account sets for this tick.
 struct EnergyLimits {
-    vec3 brake{};  ///< damping force that keeps passive sources passive (N)
+    /// Damping force that takes out the energy which passive sources (springs, walls) gave in excess (N).
+    vec3 brake{};
     double reserve_force{
-        HUGE_VAL};         ///< largest force of the springs by their reserve (N); infinite: no limit
+        /// Largest force of the springs by the energy that they may still give (N); infinite: no limit.
+        HUGE_VAL};
     double fade_energy{};  ///< work that the fading offset after a jump of the force may do (J)
     double change{};       ///< largest change of the output while an offset fades (N, SafetyInput::change)
 };
 
-/// Updates the passivity observer. Limits active sources to their budget. Limits the springs to their reserve
-/// after a switch, that is, after a source of force came, ended or jumped.
+/// Updates the passivity observer, which sums the energy between hand and sources. Limits active sources,
+/// which may push, to their energy budget. After a switch (a source of force came, ended or jumped), limits
+/// the springs to the energy reserved for them.
 EnergyLimits update_energy(const Servo& servo, ServoState& state, const HapticModel& model,
                            const Tether& tether, const Tip& tip, const SurfaceForces& surfaces,
                            const FluidForces& fluid, Sources& sources);

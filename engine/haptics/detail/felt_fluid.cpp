@@ -5,12 +5,13 @@
 namespace thaum::haptics {
 namespace {
 
-/// Largest change of the felt viscosity in a tick, as a share of the device's largest damping. Neighbouring
-/// materials of a volume may differ tenfold, and the material at the tip changes from one voxel to the next.
+/// Largest change of the felt viscosity in a tick, as a share of the device's largest damping. Without this
+/// limit the force would jump: neighbouring materials of a volume may differ tenfold, and the material at the
+/// tip changes from one voxel to the next.
 constexpr double viscosity_pace = 1.0 / 32;
 
-/// Moves the felt viscosity towards that of the space. Returns true if the space became viscous, or ceased to
-/// be.
+/// Moves the felt viscosity towards that of the space around the tip. Returns true if the space became
+/// viscous, or ceased to be, at which the felt viscosity jumps.
 bool follow_viscosity(const Servo& servo, ServoState& state, const HapticModel& model) {
     const double wanted = model.viscosity > 0 ? std::min(model.viscosity, servo.max_damping) : 0;
     const bool jumped = (wanted > 0) != (state.viscosity > 0);

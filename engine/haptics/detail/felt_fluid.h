@@ -12,8 +12,8 @@ struct FeltFluid {
     bool switched{};  ///< the fluid, or the viscosity of the space, appeared, ended or jumped
 };
 
-/// Adds the forces of a viscous space and of a stirred fluid to the sources. The haptic model is `age` ticks
-/// old.
+/// Adds the forces of a viscous space and of a stirred fluid to `sources`, the tick's forces by kind. The
+/// haptic model is `age` ticks old.
 FeltFluid feel_space(const Servo& servo, ServoState& state, const HapticModel& model, std::uint32_t age,
                      const Tip& tip, Sources& sources);
 

@@ -5,9 +5,9 @@
 namespace thaum::haptics {
 namespace {
 
-/// Tip that touches a patch of surfaces.
+/// Tip that touches the patch, the surfaces near it.
 struct TouchingTip {
-    vec3 position{}, velocity{};  ///< position and velocity (m, m/s; device frame)
+    vec3 position{}, velocity{};  ///< position and velocity of the tip (m, m/s; device frame)
     bool switched{};              ///< the patch jumped
 };
 
@@ -29,8 +29,8 @@ bool has_lost_body(const SurfacePatch& patch, const SurfaceState& surface) {
     return false;
 }
 
-/// Returns true if the patch jumped, by its number in the model. The proxy then begins anew at the model's
-/// free place.
+/// Returns true if the game has marked the patch as new by another number, as after a teleport. The proxy
+/// (the tip, kept outside of the surfaces) then begins anew at HapticModel::start, a place in free space.
 bool detect_patch_jump(ServoState& state, const HapticModel& model) {
     const bool jumped = model.patch_number != state.patch_number;
     state.patch_number = model.patch_number;
@@ -41,15 +41,15 @@ bool detect_patch_jump(ServoState& state, const HapticModel& model) {
     return jumped;
 }
 
-/// Whether the last patch had this body, with the same stiffness.
+/// Whether the patch of the last tick had this body, with the same stiffness.
 bool knows(const SeenBodies& seen, const SurfaceBody& body) {
     for (std::size_t i = 0; i < seen.count; ++i)
         if (seen.keys[i] == body.key) return seen.stiffness[i] == body.material.stiffness;
     return false;
 }
 
-/// Returns true if a touched body is new or has another stiffness. Other bodies may come
-/// and go: their forces begin at zero.
+/// Returns true if a touched body is new in the patch or has another stiffness, so that its force may jump.
+/// Bodies that are not touched may come and go, because their forces begin at zero.
 bool has_new_contact(const SeenBodies& seen, const SurfacePatch& patch, const SurfaceState& surface) {
     for (std::uint32_t i = 0; i < surface.contacts; ++i)
         for (std::size_t b = 0; b < bodies_of(patch); ++b)
@@ -65,7 +65,7 @@ void remember(SeenBodies& seen, const SurfacePatch& patch) {
     }
 }
 
-/// Motion of the touched body in the last tick (m).
+/// Motion of the touched body in the last tick, at `place` (m).
 vec3 step_of_touched(const SurfacePatch& patch, const SurfaceState& surface, vec3 place) {
     for (std::uint32_t i = 0; i < std::min<std::size_t>(patch.body_count, surface_body_capacity); ++i) {
         const SurfaceBody& body = patch.bodies[i];
@@ -81,11 +81,11 @@ bool has_active_texture(const SurfacePatch& patch) {
                        [](const SurfaceBody& b) { return b.material.texture.kind == TextureKind::impact; });
 }
 
-/// Computes the contact of the patch with the tip, moved by the contact offset. This offset takes up the
-/// depth by which the motion of the player's frame, or its own decay, would press the tip in. The force
-/// therefore grows only by the motion of the hand and of bodies: a player who stands with the wand at a wall
-/// feels the same force after turning. After a jump of the patch, the offset takes the whole depth and the
-/// force starts at zero.
+/// Computes the contact of the patch's surfaces with the tip, which is first moved by the contact offset.
+/// When the player walks or turns, this would press the tip into a wall. The offset grows by that depth
+/// instead, and also by the depth that its own decay would cause. The force therefore grows only by the
+/// motion of the hand and of bodies: a player who stands with the wand at a wall feels the same force after
+/// turning. In a new patch, the offset takes the whole depth and the force starts at zero.
 ContactResult touch_with_offset(ServoState& state, const SurfacePatch& patch, const FrameMotion& drifting,
                                 const TouchingTip& probe, double dt) {
     const vec3 fading = state.contact_offset * (tick_seconds / contact_offset_decay);
@@ -118,8 +118,8 @@ SurfaceForces feel_patch(ServoState& state, const SurfacePatch& patch, const Fra
             .active = has_active_texture(patch)};
 }
 
-/// Computes the contact with the model's patch. Its bodies stand still if the model is too old. The safety
-/// stage then ends the force soon.
+/// Computes the contact with the surfaces in the haptic model. They move on by their velocity since the model
+/// was made, but stand still once it is too old; the safety stage then soon ends the force.
 SurfaceForces feel_bodies(ServoState& state, const HapticModel& model, std::uint32_t age,
                           const TouchingTip& probe) {
     if (model.patch.count == 0) {

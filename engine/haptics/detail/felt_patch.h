@@ -1,5 +1,6 @@
-// haptics/detail/felt_patch.h: the patch of surfaces in one tick of the servo: the force on the hand, the
-// motion of the touched body, the stored energy, and whether a body came or went under the tip.
+// haptics/detail/felt_patch.h: contact of the tip with the patch, the surfaces near it, in one tick of the
+// servo: the force on the hand, the motion of the touched body, the stored energy, and whether a body came or
+// went under the tip.
 #pragma once
 #include "haptics/servo.h"
 
@@ -7,11 +8,14 @@ namespace thaum::haptics {
 
 struct SurfaceForces {
     vec3 force{};       ///< force on the hand (N)
-    vec3 world_step{};  ///< motion of the touched body over the tip in the last tick (m)
+    /// Motion of the touched body in the last tick, less that of the contact offset (m). The work of the
+    /// force along it is the world's, not the hand's.
+    vec3 world_step{};
     double stored{};    ///< energy that a spring of `force` and `stretch` would hold (J)
-    double stretch{};   ///< distance from the tip to the proxy (m)
+    double stretch{};   ///< distance from the tip to the proxy, its position outside of the surfaces (m)
     bool active{};      ///< a texture of the patch is an active source: it may give more energy than it got
-    /// The patch jumped, or a touched body appeared, went or has another stiffness.
+    /// The force may have jumped: the patch is a new one, or a touched body appeared, went or has another
+    /// stiffness.
     bool switched{};
 };
 

@@ -6,12 +6,14 @@
 namespace thaum::haptics {
 namespace {
 
-/// Residual up to which the balance counts as solved (N). Beyond it, the forces found for the primitives may
-/// be wrong. The hand then feels the spring's force instead, which is right for the found proxy.
+/// Bound of the error up to which the balance of spring and primitives counts as solved (N). Beyond it, the
+/// forces found for the primitives may be wrong. The hand then feels the spring's force instead, which is
+/// right for the proxy that was found.
 constexpr double solved_residual = 1e-9;
 
-/// Ticks after a jump of the set of primitives until the proxy has found its place. It takes some ticks
-/// because modes read their fields where the proxy was in the last tick.
+/// Ticks until the proxy has found its place after the set of primitives has jumped. It takes some ticks
+/// because the haptic modes, which make the primitives, read their fields where the proxy was in the last
+/// tick.
 constexpr std::uint32_t unsettled_ticks = first_ticks;
 
 /// Returns true if the set of primitives appeared, ended or jumped.
@@ -25,8 +27,9 @@ bool detect_set_switch(ServoState& state, const HapticModel& model) {
     return jumped;
 }
 
-/// Moves the proxy to the balance of spring and primitives. Returns the force on the hand (N). The force is
-/// zero if the tip's position is not finite or out of range; the proxy then restarts at the tip.
+/// Moves the proxy to, or towards, the place where the spring to the tip and the primitives cancel. Returns
+/// the force on the hand (N). The force is zero if the tip's position is not finite or out of range; the
+/// proxy then restarts at the tip.
 vec3 force_on_proxy(ServoState& state, const HapticModel& model, vec3 tip, vec3 velocity) {
     const vec3 before = state.primitives == 0 ? tip : state.proxy;
     const Spring spring = effective_spring(model.coupling, tip, velocity, before, tick_seconds);

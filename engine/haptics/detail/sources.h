@@ -8,7 +8,8 @@ namespace thaum::haptics {
 /// active ones have a budget (haptics/energy.h).
 struct Sources {
     vec3 passive{}, active{};
-    vec3 world{};    ///< part of the passive force by springs whose other end moves with a thing of the world
+    /// Part of the passive force by springs whose other end is tied to a movable thing of the world.
+    vec3 world{};
     vec3 springs{};  ///< part of the passive force by springs, which can give energy back
     vec3 tether{};   ///< the tether's part of `springs`
 };

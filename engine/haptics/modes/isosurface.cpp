@@ -19,7 +19,7 @@ namespace {
 /// Width of the layer at the end of the reach in which the pull of a magnetic surface fades to zero (m).
 constexpr double magnet_fade = 1e-4;
 
-/// Largest friction on a plane (N).
+/// Largest friction on the plane that holds the proxy (N).
 double friction_on(const ContactPlane& plane, double strength, const ModeSettings& settings,
                    const ModeInput& input) {
     const double pressed = pressing_force(plane, input.next_tip(), input.pull(), strength);
@@ -27,7 +27,7 @@ double friction_on(const ContactPlane& plane, double strength, const ModeSetting
     return std::clamp(strength_at(settings.friction, depth) * pressed, 0.0, primitive_limit);
 }
 
-/// Strength of the plane that holds the proxy (N).
+/// Force up to which the plane at the surface holds the proxy (N).
 double strength_of(const LevelContact& contact, const ModeSettings& settings) {
     const double strength = std::max(0.0, strength_at(settings.strength, contact.planes[0].gradient));
     return contact.behind ? std::min(strength, max_pull) : strength;

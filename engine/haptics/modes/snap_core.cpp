@@ -10,8 +10,8 @@
 namespace thaum::haptics {
 namespace {
 
-/// Vector from the place where the field was read to the axis of the core (m); not finite if there is no
-/// core.
+/// Vector from the place where the field was read to the axis of the vortex's core (m); not finite if there
+/// is no core.
 vec3 to_core(const field::Vector& here, vec3 axis) {
     const vec3 a = perpendicular_to(axis), b = glm::cross(axis, a);
     const auto change = [&](vec3 across, vec3 along) {  // derivative along `along` of the component `across`

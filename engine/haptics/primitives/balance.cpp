@@ -28,8 +28,9 @@ namespace thaum::haptics {
 namespace balancing {
 namespace {
 
-/// Rotates the problem's frame so that the active kinks lie along its axes. If their terms are many times
-/// stiffer than the others, the matrix needs exact zeros in the directions that the kinks leave free.
+/// Rotates the problem's frame so that the active kinks (points, lines or planes assumed to hold x) lie along
+/// its axes. If their terms are many times stiffer than the others, the matrix needs exact zeros in the
+/// directions that the kinks leave free.
 void align(Problem& problem, vec3& x) {
     vec3 unused{};
     const Flat flat = flat_of_active(problem, unused);
@@ -54,9 +55,9 @@ void align(Problem& problem, vec3& x) {
     measure_distances(problem, x);
 }
 
-/// Does steps 2 and 3 from the smoothed state. Kinks at a squared distance below `square` (m^2) are active at
-/// first. Improves `best` by up to four active sets. If the active kinks do not meet in a point, returns the
-/// distance by which they miss each other (m), else 0.
+/// Does steps 2 and 3 of the method above from x. Kinks at a squared distance below `square` (m^2) are
+/// assumed to hold x (are active) at first. Up to four such sets are tried, and `best` keeps the best place.
+/// If no place lies on all active kinks, returns the distance by which they miss each other (m), else 0.
 double try_active_sets(Problem& problem, vec3 x, double square, double accepted, Solution& best, int& steps) {
     move_origin(problem, x);
     guess_active_set(problem, square);
@@ -85,7 +86,8 @@ double length_of(Problem& problem) {
                     4 * rounding_of(problem.centre));
 }
 
-/// How fast the smoothing shrinks, by the gap that next_smoothing() measures.
+/// How fast the smoothing shrinks. Most is given as factors of the gap: how far x is from obeying the
+/// smoothed problem, which next_smoothing() measures (m).
 struct Pace {
     double good;   ///< factor of the gap after a step as exact as on a quadratic problem
     double poor;   ///< factor of the gap after any other step
@@ -93,9 +95,10 @@ struct Pace {
     int rounds;    ///< largest number of Newton steps
 };
 
-/// Computes the next smoothing (m). The gap is the largest difference of |m| and its lower bound y.m / s over
-/// all terms, with the term's force -y. On the path of the smoothed minima it is at most 0.3 of the
-/// smoothing. Far from the path it is larger, and the smoothing must not shrink before x has come nearer.
+/// Computes the next smoothing (m). Each term has the distance m from its kink, the strength s and the force
+/// -y. The gap is the largest difference, over all terms, of |m| and its lower bound y.m / s. At a minimum of
+/// the smoothed problem it is at most 0.3 of the smoothing. If it is larger, x is far from that minimum, and
+/// the smoothing must not shrink before x has come nearer.
 double next_smoothing(Problem& problem, double smoothing, bool good, const Pace& pace) {
     double gap = 0;
     for (const Term& term : terms_of(problem))
@@ -103,11 +106,12 @@ double next_smoothing(Problem& problem, double smoothing, bool good, const Pace&
     return std::clamp((good ? pace.good : pace.poor) * 3 * gap, pace.least * smoothing, 3 * smoothing);
 }
 
-/// Number of Newton steps that nearly all sets need at most. From then on the smoothed solution counts for
-/// `best` too, in case the optimality check never succeeds.
+/// Number of Newton steps that nearly all sets of primitives need at most. After it, the solution of the
+/// smoothed problem is a candidate for `best` too, in case the optimality check never succeeds.
 constexpr int hard_rounds = 12;
 
-/// Follows the path of the smoothed minima from x until the optimality check succeeds. Improves `best`.
+/// Minimises smoothed problems of less and less smoothing, starting at x, until the optimality check
+/// succeeds. `best` keeps the best place.
 void follow_path(Problem problem, vec3 x, const Pace& pace, double accepted, Solution& best, int& steps) {
     double length = length_of(problem);
     x = start_of(problem, x);
@@ -126,7 +130,7 @@ void follow_path(Problem problem, vec3 x, const Pace& pace, double accepted, Sol
             keep_if_better(best, problem, x, bound);
         }
         if (round >= 3) {
-            // Guesses fewer active kinks, for kinks that nearly meet.
+            // Every second round assumes fewer kinks to hold x, for sets with kinks that nearly meet.
             const bool small = round >= hard_rounds && round % 2 == 1;
             const double square = smoothing * std::max(small ? 0 : length, 9 * smoothing);
             Problem guess = problem;
@@ -143,16 +147,16 @@ void follow_path(Problem problem, vec3 x, const Pace& pace, double accepted, Sol
     }
 }
 
-/// Sets the problem back to its start: no term is active or exerts a force, and distances are those at x, the
-/// place of the proxy without the terms.
+/// Sets the problem back to its start: no kink is assumed to hold x, no term exerts a force, and distances
+/// are those at x, the place of the proxy without the terms.
 void reset(Problem& problem, vec3 x) {
     set_origin(problem, problem.centre);
     for (Term& term : terms_of(problem)) term.dual = {}, term.active = false;
     measure_distances(problem, x);
 }
 
-/// Tries the best start with its kink active, then the active sets that follow from it. Solves nine of ten
-/// small sets.
+/// Starts at the place with the least energy among those that start_of() tries. The kinks there are assumed
+/// to hold x; from them follow up to three other guesses. Solves nine of ten small sets.
 void try_start(Problem& problem, vec3 x, double accepted, Solution& best, int& steps) {
     x = start_of(problem, x);
     measure_distances(problem, x);
@@ -185,7 +189,8 @@ bool in_range(const Spring& spring) {
            spring.stiffness <= 1e9;
 }
 
-/// Computes the force of each primitive from the forces of the terms.
+/// Computes the force of each primitive from that of its term. A plane is split into a term and a constant
+/// force.
 void share_forces(const PrimitiveSet& set, const Problem& problem, const Solution& solution,
                   Balance& result) {
     std::size_t i = 0;
@@ -209,8 +214,8 @@ Spring effective_spring(const ProxyCoupling& coupling, vec3 probe, vec3 probe_ve
                         double period) noexcept {
     const double damper = coupling.damping / period;
     const double stiffness = coupling.stiffness + damper;
-    // The shift is a sum of small parts, so that rounding does not move a probe that rests far from the
-    // origin.
+    // The shift of the spring's centre is a sum of small differences. So no rounding moves the centre of a
+    // probe that rests far from the origin.
     const vec3 shift = damper * (proxy_before - probe) + coupling.damping * probe_velocity;
     return {probe + shift / stiffness, stiffness};
 }

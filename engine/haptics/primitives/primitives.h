@@ -75,11 +75,12 @@ private:
 static_assert(sizeof(PrimitiveSet) == primitive_capacity * sizeof(Primitive) + 2 * sizeof(std::uint32_t),
               "no padding");
 
-/// Checks a list and returns it as a set. The error names the index and the fault of the first bad primitive.
+/// Checks the primitives of a list and returns them as a set. The error names the index and the fault of the
+/// first bad primitive.
 Expected<PrimitiveSet> checked(std::span<const Primitive> primitives);
 
-/// Whether the set has no directed force. The energy of a directed force has no minimum: it may push for
-/// ever, and is an active source.
+/// Whether the set is a passive source: it has no directed force. A directed force may push the hand for
+/// ever, because its energy has no minimum.
 inline bool conservative(const PrimitiveSet& set) {
     const auto items = set.items();
     return std::none_of(items.begin(), items.end(),

@@ -6,20 +6,21 @@
 namespace thaum::haptics {
 namespace {
 
-/// Factors by which Settling::bound falls in each tick: `beginning` from first_pace to max_pace, which takes
-/// `first_ticks`, and `calming` from there to min_pace, which takes 227 ticks.
+/// Factors by which Settling::bound, the limit of the force's change in a tick, falls in each tick. It falls
+/// by `beginning` from first_pace to max_pace in `first_ticks`, and by `calming` from there to min_pace in
+/// 227 ticks.
 constexpr double beginning = 0.7, calming = 0.97;
-/// Rise of the bound for each newton by which motion stretches the spring in a tick. At a steady speed, the
-/// bound thus settles at 5 times the force by which one tick stretches the spring.
+/// Rise of Settling::bound (N) for each newton of spring force that motion adds in a tick. At a steady speed,
+/// the bound thus settles at 5 times the force that one tick of motion adds.
 constexpr double freeing = 5 * (1 - calming);
 /// Smallest cosine of the angle between the proxy's last step and its way to the balance at which the proxy
-/// counts as going straight on, not as turning. `straight_astray` applies if the balance is astray
-/// (is_astray).
+/// counts as going straight on, not as turning. `straight_astray` applies if the balance has moved farther
+/// than motion explains (is_astray).
 constexpr double straight_on = 0.5, straight_astray = 0.97;
-/// Factors in a tick of the pace, the largest change of the force. `at_turn` shrinks the pace when the proxy
+/// Factors of the pace, the largest change of the force in a tick. `at_turn` shrinks the pace when the proxy
 /// turns. `after_turn` lets it grow in the first `few` ticks that go straight on. It is so small that a proxy
-/// that crosses a ridge every second or third tick still comes to rest. After more straight ticks no ridge is
-/// crossed, so `later` may be large.
+/// that crosses a ridge of the field every second or third tick still comes to rest. After more straight
+/// ticks the proxy crosses no ridge, so `later` may be large.
 constexpr double at_turn = 0.5, after_turn = 1.2, later = 2;
 constexpr std::uint64_t few = 2;
 
@@ -34,7 +35,8 @@ bool is_astray(const Settling& state, const ProxyWay& way, double moved) {
 void adapt_pace(Settling& state, const ProxyWay& way, double moved) {
     const vec3 wanted = way.balance - way.from;
     const double before = glm::length(state.step);
-    const bool counts = way.spring.stiffness * before > min_pace;  // the last step was more than rounding
+    // The last step was large enough to have a direction.
+    const bool counts = way.spring.stiffness * before > min_pace;
     const bool astray = is_astray(state, way, moved);
     const double straight = astray ? straight_astray : straight_on;
     if (counts && glm::dot(wanted, state.step) < straight * glm::length(wanted) * before) {
@@ -64,16 +66,16 @@ void adapt_bound(Settling& state, const ProxyWay& way, double field_motion) {
 /// Force of the spring on the hand for a place of the proxy (N).
 vec3 force_at(const ProxyWay& way, vec3 proxy) { return way.spring.stiffness * (proxy - way.spring.centre); }
 
-/// Part of the spring's and damper's pull on the proxy that is due to the hand's place and velocity (N). Only
-/// its changes are used, so it may lack a constant. The damper's pull towards the proxy's last place is left
-/// out.
+/// Part of the spring's and damper's pull on the proxy that is due to the hand's place and velocity (N). The
+/// damper's pull towards the proxy's last place is left out. Only changes of the result are used, so it may
+/// be off by a constant.
 vec3 pull_of_hand(const ProxyWay& way) {
     return way.spring.stiffness * way.spring.centre - (way.spring.stiffness - way.stiffness) * way.from;
 }
 
-/// Largest share of a way, 0 to 1, that changes the force by at most `most` (N). `start` is the change of the
-/// force if the proxy stays, and `along` the change that the whole way adds (N). If every share changes it by
-/// more, it is the share with the least change.
+/// Largest share of the proxy's way, 0 to 1, that changes the force by at most `most` (N). `start` is the
+/// change of the force if the proxy stays, and `along` the change that the whole way adds (N). If every share
+/// changes it by more, it is the share with the least change.
 double share_within(vec3 start, vec3 along, double most) {
     const double square = glm::dot(along, along);
     if (!(square > 0)) return 0;
@@ -83,7 +85,8 @@ double share_within(vec3 start, vec3 along, double most) {
     return std::clamp(nearest + std::sqrt(room / square), 0.0, 1.0);
 }
 
-/// Share of its way, 0 to 1, that the proxy goes: as far as the spring's force changes by at most `most` (N).
+/// Share of its way to the balance, 0 to 1, that the proxy goes: as far as the spring's force changes by at
+/// most `most` (N).
 double share_of_way(const Settling& state, const ProxyWay& way, double most) {
     const vec3 start = force_at(way, way.from) - state.force;
     const vec3 along = way.spring.stiffness * (way.balance - way.from), whole = start + along;

@@ -48,10 +48,10 @@ struct Settling {
     vec3 tip{};                ///< place of the tip in the last tick (m)
     vec3 rest{};               ///< place that follows the tip at a distance of at most `still_range` (m)
     vec3 step{};               ///< motion of the proxy in the last tick (m)
-    vec3 balance{};            ///< balance of the last tick (m)
+    vec3 balance{};            ///< place at which spring and primitives were in balance in the last tick (m)
     double pace{};             ///< largest change of the force in a tick (N); 0: the proxy is new
     double bound{};            ///< upper bound of `pace`, which falls in time and rises with motion (N)
-    std::uint64_t straight{};  ///< ticks since the proxy last turned back
+    std::uint64_t straight{};  ///< number of ticks since the proxy last turned
     vec3 force{};              ///< force of spring and damper in the last tick (N)
     vec3 lag{};                ///< force that the hand feels in addition to `force`, since it lags behind (N)
     vec3 pull{};               ///< pull on the proxy by the hand's place and velocity in the last tick (N)
@@ -65,7 +65,7 @@ struct ProxyWay {
     vec3 tip{};             ///< place of the tip (m)
     Spring spring{};        ///< spring between tip and proxy, with its damper
     double stiffness{};     ///< stiffness of the spring without its damper (N/m)
-    double field_motion{};  ///< motion of the fields behind the primitives in this tick (m)
+    double field_motion{};  ///< motion in this tick of the fields from which the primitives are made (m)
 };
 
 /// Returns the proxy of this tick (m): the balance itself, or a place on the way to it. The hand feels the

@@ -161,7 +161,7 @@ struct SurfaceState {
     std::uint32_t contacts{};
     std::uint32_t sliding{};  ///< 1: the proxy slid in the last tick, against friction
     std::uint32_t begun{};    ///< 0: the proxy starts at the tip
-    std::uint32_t limited{};  ///< 1: the end of the patch's reach held the proxy
+    std::uint32_t limited{};  ///< 1: the end of the patch's `reach` held the proxy
 };
 static_assert(sizeof(SurfaceState) == 4 * sizeof(vec3) + 10 * sizeof(std::uint32_t));
 

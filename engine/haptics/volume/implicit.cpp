@@ -57,7 +57,7 @@ Scalar Ring::operator()(vec3 place) const {
 
 Scalar Merged::operator()(vec3 place) const {
     if (parts.empty() || !(blend > 0)) return {.value = HUGE_VAL};
-    // The exponents are relative to the smallest potential so far, so that none overflows.
+    // The exponents are relative to the smallest potential found so far, so that none overflows.
     double least = HUGE_VAL, sum = 0;
     vec3 slope(0);
     for (const field::ScalarField& part : parts) {

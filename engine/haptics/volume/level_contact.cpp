@@ -10,7 +10,8 @@
 namespace thaum::haptics {
 namespace {
 
-/// A search ends after a Newton step of at most this share of the reach, without another read of the field.
+/// A search for the surface ends after a Newton step of at most this share of LevelSurface::reach, without
+/// another read of the field.
 constexpr double short_step = 0.05;
 
 /// Side, direction and distance of the surface from a place, by the field's value and gradient there.
@@ -53,7 +54,8 @@ public:
     }
 
 private:
-    /// The plane at the surface nearest to a place within reach, by Newton steps.
+    /// The plane at the surface near a place, found by Newton steps; std::nullopt if the surface is farther
+    /// away than LevelSurface::reach.
     std::optional<ContactPlane> near(vec3 place, Reading here) {
         vec3 x = place;
         for (int tries = 0; tries < 4; ++tries) {
@@ -67,7 +69,7 @@ private:
         return std::nullopt;
     }
 
-    /// The plane where the way from `from`, which is outside, enters the solid.
+    /// The plane where the straight way from `from`, which is outside, enters the solid.
     std::optional<ContactPlane> between(vec3 from, vec3 to) {
         const double length = glm::distance(from, to);
         if (!(length > 1e-9) || !std::isfinite(length)) return std::nullopt;
@@ -82,7 +84,7 @@ private:
         return std::nullopt;
     }
 
-    /// The plane at the end x of a Newton search from `place`; none if x is so far away that it lies on
+    /// The plane at x, where a Newton search from `place` has ended; none if x is so far away that it lies on
     /// another part of the surface. Where two faces meet, the gradient at x may be that of the other face.
     /// The way that the search took is a better normal there.
     std::optional<ContactPlane> kept(vec3 x, vec3 place, const Reading& here) const {
@@ -139,9 +141,9 @@ vec3 onto_three(std::span<const ContactPlane> p, vec3 x) {
                    volume;
 }
 
-/// Moves a plane back until it goes through the place of the first plane, if that place lies behind it. So
-/// the place of the first plane is behind none of the planes, and the proxy can always land there. Planes of
-/// a rough field could otherwise leave free only a wedge of space far from the tip.
+/// If the place of the first plane lies behind another plane, moves the latter back until it goes through
+/// that place. So the place of the first plane is behind none of the planes, and the proxy can always land
+/// there. Planes of a rough field could otherwise leave free only a wedge of space far from the tip.
 ContactPlane in_front(ContactPlane plane, const ContactPlane& first) {
     if (behind(plane, first.place, 0)) plane.place = first.place;
     return plane;
@@ -175,7 +177,8 @@ vec3 landing_of(const LevelContact& contact, vec3 target) noexcept {
 }
 
 ContactPlane holding_plane(const LevelContact& contact, vec3 target) noexcept {
-    constexpr double shortest = 1e-10;  // length of a push from which on its direction is not rounding (m)
+    // Shortest push from the tip whose direction is more than rounding (m).
+    constexpr double shortest = 1e-10;
     ContactPlane held = contact.planes[0];
     if (contact.count < 2 || !is_finite(target)) return held;
     const vec3 landing = landing_of(contact, target), push = landing - target;

@@ -44,29 +44,30 @@ struct ContactPlane {
     double gradient{};  ///< length of the field's gradient there (1/m)
 };
 
-/// Planes by which an isosurface is felt in this tick.
+/// Planes through which the hand feels an isosurface in this tick.
 struct LevelContact {
     std::array<ContactPlane, 3>
         planes{};  ///< the first `count` are in use; the first one is nearest to the proxy
     std::uint32_t count{};
     /// The proxy lies behind the surface, so the first plane has to move the proxy and not only to hold it.
     bool behind{};
-    bool late{};            ///< true: a plane lags behind because of LevelSurface::slew
+    bool late{};  ///< true: a plane is not yet where the surface asks for it, because of LevelSurface::slew
     double depth{};         ///< depth of the place that the proxy heads for, in a body of samples (m)
     std::uint32_t reads{};  ///< number of times that the field was read
 };
 
-/// Largest change of the force in a tick by the steps that samples make in a surface (N): LevelSurface::slew
-/// times the stiffness.
+/// Largest change of the force in a tick because a plane follows the small steps that samples make in a
+/// surface (N): LevelSurface::slew times the spring's stiffness.
 inline constexpr double max_step = 0.012;
 
 /// Finds the planes that hold a proxy which would move from `proxy` to `target` (m). No allocation. A field
 /// that is not finite gives no contact.
 LevelContact find_contact(const LevelSurface& surface, vec3 proxy, vec3 target) noexcept;
 
-/// The contact of a proxy on a spring of a stiffness (N/m), with the slew that max_step allows. The slew does
-/// not apply if the tip presses with nearly the strength of the plane: a plane that gives way must not follow
-/// the proxy into the solid, tick by tick. `strength_of` gives the strength of a contact (N).
+/// The contact of a proxy that a spring of this stiffness (N/m) pulls. Planes move by at most
+/// LevelSurface::slew in a tick, so that the force changes by at most max_step. This limit does not apply if
+/// the tip presses with nearly the strength of the plane: the proxy then breaks through, and a limited plane
+/// would follow it into the solid, tick by tick. `strength_of` gives the strength of a contact (N).
 template <class StrengthOf>
 LevelContact find_contact(LevelSurface surface, vec3 proxy, vec3 target, double stiffness,
                           StrengthOf strength_of) {
@@ -79,7 +80,8 @@ LevelContact find_contact(LevelSurface surface, vec3 proxy, vec3 target, double 
     return find_contact(surface, proxy, target);
 }
 
-/// The nearest place to `target` that is behind none of the planes (m).
+/// Place where a proxy on its way to `target` lands: the nearest one to `target` that is behind none of the
+/// planes (m).
 vec3 landing_of(const LevelContact& contact, vec3 target) noexcept;
 
 /// The plane that holds a proxy on its way to `target`: it goes through the landing place, at right angles to

@@ -17,7 +17,8 @@ struct SmoothTaps {
     bool adjacent{};  ///< the samples follow each other in memory
 };
 
-/// Weights of eight samples, from the weights of four averages; each is over five samples, 1 : 4 : 6 : 4 : 1.
+/// Weights of eight samples, from the weights `w` of four averages. Each average is over five neighbouring
+/// samples, weighted 1 : 4 : 6 : 4 : 1.
 SmoothRow spread(const std::array<double, 4>& w) {
     constexpr std::array<double, 5> binomial{1.0 / 16, 4.0 / 16, 6.0 / 16, 4.0 / 16, 1.0 / 16};
     SmoothRow result{};
@@ -47,7 +48,7 @@ SmoothTaps smooth_taps_at(double x, int count, std::ptrdiff_t stride, double per
 
 using Doubles4 = double __attribute__((vector_size(32)));
 
-/// A number for each sample along x, in two vectors.
+/// A number for each of the eight samples along x, as two vectors of four.
 struct SmoothLanes {
     Doubles4 low{}, high{};
 
@@ -127,8 +128,8 @@ field::Scalar SmoothGrid::operator()(vec3 place) const {
         return x.adjacent ? adjacent_samples(row + x.offset[0]) : samples_of(row, x);
     };
     const field::Scalar result = scalar_of(sums_of(grid.first, middle, y, z, as_stored), middle, x);
-    // A sample that is not finite makes the result not finite. Only then are samples read as a picture shows
-    // them.
+    // A sample that is not finite makes the result not finite. Only then is the result computed again, with
+    // such samples replaced by what a picture shows for them; that takes longer.
     if (std::isfinite(result.value)) return result;
     const auto as_shown = [&](const float* row) { return samples_of(row, x, shown); };
     const double base = shown(middle);

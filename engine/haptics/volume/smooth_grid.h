@@ -27,11 +27,11 @@ namespace thaum::haptics {
 
 /// A view of a grid's samples. The smoothing kernel above replaces the grid's. Outside the samples the value
 /// is that of the nearest place inside. A grid without samples and a place that is not finite give zeros.
-/// Near a sample that is not finite, all samples count as a picture shows them.
+/// Near a sample that is not finite, all samples are replaced by the values with which a picture shows them.
 struct SmoothGrid {
     field::Grid grid{};
-    field::Grid averages{};     ///< averages of blocks of the grid's samples (field/block_averages.h); may be
-                                ///< empty
+    /// Averages of blocks of the grid's samples (field/block_averages.h), for sample_box(); may be empty.
+    field::Grid averages{};
     field::ShownRange shown{};  ///< range of the finite samples
 
     field::Scalar operator()(vec3 place) const;

@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t primitives_of_guide = 2;
 constexpr std::size_t primitives_of_wall = 2;
-// Number of primitives besides guides and walls: gravity, and the force S along the gradient.
+// Number of primitives (elementary forces on the proxy) besides guide planes and walls: one for gravity, and
+// one for the force S along the gradient.
 constexpr std::size_t primitives_of_feel = 2;
 
 double finite_or_zero(double x) { return std::isfinite(x) ? x : 0; }
@@ -24,7 +25,8 @@ double share_of(const field::TransferFunction& function, double x) {
     return std::clamp(finite_or_zero(function(x)), 0.0, 1.0);
 }
 
-/// Adds the opacity's part of the force S (N, negative: towards larger densities) and of the drag R (N s/m).
+/// Adds what the opacity gives to the force S along the gradient (N, negative: towards larger densities) and
+/// to the drag R (N s/m). `length` is that of the gradient.
 void feel_opacity(const OpacityFeel& feel, const field::Scalar& here, double length, VolumeFelt& felt) {
     felt.opacity = share_of(feel.density, here.value) * share_of(feel.gradient, length);
     felt.stiff += feel.attracts ? -feel.stiffness * (1 - felt.opacity) : feel.stiffness * felt.opacity;
@@ -38,8 +40,9 @@ void feel_shell(const DensityShell& shell, double density, VolumeFelt& felt) {
     felt.viscosity += shell.retarding * share + shell.retarding_always;
 }
 
-/// Adds the force S as a plane, placed so that the spring to a proxy on it has just this force. The plane
-/// faces against the gradient, or along it if S pulls towards larger densities.
+/// Adds the force S along the gradient as a plane, placed so that the spring from the tip to a proxy on it
+/// has just this force. The plane faces against the gradient, or along it if S pulls towards larger
+/// densities.
 void add_stiffness(double stiff, const Direction& up, const ModeInput& input, PrimitiveSet& set) {
     const double strength = up.length > 0 ? std::min(std::abs(stiff), max_pull) : 0;
     const vec3 way = stiff < 0 ? up.unit : -up.unit;
@@ -48,8 +51,9 @@ void add_stiffness(double stiff, const Direction& up, const ModeInput& input, Pr
 
 void add_ambient(const VolumeFeel& feel, PrimitiveSet& set) {
     const Direction down = direction_of(feel.gravity);
-    // Without gravity a point takes the place of the directed force: even with strength 0, a directed force
-    // would make the whole set an active source.
+    // Without gravity, a point of strength 0 takes the place of the directed force, so that the number of
+    // primitives stays the same. A directed force would make the whole set an active source even with
+    // strength 0.
     if (down.length > 0)
         add_or_rest(set, {PrimitiveKind::directed, {}, down.unit, std::min(down.length, primitive_limit)});
     else
@@ -63,7 +67,8 @@ void add_ambient(const VolumeFeel& feel, PrimitiveSet& set) {
     }
 }
 
-/// Adds the plane and the friction of a wall. Returns whether the wall is near the proxy.
+/// Adds the primitives of a wall (surface of one density): a plane, and a line for friction. Returns whether
+/// the wall is near the proxy.
 bool add_wall(const VolumeFeel& feel, const DensityWall& wall, const ModeInput& input, PrimitiveSet& set) {
     const LevelSurface surface{
         .field = feel.density, .level = wall.density, .reach = wall.reach, .motion = input.motion};

@@ -58,7 +58,7 @@ struct MaterialFeel {
     double stiffness{1};  ///< factor of the force S along the gradient and of the strength of walls, >= 0
     double viscosity{1};  ///< factor of the drag R, >= 0
 };
-/// Feel of each material, by its index.
+/// Factors of the feel of each material, by its index.
 using MaterialTable = std::array<MaterialFeel, 256>;
 
 /// A plane that guides the hand, such as the plane of a cut.
@@ -68,7 +68,8 @@ struct GuidePlane {
     double strength{};     ///< largest force towards the plane, from both sides, at most max_pull (N)
 };
 
-/// Haptic volume rendering: forces linked to the opacity transfer function a = density x gradient.
+/// Haptic volume rendering: forces in proportion to the opacity a = density(value) gradient(gradient's
+/// length), by two transfer functions.
 struct OpacityFeel {
     field::TransferFunction density{};   ///< share of the opacity by the density, 0 to 1
     field::TransferFunction gradient{};  ///< share of the opacity by the gradient's length (per m), 0 to 1
@@ -94,7 +95,8 @@ struct DensityShell {
 /// stronger push pokes through. Larger densities are solid.
 struct DensityWall {
     double density{};
-    double strength{};  ///< push at which the wall lets the hand through (N)
+    /// Push at which the wall lets the hand through, for a material with the factor 1 (N).
+    double strength{};
     double friction{};  ///< coefficient of friction, >= 0
     double reach{};     ///< depth at which the proxy has got through the wall, about the size of a voxel (m)
 };
@@ -115,10 +117,12 @@ struct VolumeFeel {
     OpacityFeel opacity{};
     DensityShell shell{};
     double share{
-        1};  ///< factor of opacity and shell, to fade them where a volume ends; walls end by themselves
+        /// Factor of the forces by opacity and shell, to fade them where a volume ends; walls end by
+        /// themselves.
+        1};
 };
 
-/// What the hand feels of a volume besides the primitives.
+/// What a volume gives the hand besides primitives, and what was found at the tip.
 struct VolumeFelt {
     double viscosity{};  ///< coefficient C of the drag R = C v, for HapticModel::viscosity (N s/m)
     double opacity{};    ///< opacity at the tip, 0 to 1

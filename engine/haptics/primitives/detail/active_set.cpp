@@ -28,8 +28,8 @@ void guess_active_set(Problem& problem, double square) {
 
 namespace {
 
-/// Moves x onto the plane q.x = height within the flat, the intersection of the kinks so far, and fixes that
-/// direction. q is a unit vector.
+/// Moves x onto the plane q.x = height, without leaving the flat (the intersection of the kinks taken so
+/// far). The flat then becomes its intersection with that plane. q is a unit vector.
 void fix(Flat& flat, vec3& x, vec3 q, double height) {
     if (flat.count == 0) {
         x += q * (height - glm::dot(q, x));
@@ -93,8 +93,7 @@ vec3 smooth_gradient(Problem& problem, vec3 x, Symmetric& matrix) {
     vec3 gradient = problem.stiffness * x - problem.target;
     for (Term& term : terms_of(problem)) {
         if (term.active) continue;
-        // The vector is projected twice, since rounding is a large part of a small distance after the first
-        // time.
+        // The vector is projected twice: after the first time, rounding is a large part of a small distance.
         const vec3 distance = project(term, project(term, x) - term.offset);
         const double square = glm::dot(distance, distance);
         if (square == 0) return vec3(std::numeric_limits<double>::infinity());
@@ -113,8 +112,8 @@ vec3 smooth_gradient(Problem& problem, vec3 x, Symmetric& matrix) {
 
 namespace {
 
-/// The matrix restricted to the flat. In the directions fixed by the flat, it has the spring's stiffness, so
-/// that it stays invertible.
+/// The matrix restricted to the flat, the space within which x may move. In the other directions it gets the
+/// spring's stiffness, so that it stays invertible.
 Symmetric restricted(const Symmetric& m, const Flat& flat, double stiffness) {
     Symmetric result = m;
     for (std::size_t i = 0; i < flat.count; ++i) {
@@ -147,7 +146,8 @@ double strength_of_active(const Problem& problem) {
     return result;
 }
 
-/// Newton's method on the flat, without a change of the frame's origin. Returns as minimise_near().
+/// Newton's method for x on the flat (the intersection of the active kinks), without a change of the frame's
+/// origin. Returns false if it does not converge.
 bool minimise_on(Problem& problem, const Flat& flat, vec3& x, Symmetric& matrix, int& steps) {
     const double rounding = 4 * epsilon * (problem.strength + glm::length(problem.target));
     const double holding = strength_of_active(problem);
@@ -158,7 +158,7 @@ bool minimise_on(Problem& problem, const Flat& flat, vec3& x, Symmetric& matrix,
         const double size = glm::length(slope);
         if (size <= rounding) return true;
         if (flat.count > 0 && glm::length(gradient - slope) > holding + size) return true;
-        // The slope no longer falls: either rounding limits it, or the method does not converge.
+        // The slope did not halve: either rounding limits it, or the method does not converge.
         if (!(size < 0.5 * before)) return before <= 16 * rounding && size <= 16 * rounding;
         before = size;
         x += newton_step(matrix, flat, slope, problem.stiffness);
@@ -167,7 +167,8 @@ bool minimise_on(Problem& problem, const Flat& flat, vec3& x, Symmetric& matrix,
     return false;
 }
 
-/// Whether the origin is so far away that distances at x lose accuracy to the rounding of coordinates.
+/// Whether x is so far from the origin of its frame that the rounding of coordinates makes distances
+/// inaccurate.
 bool origin_is_far(const Problem& problem, vec3 x) {
     return glm::dot(x, x) > 16 * (1e-60 + glm::dot(world_of(problem, x), world_of(problem, x)));
 }

@@ -29,7 +29,8 @@ vec3 least_missing(Problem& problem, vec3 x, int& steps) {
     return missing;
 }
 
-/// Slope of the energy along the step, at the fraction t of it, without the term `but` and without smoothing.
+/// Slope of the energy along the step, at the fraction t of it; the term `but`, if any, and active terms do
+/// not count.
 double sharp_slope(const Problem& problem, vec3 x, vec3 step, double t, const Term* but) {
     double slope = glm::dot(problem.stiffness * (x + t * step) - problem.target, step);
     for (const Term& term : terms_of(problem)) {
@@ -42,15 +43,15 @@ double sharp_slope(const Problem& problem, vec3 x, vec3 step, double t, const Te
     return slope;
 }
 
-/// First kink that the step meets between its fractions `low` and `high`; `high` becomes the fraction at the
-/// kink.
+/// First kink (point, line or plane of a primitive) on the step between its fractions `low` and `high`;
+/// `high` becomes the fraction at which the step meets it.
 Term* first_hit(Problem& problem, vec3 x, vec3 step, double low, double& high) {
     Term* result = nullptr;
     const double rounding = rounding_of(world_of(problem, x));
     for (Term& term : terms_of(problem)) {
         const vec3 moved = project(term, step);
         const double square = glm::dot(moved, moved);
-        // A kink at the start of the step does not count: it has just been released.
+        // A kink that x already touches does not count: the step has just left it.
         if (term.active || square == 0 || touches(term, rounding)) continue;
         const double t = -glm::dot(term.distance, moved) / square;
         if (!(t > low && t < high)) continue;
@@ -63,8 +64,8 @@ Term* first_hit(Problem& problem, vec3 x, vec3 step, double low, double& high) {
     return result;
 }
 
-/// Moves x along the step to the place of least energy, at most eight times the step. A kink there becomes
-/// active.
+/// Moves x along the step to the place of least energy, at most eight times the step. A kink there is assumed
+/// to hold x from now on (becomes active).
 void go_down(Problem& problem, vec3& x, vec3 step) {
     const double fall = -sharp_slope(problem, x, step, 0, nullptr);
     double low = 0, high = 8;

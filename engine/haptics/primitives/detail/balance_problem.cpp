@@ -5,13 +5,14 @@
 namespace thaum::haptics::balancing {
 namespace {
 
-/// Factors by PrimitiveKind (directed, point, line, plane): of the constant force, of I and q q^T in the
-/// projector, and of the strength. Tables, because kinds come in any order and branches would be
-/// mispredicted.
+/// For each PrimitiveKind (directed, point, line, plane): factor of the strength in the constant force,
+/// factors of I and q q^T in the projector, and factor of the strength in the term. Tables, because kinds
+/// come in any order and branches would be mispredicted.
 constexpr std::array<double, 4> load_of_kind{1, 0, 0, 0.5}, identity_of_kind{0, 1, 1, 0},
     dyad_of_kind{0, 0, -1, 1}, strength_of_kind{0, 1, 1, 0.5};
 
-/// Fills a term except for its rounding and the values that set_origin computes.
+/// Fills a term (the energy of a primitive with a kink) except for its rounding and the values that
+/// set_origin computes.
 void fill(Term& term, const Primitive& primitive, std::size_t source) {
     const auto kind = static_cast<std::size_t>(primitive.kind);
     // The direction of a point may have any value, so zero replaces it, also without a branch.
@@ -29,7 +30,8 @@ void fill(Term& term, const Primitive& primitive, std::size_t source) {
 /// overflow.
 constexpr double min_strength = 1e-300;
 
-/// Collects the terms: primitives with a kink and strength. Sums the constant forces.
+/// Makes a term of each primitive that has a kink and is not of strength 0. Sums the constant forces of the
+/// others and of planes.
 void take_primitives(Problem& problem, const PrimitiveSet& set) {
     std::size_t source = 0;
     for (const Primitive& primitive : set.items()) {
@@ -96,8 +98,8 @@ Problem problem_of(const PrimitiveSet& set, const Spring& spring) {
     problem.stiffness = spring.stiffness;
     problem.centre = spring.centre;
     take_primitives(problem, set);
-    // Kinks may meet at the world's origin, where a rounding error by the size of coordinates alone would be
-    // zero. The added 1e-30 m prevents this.
+    // Kinks may lie at the world's origin. A rounding error in proportion to the coordinates would be zero
+    // there, so 1e-30 m is added.
     double farthest = 0;
     for (Term& term : terms_of(problem)) {
         const double size = glm::length(term.position);

@@ -28,7 +28,8 @@ struct Term {
     vec3 offset;
     vec3 dual;      ///< y: the term's force is -y; |y| <= strength
     vec3 distance;  ///< m = P x - offset at the x measured last
-    /// Error of a distance from the kink by rounding of the term's position and of the farthest position (m).
+    /// Error of a distance from the kink (m), because this primitive's position and the farthest one of the
+    /// set are rounded.
     double rounding;
     std::size_t source;  ///< index of the primitive in the set
     bool active;         ///< x is assumed to lie on its kink
@@ -100,15 +101,16 @@ inline void limit_dual(Term& term) {
 }
 
 Problem problem_of(const PrimitiveSet& set, const Spring& spring);
-/// Sets the origin (world frame) and the offsets of all terms. The caller updates distances and x.
+/// Sets the origin of the problem's frame (world frame), and with it the offsets of all terms. The caller
+/// updates distances and x.
 void set_origin(Problem& problem, vec3 origin);
-/// Moves the origin to the point nearest to x on the nearest kink, so that small distances have full
-/// precision. Does nothing if the present origin is nearer to x.
+/// Moves the origin of the problem's frame to the point nearest to x on the nearest kink, so that small
+/// distances have full precision. Does nothing if the present origin is nearer to x.
 void move_origin(Problem& problem, vec3& x);
 /// Measures the distance of x from the kink of each term.
 void measure_distances(Problem& problem, vec3 x);
-/// The start with the least energy: `free`, where the spring and the constant forces alone would put x, or
-/// the place nearest to it on one of the kinks.
+/// Place from which the search for the minimum starts: the one with the least energy among `free`, where the
+/// spring and the constant forces alone would put x, and the places nearest to it on each of the kinks.
 vec3 start_of(const Problem& problem, vec3 free);
 
 }  // namespace thaum::haptics::balancing

@@ -17,7 +17,8 @@ void refresh_terms(Problem& problem, vec3 x) {
     }
 }
 
-/// Largest difference between the force of a term and the force that its primitive exerts at x (N).
+/// Largest difference between the force that the search has assigned to a term and the force that its
+/// primitive exerts at x (N). Terms on whose kink x lies do not count: their force is free.
 double worst_misfit(const Problem& problem, vec3 x) {
     const double rounding = rounding_of(world_of(problem, x));
     double worst = 0;
@@ -29,8 +30,8 @@ double worst_misfit(const Problem& problem, vec3 x) {
     return worst;
 }
 
-/// Force by which an active term (on whose kink x is assumed to lie) can still grow (N); 1 % more than exact,
-/// so that it never is zero.
+/// Force that an active term (on whose kink x is assumed to lie) can still add until it reaches its strength
+/// (N); 1 % of the strength more, so that it never is zero.
 double remaining_strength(const Term& term) { return 1.01 * term.strength - glm::length(term.dual); }
 
 /// Sum of all forces at x, which must vanish, and the strength that the active terms have left to cancel it.
@@ -52,7 +53,8 @@ Shortfall shortfall(Problem& problem, vec3 gradient) {
     return result;
 }
 
-/// Adds the missing force to the active terms, in proportion to their remaining strength.
+/// Gives the force that is missing for balance to the active terms, in proportion to the strength that each
+/// has left.
 void distribute(Problem& problem, const Shortfall& missing) {
     Symmetric room = missing.room;
     add_identity(room, 1e-14 * missing.most);
@@ -106,14 +108,14 @@ double duality_bound(Problem& problem, vec3 x) {
         gap += std::max(0.0, term.strength * glm::length(term.distance) - glm::dot(term.dual, term.distance));
     }
     const double bound = std::sqrt(glm::dot(missing, missing) + 2 * problem.stiffness * gap);
-    // The bound may be small although the force of a strong term next to its kink is wrong. That does not
-    // count as solved.
+    // If x is very near the kink of a strong term, the bound may be small although the term's force is wrong.
+    // That does not count as solved.
     return bound <= solved && worst_misfit(problem, x) > solved ? 2 * solved : bound;
 }
 
 void improve_by_dual_ascent(Problem& problem, double accepted, Solution& best, int& steps) {
     constexpr int max_passes = 12;
-    // Number of updates of single terms that cost as much as a Newton step of a full set.
+    // Number of updates of single terms that cost as much as a Newton step of the largest set.
     constexpr std::size_t updates_of_a_pass = 256;
     std::size_t i = 0;
     vec3 sum{};

@@ -1,12 +1,14 @@
-// haptics/primitives/detail/optimality_check.h: step 3 of balance.cpp: checks whether the active kinks can
-// exert the missing force, which the spring and the other terms leave. If so, all forces sum to zero and each
-// is one that its primitive can exert. That holds at the minimum only, however the active set was guessed.
+// haptics/primitives/detail/optimality_check.h: step 3 of balance.cpp: checks whether the primitives on whose
+// kinks x is assumed to lie (the active ones) can cancel the sum of all other forces. If so, all forces sum
+// to zero, and each is one that its primitive can exert. That holds at the minimum only, so x is the
+// solution, however the active ones were guessed.
 #pragma once
 #include "haptics/primitives/detail/active_set.h"
 
 namespace thaum::haptics::balancing {
 
-/// The place with the smallest residual so far, and the forces there.
+/// The place with the smallest bound of the error (residual) that the search has found so far, and the forces
+/// there.
 struct Solution {
     vec3 proxy;  ///< position of the proxy (m, world)
     /// Bound of the error of the force (N, Balance::residual); infinite before the first solution.
@@ -20,20 +22,22 @@ void keep_if_better(Solution& best, const Problem& problem, vec3 x, double resid
 
 /// Largest distance between x and an active kink (m); 0 if x lies on all of them but for rounding.
 double spread_of_active(Problem& problem, vec3 x);
-/// Distributes the missing force over the active terms by their remaining strength, and repeats with the
-/// force that is still missing. Returns the force that no active term can exert (N).
+/// Distributes the force that is missing for balance over the active terms, by the strength that each has
+/// left, and repeats with the force that is still missing. Returns what they cannot exert (N).
 vec3 balance_active(Problem& problem, vec3 x);
-/// The residual at x (N), whichever terms are active. The force of every term becomes the one that its
-/// primitive exerts at x, unless x lies on its kink.
+/// Length of the sum of all forces at x (N), whichever terms are assumed to hold x. The force of every term
+/// becomes the one that its primitive exerts at x, unless x lies on its kink.
 double residual_at(Problem& problem, vec3 x);
-/// Bound of the error with the present forces (N). It follows from two facts: the energy at x is at least
-/// k/2 |x - minimum|^2 above its minimum, and the dual problem's value at these forces is below the minimum.
+/// Bound of the error of x and of the present forces of the terms (N). It follows from two facts: the energy
+/// at x is at least k/2 |x - minimum|^2 above its minimum, and the dual problem's value at these forces is
+/// below the minimum.
 double duality_bound(Problem& problem, vec3 x);
 
-/// Improves the forces of the best solution, and with them its place and residual, for sets on which the
-/// check fails. Each term in turn takes its best force while the others keep theirs: block coordinate ascent
-/// of the dual problem. The proxy is put where the spring balances these forces. So no force is missing, and
-/// only the duality gap (difference of energy and dual value) bounds the error.
+/// Improves the forces of the best solution, and with them its place and its bound of the error. It serves
+/// for sets on which the optimality check fails. Each term in turn takes its best force while the others keep
+/// theirs: block coordinate ascent of the dual problem. The proxy is put where the spring balances these
+/// forces. So no force is missing, and only the duality gap (difference of energy and dual value) bounds the
+/// error.
 void improve_by_dual_ascent(Problem& problem, double accepted, Solution& best, int& steps);
 
 }  // namespace thaum::haptics::balancing

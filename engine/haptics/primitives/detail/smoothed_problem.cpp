@@ -3,7 +3,7 @@
 namespace thaum::haptics::balancing {
 namespace {
 
-/// Slope of the smoothed problem along the step, at the fraction t of it (N m).
+/// Slope of the smoothed energy along the step, at the fraction t of it (N m).
 double slope_along(const Problem& problem, vec3 x, double smoothing, vec3 step, double t) {
     double slope = glm::dot(problem.stiffness * (x + t * step) - problem.target, step);
     for (const Term& term : terms_of(problem)) {
@@ -14,8 +14,8 @@ double slope_along(const Problem& problem, vec3 x, double smoothing, vec3 step, 
     return slope;
 }
 
-/// Fraction of the step between `low` and `high` at which the step passes a kink most closely, because the
-/// slope jumps there. The middle if it passes none.
+/// Fraction of the step to try next, between `low` and `high`: where the step passes nearest to a kink,
+/// because the slope changes quickly there. The middle if it passes none.
 double next_try(const Problem& problem, vec3 step, double low, double high) {
     for (const Term& term : terms_of(problem)) {
         const vec3 moved = project(term, step);
@@ -32,8 +32,9 @@ struct Part {
     bool falls_on = false;  ///< the whole step was taken and the energy still falls at its end
 };
 
-/// Chooses the fraction of the step: the whole step, unless the energy at its end rises more steeply than a
-/// quarter of its fall at the start; then about the fraction up to the least energy.
+/// Chooses the fraction of the step. The whole step is taken, unless the energy rises at its end with more
+/// than a quarter of the slope with which it fell at the start. Then it is about the fraction with the least
+/// energy. `fall` is the slope at the start (N m, negative).
 Part part_of(const Problem& problem, vec3 x, double smoothing, vec3 step, double fall) {
     double low = 0, high = 1, t = 1;
     for (int tries = 0; tries < 24; ++tries) {

@@ -33,7 +33,8 @@ inline vec3 times(const Symmetric& m, vec3 v) {
             m.xz * v.x + m.yz * v.y + m.zz * v.z};
 }
 
-/// Solves M x = b by L D L^T. A pivot below `least` is rounding error and is replaced by `least`.
+/// Solves M x = b by L D L^T. A pivot (element of D) below `least` is taken for a rounding error and replaced
+/// by `least`.
 inline vec3 solve(const Symmetric m, vec3 b, double least) {
     const double d0 = 1 / std::max(m.xx, least);
     const double l10 = m.xy * d0, l20 = m.xz * d0;

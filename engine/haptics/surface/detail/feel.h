@@ -1,4 +1,5 @@
-// haptics/surface/detail/feel.h: depth of the tip behind a textured wall, and the force of all walls.
+// haptics/surface/detail/feel.h: depth of the tip behind a textured wall (a plane at a touched surface), and
+// the force of all walls on the hand.
 #pragma once
 #include <array>
 
@@ -14,15 +15,16 @@ struct TexturedPush {
 
 TexturedPush textured_push(const Scene& scene, const Wall& wall, vec3 x);
 
-/// Share of a wall in the force on the hand.
+/// Part of the force on the hand that one wall exerts.
 struct Share {
     vec3 force{};    ///< part of the force on the hand by this wall (N)
     double depth{};  ///< depth of the tip behind the wall that the hand feels, texture included (m)
 };
 using Shares = std::array<Share, max_walls>;
 
-/// Computes the force on the hand (N). Each wall's share is the force of its own push, plus a part of
-/// friction and damping, which belong to all walls together, in proportion to its depth.
+/// Computes the force on the hand (N), and each wall's share of it. A share is the force of the wall's own
+/// push plus a part of friction and damping. These belong to all walls together, and are divided in
+/// proportion to depth.
 vec3 force_of(const Scene& scene, const SlideState& slide, const SurfaceTip& tip, Shares& shares);
 
 }  // namespace thaum::haptics

@@ -7,7 +7,8 @@
 namespace thaum::haptics {
 namespace {
 
-// Distance by which a touched triangle may move in a tick although its body's velocity does not show it (m).
+// Distance by which a touched triangle may move over the proxy in a tick beyond what its body's velocity
+// explains (m).
 constexpr double resting_slack = 5e-4;
 constexpr int max_pushes = 4;
 
@@ -19,8 +20,8 @@ bool was_touched(const Scene& scene, const SurfaceState& state, std::uint32_t i)
     return false;
 }
 
-/// Whether a flat surface moved over the proxy, which was in front of it before. A touched surface also
-/// counts if it moved slightly more than its velocity says.
+/// Whether a flat surface moved over the proxy, which was in front of it before. A touched triangle also
+/// counts if it moved slightly farther than its body's velocity says. `wall` becomes the surface's plane.
 bool moved_over(const Scene& scene, const SurfaceState& state, const Facet& flat, vec3 from, vec3 x,
                 Wall& wall) {
     if (from != x) {
@@ -38,7 +39,7 @@ bool moved_over(const Scene& scene, const SurfaceState& state, const Facet& flat
            over_triangle(scene.surface(flat.surface), flat.normal, x, place_tolerance);
 }
 
-/// Whether a solid moved over the proxy, so that the proxy must leave it.
+/// Whether a solid moved over the proxy, so that the proxy must leave it. `wall` becomes its tangent plane.
 bool moved_over(const Scene& scene, std::uint32_t i, vec3 from, vec3 x, Wall& wall) {
     if (from != x) {
         Hit hit;

@@ -4,7 +4,7 @@
 
 namespace thaum::haptics {
 
-/// Position to which the most loaded body of the last tick carries the proxy (m).
+/// Position to which the body on which the proxy pressed most in the last tick carries it (m).
 vec3 carried(const Scene& scene, const SurfaceState& state);
 
 /// Position of the proxy after the bodies' motion, outside all of them (m). If two bodies close on it, the

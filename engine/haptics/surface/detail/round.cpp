@@ -11,14 +11,16 @@ namespace {
 
 // ---- pieces of surfaces -----------------------------------------------------------------------------------
 
-/// Smooth part of a surface: a plane, or all places at one distance from a point or a line.
+/// Smooth part of a surface: a plane, or all places at one distance from a point or a line (its core).
 struct Piece {
     enum class Kind : std::uint8_t { plane, about_point, about_line } kind{};
     /// Part of the solid: -1, 0 and 1 are the lower end, the side and the upper end of a capsule.
     int zone{};
     vec3 centre{};    ///< a point of the core, which is the centre or the axis of a round piece (m)
     vec3 axis{};      ///< direction of the line, or normal of the plane (unit)
-    double radius{};  ///< distance of the proxy from the core, gap included; for a plane its offset (m)
+    /// Distance of a proxy on the piece from the core, with the gap that it keeps; for a plane its offset
+    /// (m).
+    double radius{};
 };
 
 constexpr int not_round = 2;  // zone of the flat parts and edges of a solid
@@ -68,7 +70,7 @@ Distance distance_to(const Piece& piece, vec3 y) {
     return {length - piece.radius, length > 0 ? out / length : vec3(0, 1, 0)};
 }
 
-/// Second derivative of the distance from a piece, along a tangent of the piece (1/m).
+/// Second derivative of the distance from a piece of surface, in the direction of one of its tangents (1/m).
 double bend_along(const Piece& piece, vec3 y, vec3 tangent) {
     if (piece.kind == Piece::Kind::plane) return 0;
     const double along = piece.kind == Piece::Kind::about_line ? glm::dot(piece.axis, tangent) : 0;
@@ -77,14 +79,15 @@ double bend_along(const Piece& piece, vec3 y, vec3 tangent) {
 
 // ---- paths ------------------------------------------------------------------------------------------------
 
-/// Path along one or two pieces, from 0 at the proxy to 1 at the goal.
+/// Path of the proxy along one piece of surface, or along the curve in which two meet. Its parameter goes
+/// from 0 at the proxy to 1 at the goal.
 struct Path {
     std::array<Piece, 2> pieces{};
     std::size_t count{};
     /// For two pieces: start and displacement of a straight line (m). Each place of the path is a place of
     /// this line, moved onto both pieces.
     vec3 from{}, way{};
-    bool has_end{};  ///< for two pieces: true if `end` is known
+    bool has_end{};  ///< for two pieces: true if `end` is the place at parameter 1
     vec3 end{};      ///< for two pieces: last place (m)
     /// Point of the core (centre or axis of the piece) nearest to the tip (m). This field and those below are
     /// for one piece.
@@ -96,7 +99,8 @@ struct Path {
     double ratio{};     ///< distance of the tip from the core divided by that of the proxy
 };
 
-/// Moves y onto both pieces, each time along the shortest displacement to their tangent planes.
+/// Moves y to the curve in which two pieces of surface meet, by repeated shortest displacements to the
+/// intersection of their tangent planes. Returns false if it finds no such place.
 bool onto_both(const std::array<Piece, 2>& pieces, vec3& y) {
     constexpr int max_steps = 12;
     constexpr double parallel = 1e-12;
@@ -113,7 +117,8 @@ bool onto_both(const std::array<Piece, 2>& pieces, vec3& y) {
     return false;
 }
 
-/// Place on a path, s from 0 to 1. Returns false if the two pieces do not meet there.
+/// Sets y to the place of a path at the parameter s, 0 to 1. Returns false if the path lies on two pieces and
+/// they do not meet there.
 bool place_on(const Path& path, double s, vec3& y) {
     if (path.count == 2) {
         y = path.from + s * path.way;
@@ -130,9 +135,11 @@ bool place_on(const Path& path, double s, vec3& y) {
     return true;
 }
 
-/// Path of steepest descent to the place on one piece that is nearest to the tip.
+/// Path on one piece of surface to its place nearest to the tip, by steepest descent of the distance to the
+/// tip.
 Path path_on_one(const Piece& piece, vec3 x, vec3 tip) {
-    // Sine of the angle between proxy and tip below which the pull has no direction round the core.
+    // Sine of the angle about the core between proxy and tip below which the proxy is pulled neither way
+    // round it.
     constexpr double opposite = 1e-15;
     Path path{.pieces = {piece}, .count = 1};
     const double height =
@@ -155,11 +162,11 @@ Path path_on_one(const Piece& piece, vec3 x, vec3 tip) {
     return path;
 }
 
-/// Newton's step along the curve in which two pieces meet, towards the place where the pull has no component
-/// along the curve.
+/// Path along the curve in which two pieces of surface meet: a Newton step towards the place where the pull
+/// to the tip has no component along the curve.
 Path path_on_two(const Piece& a, const Piece& b, vec3 x, vec3 tip, vec3 direction) {
-    // Smallest second derivative with which the step is computed, relative to that of a straight curve. A
-    // smaller one would make the step too long.
+    // Smallest second derivative of the energy along the curve with which the step is computed, where a
+    // straight curve has 1. A smaller one would make the step too long.
     constexpr double flattest = 1e-3;
     Path path{.pieces = {a, b}, .count = 2, .from = x};
     const vec3 na = distance_to(a, x).normal, nb = distance_to(b, x).normal;
@@ -182,11 +189,11 @@ Path path_on_two(const Piece& a, const Piece& b, vec3 x, vec3 tip, vec3 directio
 
 // ---- where a path ends ------------------------------------------------------------------------------------
 
-/// Loads of the walls that hold the proxy on a path, given as lengths: with one stiffness, forces are in
-/// proportion to them.
+/// How the walls (planes at the touched surfaces) hold the proxy at a place of a path. Forces are given as
+/// lengths: with one stiffness, they are in proportion.
 struct Loads {
-    double least{};   ///< smallest depth of a wall; at zero the wall releases the proxy (m)
-    double pull{};    ///< pull along the walls (m)
+    double least{};   ///< smallest depth of the tip behind a wall; at zero the wall releases the proxy (m)
+    double pull{};    ///< pull of the tip on the proxy along the walls (m)
     double excess{};  ///< part of the pull that friction does not hold (m)
 };
 
@@ -215,14 +222,14 @@ struct Track {
     }
 };
 
-/// Push of a wall at a place of a path.
+/// Push of a wall (plane at a touched surface) on the proxy at a place of a path.
 struct WallLoad {
     vec3 normal{};
     double depth{};  ///< depth of the tip behind the wall (m)
 };
 using WallLoads = std::array<WallLoad, 2>;
 
-/// Loads of the walls at the place y of a path. Two walls share the displacement by which both together push
+/// Push of each wall at the place y of a path. Two walls share the displacement by which both together hold
 /// the proxy away from the tip.
 WallLoads wall_loads(const Path& path, vec3 y, vec3 pull) {
     WallLoads walls;
@@ -239,7 +246,7 @@ WallLoads wall_loads(const Path& path, vec3 y, vec3 pull) {
     return walls;
 }
 
-/// Largest pull along the walls at which friction holds the proxy at the place y (m).
+/// Largest pull along the walls, given as a length, at which friction holds the proxy at the place y (m).
 double reach_of_friction(const Track& track, const WallLoads& loads, vec3 y) {
     if (!track.textured) {
         double reach = 0;
@@ -306,8 +313,8 @@ double fails_at(const Condition& condition, double end) {
     return first;
 }
 
-/// First place on the path between `from` and `to` where the walls release the proxy or friction holds it;
-/// `to` if there is none. At `from`, with the loads `start`, neither happens.
+/// First place on the path between the parameters `from` and `to` where a wall releases the proxy or friction
+/// holds it; `to` if there is none. At `from`, with the loads `start`, neither happens.
 double hold_between(const Track& track, double from, const Loads& start, double to) {
     constexpr double exact = 1e-16;
     double end = to;
@@ -324,8 +331,8 @@ double hold_between(const Track& track, double from, const Loads& start, double 
                         {end, loads.excess}, if_straight, 0.5 * place_tolerance);
 }
 
-/// Whether a path turns by a large angle up to the place `end`. Walls or friction may then release the proxy
-/// and hold it again on the way.
+/// Whether a path turns by a large angle up to the parameter `end`. On the way, walls or friction may then
+/// release the proxy and hold it again, which a look at both ends alone would miss.
 bool is_long(const Path& path, double end) {
     constexpr double far = 0.1;  // angle that counts as large (rad)
     if (path.count == 1) return path.half_tan > 1 && path.axial != 0;
@@ -335,8 +342,8 @@ bool is_long(const Path& path, double end) {
     });
 }
 
-/// First place of the path where the walls release the proxy or friction holds it; 1, its end, if there is
-/// none. A long path is examined again, in parts.
+/// First place of the path, by its parameter, where a wall releases the proxy or friction holds it; 1, its
+/// end, if there is none. A path that turns far is examined again, in parts.
 double hold_at(const Track& track, const Loads& start) {
     constexpr int parts = 8;
     const double last = hold_between(track, 0, start, 1);
@@ -353,7 +360,7 @@ double hold_at(const Track& track, const Loads& start) {
     return last;
 }
 
-/// Whether all walls are on the same piece of their surface at a place as at the start of the path.
+/// Whether each wall, at a place of the path, is on the same smooth piece of its surface as at the start.
 bool on_its_pieces(const Track& track, double s) {
     const vec3 y = track.at(s);
     for (std::size_t i = 0; i < track.walls->count; ++i) {
@@ -366,9 +373,10 @@ bool on_its_pieces(const Track& track, double s) {
     return true;
 }
 
-/// Place where a path leaves its pieces. Round an edge of a body, the surface on which the proxy moves is an
-/// arc as wide as the gap. A path that starts on this arc continues beyond it, along tangent planes that have
-/// the whole of each body behind them. Otherwise the proxy would hang on the edge.
+/// Place where a path leaves the smooth pieces of surface on which it began. The proxy keeps a tiny gap from
+/// a body, so round an edge it moves on an arc whose radius is that gap. A path that starts on this arc
+/// continues beyond it, along tangent planes that have the whole of each body behind them. Otherwise the
+/// proxy would hang on the edge.
 double end_of_pieces(const Track& track, double end) {
     constexpr double over_an_edge = 5 * surface_gap;  // length by which the path continues (m)
     const double last = fails_at([&](double s) { return on_its_pieces(track, s); }, end);
@@ -386,8 +394,8 @@ bool within_reach(const Track& track, double s) {
 
 // ---- the sweep --------------------------------------------------------------------------------------------
 
-/// Vector out of the surface at y, whose component along the normal of each piece is 1; less in a very sharp
-/// crease.
+/// Vector out of the surfaces at y, whose component along the normal of each surface is 1, or less in a very
+/// sharp crease.
 vec3 outward(const Path& path, vec3 y) {
     constexpr double steepest = 0.1;
     const vec3 a = distance_to(path.pieces[0], y).normal;
@@ -424,24 +432,25 @@ Tangents tangents_between(const Track& track, double from, vec3 a, double to) {
     return {a, apex, b, std::max(glm::length(apex - a), glm::length(b - a))};
 }
 
-/// First obstacle on the two tangents that stand for a part of a path.
+/// First other surface on the two tangents that stand for a curved part of a path.
 Obstacle obstacle_on(const Scene& scene, const Tangents& tangents, SurfaceSet passed_over) {
     const vec3 apex = tangents.apex;
     const Obstacle first = obstacle_on(scene, Sweep(tangents.from, apex - tangents.from), passed_over);
     return first.met ? first : obstacle_on(scene, Sweep(apex, tangents.to - apex), passed_over);
 }
 
-/// Whether the patch has no surfaces except those of the walls.
+/// Whether the patch (all surfaces near the tip) has no surfaces except those that the walls belong to.
 bool alone(const Scene& scene, const Walls& walls) {
     return scene.flat_count + scene.solid_count == walls.count;
 }
 
-/// Moves along a path up to a place or to the first obstacle. If the tangents meet a surface, the path itself
-/// may still pass beneath it. So that part of the path is halved until its tangents are free, or until it is
-/// so short that the surface counts as an obstacle. After each free part, the next one is twice as long. From
-/// the second part on, only surfaces that are near enough are swept. The move ends when no sweeps are left.
+/// Moves along a path up to the parameter `end` or to the first other surface. Parts of the curved path are
+/// tested by two tangents each. If these meet a surface, the path itself may still pass beneath it. So the
+/// part is halved until its tangents are free, or until it is so short that the surface counts as met. After
+/// each free part, the next one is twice as long. From the second part on, only surfaces that are near enough
+/// are tested. The move also ends when the tick has no sweeps (tests of single surfaces) left.
 Obstacle travel(const Track& track, double end, int& sweeps_left) {
-    // Shortest part of the path whose tangents are tried (m). On a radius of 1 mm, such tangents are within
+    // Shortest part of the path that is halved further (m). On a radius of 1 mm, such tangents are within
     // 1e-15 m of the path.
     constexpr double shortest = 1e-9;
     constexpr int max_parts = 200;
@@ -491,14 +500,14 @@ Track track_of(const Scene& scene, const Walls& walls, vec3 x, const RoundGoal& 
     return track;
 }
 
-/// Drops the wall with the smallest depth.
+/// Removes the wall with the smallest depth, which holds the proxy least.
 void min_drop(Walls& walls) {
     if (walls.count == 2 && walls.items[0].depth < walls.items[1].depth) walls.items[0] = walls.items[1];
     --walls.count;
 }
 
-/// Moves the proxy to the corner of three walls, which leave it no other freedom. The displacement is
-/// rounding, or a Newton step towards the corner of round walls.
+/// Moves the proxy to the corner of three walls, where it cannot move otherwise. The displacement is only
+/// rounding, or a Newton step towards the corner if a surface is round.
 RoundEnd step_to_corner(const Scene& scene, SlideState& slide, vec3 corner) {
     const Sweep way(slide.x, corner - slide.x);
     const Hit hit = first_hit(scene, way);
@@ -507,8 +516,9 @@ RoundEnd step_to_corner(const Scene& scene, SlideState& slide, vec3 corner) {
     return way.length * std::min(hit.at, 1.0) > place_tolerance ? RoundEnd::moved : RoundEnd::rests;
 }
 
-/// Adds the wall of a surface at which the proxy already stands on its way to `tangent`. The wall must be
-/// known before the path is computed. Returns false if there is none.
+/// Adds a wall if the proxy stands at one more surface that blocks its way to `tangent`: the path has to
+/// follow this surface too, so the wall must be known before the path is computed. Returns false if there is
+/// none.
 bool add_blocking(const Scene& scene, SlideState& slide, vec3 tangent) {
     if (alone(scene, slide.walls)) return false;
     const Sweep ahead(slide.x, tangent - slide.x);

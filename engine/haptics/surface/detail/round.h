@@ -20,19 +20,19 @@
 
 namespace thaum::haptics {
 
-/// Whether one of the walls is the tangent plane of a round surface.
+/// Whether one of the walls (planes at the touched surfaces) is the tangent plane of a round surface.
 bool is_round(const Scene& scene, const Walls& walls, vec3 x);
 
-/// Turns the walls of round surfaces to their tangent planes at x. If there are round walls, drops all walls
-/// whose surface does not reach x, unless the proxy met them there. `moved`: the last move has changed the
-/// proxy's place.
+/// Turns the walls of round surfaces to their tangent planes at x. If there are such walls, removes all walls
+/// whose surface does not reach x, unless the proxy has just met it there. `moved`: the last move has changed
+/// the proxy's place.
 void refresh_round(const Scene& scene, Walls& walls, vec3 x, bool moved);
 
 enum class RoundEnd : std::uint8_t { rests, moved, limited };
 
 struct RoundGoal {
     vec3 tip{};          ///< position of the tip (m)
-    vec3 tangent{};      ///< place nearest to the tip in front of the walls' tangent planes (m)
+    vec3 tangent{};      ///< place nearest to the tip that is in front of all tangent planes (m)
     bool was_sliding{};  ///< the proxy slid in the last tick
 };
 

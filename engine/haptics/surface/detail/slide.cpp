@@ -8,9 +8,9 @@ namespace {
 
 constexpr int max_moves = 32;
 
-/// Ends a slide that has used up its moves or has reached the end of the patch's reach. If no wall is left,
-/// the last walls that held the proxy stay, so that the force does not vanish only because the slide ended
-/// early.
+/// Ends a slide that has used up its moves, or has reached the end of the space whose surfaces are known. If
+/// no wall (plane at a touched surface) is left, the last walls that held the proxy stay: otherwise the force
+/// would vanish only because the slide ended early.
 void settle(const Scene& scene, SlideState& slide, vec3 tip, const Walls& held) {
     if (is_round(scene, slide.walls, slide.x)) {
         refresh_round(scene, slide.walls, slide.x, false);

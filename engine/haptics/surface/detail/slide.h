@@ -4,7 +4,8 @@
 
 namespace thaum::haptics {
 
-/// Moves from contact to contact until no place is nearer to the tip, or friction holds the proxy.
+/// Moves the proxy from contact to contact until no place that it can reach is nearer to the tip, or friction
+/// holds it.
 SlideState slide_to(const Scene& scene, vec3 start, vec3 tip, bool was_sliding);
 
 }  // namespace thaum::haptics

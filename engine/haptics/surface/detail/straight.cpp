@@ -31,8 +31,8 @@ vec3 held_back(const Scene& scene, const SlideState& slide, vec3 goal, bool slid
 }
 
 /// First surface on the path, if the proxy already stands at it. This is for a proxy at the end of the
-/// patch's reach, which cannot move on to meet the surface. Without it, the force would end where the patch
-/// ends.
+/// patch's reach (the sphere whose surfaces are known), which cannot move on to meet the surface. Without it,
+/// the force would end where the reach ends.
 Hit hit_at_reach(const Scene& scene, const SlideState& slide, vec3 way) {
     const Sweep ahead(slide.x, way);
     Hit hit = first_hit(scene, ahead);

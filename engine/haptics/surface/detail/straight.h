@@ -7,7 +7,8 @@ namespace thaum::haptics {
 
 enum class Straight : std::uint8_t { met_a_wall, arrived, limited };
 
-/// Moves straight towards the goal until a surface, friction or the patch's reach stops the proxy.
+/// Moves straight towards the goal until a surface, friction, or the end of the space whose surfaces are
+/// known stops the proxy.
 Straight go_straight(const Scene& scene, SlideState& slide, vec3 goal, bool was_sliding);
 
 }  // namespace thaum::haptics

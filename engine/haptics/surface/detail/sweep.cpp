@@ -42,8 +42,9 @@ void sweep_flat(const Scene& scene, const Facet& flat, const Sweep& path, Hit& f
     first = {at, drop, {normal, offset + flat.gap, 0, flat.surface}};
 }
 
-/// Advances the point again and again to the tangent plane at the nearest point of the convex shape. The
-/// whole shape lies behind that plane, so each advance is safe.
+/// Finds the hit of a moving point on a convex shape. The point advances again and again to the tangent plane
+/// at the nearest point of the shape. The whole shape lies behind that plane, so no advance passes through
+/// it.
 void sweep_solid(const Scene& scene, std::uint32_t i, const Sweep& path, Hit& first) {
     if (scene.beyond(i, path.from, path.length)) return;
     const Surface& s = scene.surface(i);
@@ -76,8 +77,9 @@ Hit first_hit(const Scene& scene, const Sweep& path, SurfaceSet passed_over) {
 }
 
 SurfaceSet Clearances::beyond(const Scene& scene, vec3 from, double distance) {
-    constexpr double stale = 4;  // farthest place, as a multiple of `distance`, whose measurements are still
-                                 // used
+    // Distance to the place of the last measurement, as a multiple of `distance`, up to which that
+    // measurement still serves.
+    constexpr double stale = 4;
     double off = glm::length(from - place_);
     if (!(off <= stale * distance)) {
         measure(scene, from);

@@ -14,7 +14,7 @@ struct Sweep {
 
 struct Hit {
     double at{2};   ///< fraction of the path; above 1: nothing is met
-    double drop{};  ///< component of the path against the wall (m)
+    double drop{};  ///< component of the path against the normal of the hit surface (m)
     Wall wall{};
 };
 
@@ -26,11 +26,11 @@ constexpr SurfaceSet only(std::uint32_t surface) { return SurfaceSet{1} << surfa
 void sweep_flat(const Scene& scene, const Facet& flat, const Sweep& path, Hit& first);
 void sweep_solid(const Scene& scene, std::uint32_t solid, const Sweep& path, Hit& first);
 
-/// First hit of all surfaces except those in `passed_over`.
+/// First hit of a path on all surfaces except those in `passed_over`.
 Hit first_hit(const Scene& scene, const Sweep& path, SurfaceSet passed_over = 0);
 
-/// Finds surfaces that are too far away to be met. Distances measured at one place serve for the paths near
-/// it.
+/// Finds surfaces that are too far away for a path to meet them. Distances measured at one place serve for
+/// all paths near it, which saves time.
 class Clearances {
 public:
     /// Surfaces that no path meets while it stays within `distance` (m) of a place.

@@ -20,8 +20,8 @@ struct ActiveSet {
     std::size_t count{};
 };
 
-/// Whether all walls of the set push the proxy away from the tip, and the place where they hold it is behind
-/// no other wall. `place` becomes that place.
+/// Whether these walls alone hold the proxy: each of them pushes it away from the tip, and the place where
+/// they hold it is behind no other wall. `place` becomes that place.
 bool holds(const Walls& walls, const ActiveSet& active, vec3 tip, double slack, vec3& place) {
     place = tip;
     unsigned used = 0;  // one bit for each wall

@@ -1,5 +1,5 @@
 // haptics/surface/detail/walls.h: planes that hold the proxy, the place in front of all of them that is
-// nearest to the tip, and the reach of their friction.
+// nearest to the tip, and the pull up to which their friction holds.
 #pragma once
 #include "haptics/surface/detail/scene.h"
 
@@ -23,7 +23,8 @@ struct Walls {
     std::size_t count{};
 };
 
-/// Tangent plane of a surface, moved out by the gap. `d` is the distance of p from the surface `i`.
+/// Tangent plane of the surface `i` near p, moved out by the gap that the proxy keeps. `d` is the distance of
+/// p from the surface.
 inline Wall wall_at(const Scene& scene, vec3 p, Distance d, std::uint32_t i) {
     return {d.normal, glm::dot(d.normal, p) - d.value + scene.gap[i], 0, i};
 }
@@ -65,24 +66,25 @@ NearestPlace nearest_place(Walls& walls, vec3 tip);
 /// With one stiffness, forces are in proportion to lengths.
 double friction_reach(const Scene& scene, const Walls& walls, vec3 x, bool sliding);
 
-/// Whether a wall still exists at the proxy, which may have moved round an edge.
+/// Whether the surface of a wall (a plane that holds the proxy) still is at the proxy, which may have moved
+/// past an edge.
 bool stands(const Scene& scene, const Wall& wall, vec3 x);
 
-/// Whether all walls stand at the proxy.
+/// Whether the surfaces of all walls still are at the proxy.
 bool all_stand(const Scene& scene, const Walls& walls, vec3 x);
 
-/// Sorts the walls by depth, the deepest first. There are at most four.
+/// Sorts the walls by the depth of the tip behind them, the deepest first. There are at most four.
 void most_loaded_first(Walls& walls);
 
 /// State of the proxy on its path to the tip.
 struct SlideState {
     vec3 x{};       ///< position of the proxy (m)
     Walls walls{};  ///< walls that hold it there
-    /// Sweeps against single surfaces that paths on round bodies may still make in this tick. They bound the
-    /// time that a tick takes.
+    /// Number of sweeps (tests of a path against one surface) that the proxy's motion on round bodies may
+    /// still make in this tick. It bounds the time that a tick takes.
     int sweeps_left{2400};
     bool slid{};     ///< the proxy has moved along a wall
-    bool limited{};  ///< the end of the patch's reach held the proxy
+    bool limited{};  ///< the proxy was held at the end of the space whose surfaces are known
 };
 
 }  // namespace thaum::haptics

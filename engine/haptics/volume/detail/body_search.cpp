@@ -9,14 +9,14 @@
 namespace thaum::haptics {
 namespace {
 
-/// First distances from the start at which a search along the normal reads the field (samples). After them it
-/// reads at every half sample.
+/// Distances from its start at which a search for the surface reads the field first (in distances between
+/// samples). After them it reads at every half sample.
 constexpr std::array<double, 2> first_looks{0.1, 0.5};
 constexpr double look_samples = 0.5;
 constexpr int max_looks = 16;
-/// Largest distance between the start of a search and the surface that it finds at which the direction read
-/// at the start serves for that surface, too (samples). At larger distances, the tangent would put the plane
-/// of a thin sheet at changing places. `same_slope_apart` applies where the drawn surface (of the samples in
+/// Largest distance between the start of a search and the surface that it finds at which the normal read at
+/// the start serves for that surface, too (samples). With a larger one, the plane of a thin sheet would
+/// change its place from tick to tick. `same_slope_apart` applies where the drawn surface (of the samples in
 /// the picture) and the smooth surface (of the smoothed field) lie apart.
 constexpr double same_slope = 0.5, same_slope_apart = 0.02;
 /// Distance between drawn and smooth surface at which they count as apart (samples).
@@ -24,41 +24,43 @@ constexpr double apart = 0.25;
 /// Largest distance between the drawn and the smooth surface that comes from the small steps which samples
 /// make in a surface (samples; body_search.h). A larger distance means a thin sheet or a cut face.
 constexpr double max_search_step = 0.5;
-/// Largest distance between the drawn surface and the plane that stands for it: as a share of the tip's
-/// depth, and in samples. Both limits apply.
+/// Largest distance that is wanted between the drawn surface and the plane by which it is felt: as a share of
+/// the tip's depth, and in samples. Both limits apply.
 constexpr double depth_share = 0.3, max_eased = 0.5;
-/// How far from the drawn surface a plane may be that lags behind because of the slew (LevelSurface::slew):
-/// as shares of the tip's depth, for a plane that rises and for one that sinks, and in samples along the
-/// normal.
+/// Largest distance from the drawn surface of a plane that lags behind because it may move only by
+/// LevelSurface::slew in a tick. It is given as shares of the tip's depth, for a plane that rises and for one
+/// that sinks, and in samples along the normal.
 constexpr double rising_share = 0.88, sinking_share = 8, max_late = 1;
 /// Smallest share of the slew (largest motion of a plane in a tick) by which a plane may always move. The
 /// tip's motion against the plane, which changes the force too, takes the rest of the slew.
 constexpr double min_slew = 0.25;
-/// Depth of the tip behind the surface of the smoothed field (samples along the normal). At less depth, a
-/// step in the drawn surface on the tip's way may put the tip outside of the body, so that the plane lets it
-/// go.
+/// Depth of the tip behind the surface of the smoothed field up to which the way ahead is examined (samples
+/// along the normal). At less depth, a step in the drawn surface on the tip's way may put the tip outside of
+/// the body, and the force would end at once.
 constexpr double let_go = 0.75;
-/// Depth in the body that the tip must keep on its way ahead, as a share of the height of its plane above it.
-/// It is more than the sinking plane needs, since the reads ahead may miss the top of a step.
+/// Depth in the drawn body that the tip must keep on its way ahead, as a share of the height of its plane
+/// above it. It is more than the plane needs to sink in time, since the reads ahead may miss the top of a
+/// step.
 constexpr double depth_ahead = 0.45;
-/// Distance between two reads of the field on the way ahead (samples), their largest number, and the shortest
-/// way that is examined (samples).
+/// Distance between two reads of the field on the tip's way ahead (samples), their largest number, and the
+/// shortest way that is examined (samples).
 constexpr double look_ahead = 0.25, max_looks_ahead = 32, min_ahead = 0.01;
-/// Largest motion of a tip in a tick for which the way ahead is computed (m). With a larger one, the plane
-/// would sink long before most steps.
+/// Largest motion of a tip in a tick with which the way ahead is computed (m). With a larger one, the way
+/// would be so long that the plane sinks far too early before most steps.
 constexpr double max_motion = 5e-5;
-/// Distance below the tip at which a free place means that the tip leaves a sheet through its back (samples
-/// along the normal).
+/// Distance below the tip at which the field is read (samples along the normal). If that place is outside of
+/// the body, the tip is near the back of a thin sheet, and leaves it there.
 constexpr double ground_below = 0.5;
 /// Distances by which a plane may sink in a tick before the tip reaches a step in the drawn surface, as
 /// multiples of the slew. They are tried from the smallest on. `still_felt` is the share of the tip's depth
 /// that the hand must still feel while the plane sinks.
 constexpr std::array<double, 3> early{0, 1, 1.5};
 constexpr double still_felt = 0.01;
-/// Distance from the place of the first plane up to which the proxy's landing place counts as beside it
-/// (samples).
+/// Distance between the place of the first plane and the proxy's landing place up to which one step of the
+/// samples may explain that the landing place is in the body (samples).
 constexpr double beside_samples = 0.25;
-/// Depth from which on a landing place counts as inside the body, and accuracy of a found place (m).
+/// Depth from which on the place where the proxy would land counts as inside the body, and accuracy with
+/// which a place on the surface is found (m).
 constexpr double min_depth = 1e-7, accurate = 1e-10;
 
 double look_at(int i) {
@@ -72,7 +74,8 @@ double fading(double x) {
     return 1 - t * t * (3 - 2 * t);
 }
 
-/// Part of a straight way that lies in the box, by the shares of the way at its ends. Empty if from > to.
+/// Part of a straight way that lies in the box of the samples, from and to as shares of the way. Empty if
+/// from > to.
 struct Part {
     double from{}, to{1};
 };
@@ -103,8 +106,8 @@ double way_to_end(vec3 place, vec3 along, vec3 half) {
     return std::max(length, 0.0);
 }
 
-/// Value at a place (in samples), linear between samples. Samples that are not finite count as a picture
-/// shows them.
+/// Value at a place (in samples), linear between samples. A sample that is not finite has the value with
+/// which the picture shows it.
 double shown_value(const field::SampleBox& box, vec3 at) {
     const field::Grid& grid = box.drawn;
     double sum = 0;
@@ -150,7 +153,7 @@ vec3 BodySearch::to_reader(vec3 place) const {
 vec3 BodySearch::to_samples(vec3 place) const { return per_scale_ * place + box_.middle; }
 
 bool BodySearch::in_box(vec3 place) const {
-    // Rounding between frames must not put a place on a face of the box outside of it.
+    // A place on a face of the box must count as inside although conversion between frames has rounded it.
     const double slack = 1e-9 * fine_;
     return std::abs(place.x) <= half_.x + slack && std::abs(place.y) <= half_.y + slack &&
            std::abs(place.z) <= half_.z + slack;
@@ -206,8 +209,8 @@ std::optional<BodySearch::Slope> BodySearch::slope_at(vec3 place) {
     return fine;
 }
 
-/// Turns a direction out of the body towards the normals of near faces of the box. `depth` is the depth of
-/// the place behind the surface of the smooth field (m).
+/// Turns a direction out of the body towards the normals of near faces of the sample box, since the body ends
+/// there. `depth` is the depth of the place behind the surface of the smooth field (m).
 vec3 BodySearch::at_box(vec3 out, double depth, vec3 place) const {
     vec3 face(0);
     int nearest = 0;
@@ -225,8 +228,8 @@ vec3 BodySearch::at_box(vec3 out, double depth, vec3 place) const {
     return alone;
 }
 
-/// The direction out of the body at a place in the box; std::nullopt if neither the field nor a face gives
-/// one.
+/// The direction out of the body at a place in the sample box; std::nullopt if neither the field nor a near
+/// face of the box gives one.
 std::optional<BodySearch::Way> BodySearch::way_out(vec3 place) {
     const auto slope = slope_at(place);
     const double length = slope ? glm::length(slope->up) : 0;
@@ -242,8 +245,9 @@ double BodySearch::sample_along(vec3 out) const { return glm::length(out / sampl
 
 // ---- searching --------------------------------------------------------------------------------------------
 
-/// The place where the straight line of a bracket crosses the surface, by regula falsi: if one end of the
-/// bracket stays in place twice, its value is halved.
+/// The place where the straight line between the ends of a bracket crosses the surface, by regula falsi. If
+/// one end stays in place twice, its value is halved (Illinois method), because the search would otherwise
+/// converge slowly.
 vec3 BodySearch::crossing(Bracket b, double accuracy) {
     const bool from_solid = is_solid(b.at_from);
     double low = 0, high = 1, at_low = b.at_from, at_high = b.at_to, t = 0;
@@ -260,7 +264,7 @@ vec3 BodySearch::crossing(Bracket b, double accuracy) {
         (side < 0 ? at_low : at_high) = here;
         if (side == last) (side < 0 ? at_high : at_low) *= 0.5;
         last = side;
-        // The chord through both ends of the bracket tells how far the place may still be off.
+        // The straight line through the values at both ends tells how far the place may still be off.
         if (std::abs(here) * (high - low) * length <= accuracy * std::abs(at_high - at_low)) break;
     }
     return glm::mix(b.from, b.to, t);
@@ -284,10 +288,10 @@ BodySearch::Found BodySearch::found_at(vec3 place, vec3 start, const Way& way) {
     return {place, {way.out, way.gradient, smooth}};
 }
 
-/// Whether the tip at `target`, if it moves on along the surface, stays deep enough in the body while its
-/// plane sinks by the slew in every tick. `depth` is the tip's depth, `height` the height of the plane above
-/// the tip (m). Also true for a tip at rest, and for one near the back of a sheet, where a free place ahead
-/// is no step.
+/// Whether the tip at `target`, if it moves on along the surface, stays deep enough in the body for its plane
+/// to sink to it at LevelSurface::slew in a tick. `depth` is the tip's depth, `height` the height of the
+/// plane above the tip (m). Also true for a tip at rest, and for one near the back of a sheet, where a free
+/// place ahead is no step.
 bool BodySearch::stays_in(vec3 target, vec3 out, double depth, double height) {
     const vec3 along = motion_ - glm::dot(motion_, out) * out;
     const double moved = glm::length(along), reach = std::min(moved, max_motion) * height / surface_.slew;
@@ -305,9 +309,9 @@ bool BodySearch::stays_in(vec3 target, vec3 out, double depth, double height) {
     return true;
 }
 
-/// Distance from a place on the drawn surface to its plane, along the direction out of the body (m), for a
-/// tip at `target`. The plane lies towards the smooth surface. From the plane of the last tick, on which the
-/// proxy lies, it moves by at most the slew (LevelSurface::slew).
+/// Distance from a place on the drawn surface to the plane by which a tip at `target` feels it, along the
+/// direction out of the body (m). The plane lies towards the surface of the smoothed field. It moves by at
+/// most LevelSurface::slew from the plane of the last tick, on which the proxy lies.
 double BodySearch::eased(const Found& found, vec3 proxy, vec3 target) {
     const auto& [place, way] = found;
     const double depth = std::max(0.0, glm::dot(place - target, way.out)), sample = sample_along(way.out);
@@ -318,7 +322,7 @@ double BodySearch::eased(const Found& found, vec3 proxy, vec3 target) {
     if (!std::isfinite(depth) || !std::isfinite(step) || !std::isfinite(own)) return 0;
     const double most = std::min(depth_share * depth, max_eased * fine_), late = max_late * sample;
     const double wanted = std::clamp(step, -most, most);
-    // The tip's motion along the normal changes the force, too, so it takes a part of the slew.
+    // The tip's motion along the normal changes the force, too, so the plane may move by that much less.
     const double up = std::max(slew + std::min(own, 0.0), min_slew * slew);
     const double down = std::max(slew - std::max(own, 0.0), min_slew * slew);
     const double lowest = std::min({height - down, sinking_share * depth, late});
@@ -334,7 +338,7 @@ double BodySearch::eased(const Found& found, vec3 proxy, vec3 target) {
     return result;
 }
 
-/// The plane of a place on the surface, in the reader's frame.
+/// The plane by which a place on the surface is felt, in the frame in which the field is read.
 std::optional<ContactPlane> BodySearch::plane_of(const std::optional<Found>& found, vec3 proxy, vec3 target) {
     if (!found) return std::nullopt;
     const auto& [place, way] = *found;
@@ -342,7 +346,8 @@ std::optional<ContactPlane> BodySearch::plane_of(const std::optional<Found>& fou
     return ContactPlane{to_reader(eased_place), box_.placement.turn * way.out, way.gradient};
 }
 
-/// The place where a straight way out of the body leaves the body or the box; std::nullopt beyond the reach.
+/// The place where a straight way out of the body leaves the body or the sample box; std::nullopt if that is
+/// farther away than LevelSurface::reach.
 std::optional<BodySearch::Found> BodySearch::leaving(vec3 place, double at_place, const Way& way) {
     const double end = way_to_end(place, way.out, half_);
     Bracket b{place, place, at_place, at_place};
@@ -359,7 +364,8 @@ std::optional<BodySearch::Found> BodySearch::leaving(vec3 place, double at_place
     return std::nullopt;
 }
 
-/// The place where a straight way into the body enters it; std::nullopt beyond the limit (m).
+/// The place where a straight way against `way.out` enters the body; std::nullopt if that is farther away
+/// than `limit` (m).
 std::optional<BodySearch::Found> BodySearch::entering(vec3 place, double at_place, const Way& way,
                                                       double limit) {
     const double end = std::min(limit, way_to_end(place, -way.out, half_));
@@ -389,7 +395,7 @@ std::optional<BodySearch::Found> BodySearch::out_of_crevice(vec3 place, double a
                    {side / length * drawn.gradient, length / box_.placement.scale, HUGE_VAL});
 }
 
-/// The place on the surface of the smooth field near a place, if eased() would put the plane just there
+/// The place on the surface of the smoothed field near a place, if eased() would put the plane just there
 /// because the tip is deep enough. This shortcut takes fewer reads of the field than a search.
 std::optional<BodySearch::Found> BodySearch::on_smooth(vec3 place, const Way& way, vec3 target) {
     const double most = max_eased * fine_;
@@ -403,7 +409,7 @@ std::optional<BodySearch::Found> BodySearch::on_smooth(vec3 place, const Way& wa
     return Found{smooth, {way.out, way.gradient, 0}};
 }
 
-/// The place on the surface within reach of a place.
+/// A place on the surface within LevelSurface::reach of a place; std::nullopt if there is none.
 std::optional<BodySearch::Found> BodySearch::near(vec3 place, vec3 target) {
     const vec3 nearest = glm::clamp(place, -half_, half_);
     const double away = glm::distance(place, nearest);
@@ -445,8 +451,8 @@ std::optional<ContactPlane> BodySearch::first(vec3 proxy, vec3 target) {
     auto found = near(from, to);
     if (!found && !solid(from)) found = between(from, to);
     if (!found) return std::nullopt;
-    // The plane goes on beyond the body. So if the proxy would meet the plane far from the found place, only
-    // a surface on the proxy's own way counts.
+    // A plane is infinite, but the body is not. If the proxy would meet the plane far from the place that was
+    // found, the body may not be there. Then only a surface on the proxy's own way counts.
     const double above = glm::dot(from - found->place, found->way.out);
     const double below = glm::dot(found->place - to, found->way.out);
     if (above > 0 && below > 0) {
@@ -461,9 +467,9 @@ std::optional<ContactPlane> BodySearch::next(vec3 proxy, vec3 landing, vec3 targ
     const vec3 place = to_box(landing);
     const vec3 normal = contact_.planes[0].normal * box_.placement.turn;
     if (!solid(place + min_depth * normal)) return std::nullopt;
-    // The landing place lies in the body. Near the place of the first plane that may only be a step which the
-    // samples make in the surface, and that plane stands for it. If the body reaches higher up, it is more
-    // than a step, and needs a plane of its own.
+    // The place where the proxy would land lies in the body. Near the place of the first plane, this may only
+    // be a step that the samples make in the surface; the first plane is meant to smooth it out. If the body
+    // reaches higher up, it is more than a step, and needs a plane of its own.
     const vec3 plane_at = to_box(contact_.planes[0].place);
     const bool beside = glm::distance(place, plane_at) <= beside_samples * fine_;
     if (beside && !solid(place + max_late * fine_ * normal)) return std::nullopt;

@@ -36,23 +36,24 @@ public:
 
     /// The plane that holds a proxy on its way to `target` (reader's frame); std::nullopt if none does.
     std::optional<ContactPlane> first(vec3 proxy, vec3 target);
-    /// The plane that keeps a landing place out of the body; std::nullopt if the place is free.
+    /// The plane that keeps the place where the proxy would land out of the body; std::nullopt if that place
+    /// is free.
     std::optional<ContactPlane> next(vec3 proxy, vec3 landing, vec3 target);
 
 private:
-    /// Direction out of the body.
+    /// Direction out of the body at a place.
     struct Way {
         vec3 out{};
         double gradient{};  ///< length of the field's gradient (1/m)
         double smooth{};    ///< distance along `out` to the surface of the smooth field, estimated by value
                             ///< and slope (m)
     };
-    /// A place on the surface, and the way out there.
+    /// A place on the surface of the body, and the direction out of the body there.
     struct Found {
         vec3 place{};
         Way way{};
     };
-    /// The smooth field at a place, along the axes of the box.
+    /// Gradient of the smoothed field at a place (axes of the sample box), and the place's depth.
     struct Slope {
         vec3 up{};
         double depth{};  ///< depth of the place behind the surface, estimated by value and slope (m)
@@ -60,7 +61,7 @@ private:
     /// A part of a straight line that begins free and ends in the body, or the reverse.
     struct Bracket {
         vec3 from{}, to{};
-        double at_from{}, at_to{};  ///< values of inside()
+        double at_from{}, at_to{};  ///< values of inside() at both ends
     };
 
     vec3 to_box(vec3 place) const;
@@ -97,7 +98,8 @@ private:
     vec3 motion_{};  ///< motion of the tip in a tick (m)
     vec3 half_{};    ///< half of the box's extent (m)
     vec3 samples_per_metre_{};
-    double per_scale_{};  ///< lengths of the samples' frame per length of the reader's
+    /// Factor from lengths in the frame in which the field is read to those of the samples' frame.
+    double per_scale_{};
     double fine_{};       ///< smallest distance between samples (m)
 };
 
