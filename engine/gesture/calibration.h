@@ -1,4 +1,5 @@
-// gesture/calibration.h: how distances become a probability and an acceptance.
+// gesture/calibration.h: how the distances of a stroke from the gestures become a probability, and the
+// decision whether it is accepted.
 //
 // The evidence of a recognition is three numbers: the logarithm of the distance, the logarithm of the ratio
 // of the runner-up's distance to it (at most 2), and the logarithm of the usual distance of the gesture. The
@@ -28,26 +29,26 @@ struct Evidence {
     double usual{};  ///< natural logarithm of the usual distance between strokes of this gesture
 };
 
-/// The evidence from the distances of the nearest gesture and of the runner-up, both >= 0. `usual` is the
-/// nearest gesture's usual distance, > 0.
+/// The evidence from the distances of a stroke to the nearest gesture and to the runner-up, both >= 0.
+/// `usual` is the usual distance between strokes of the nearest gesture, > 0.
 Evidence evidence_of(float distance, float runner_up, float usual);
 
 /// Evidence of a stroke whose meaning is known.
 struct LabelledEvidence {
     Evidence evidence;
-    bool meant{};  ///< true if the stroke was meant as the nearest gesture
+    bool meant{};  ///< true if the user meant the nearest gesture
     double weight = 1;
 };
 
 /// Turns distances into the probability that a stroke was meant as its nearest gesture.
 struct Calibration {
-    /// Weights of the constant 1, of distance, margin and usual distance.
+    /// Weights of the constant 1, and of distance, margin and usual distance in Evidence.
     std::array<double, 4> weights{};
     std::vector<float> usual;  ///< for each gesture, the usual distance between its strokes
     /// For each gesture, the distance from which on a stroke is not accepted as that gesture.
     std::vector<float> threshold;
 
-    /// Probability that the stroke was meant, 0 to 1.
+    /// Probability that the stroke was meant as the nearest gesture, 0 to 1.
     double probability(const Evidence& evidence) const;
 };
 

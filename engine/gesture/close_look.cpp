@@ -5,17 +5,19 @@
 namespace thaum::gesture {
 namespace {
 
-/// Distances by which start and end are moved in each round, as shares of the window's length.
+/// Distances by which start and end of the window are moved in the three rounds, as shares of its length.
 constexpr std::array look_steps{0.08F, 0.04F, 0.02F};
 constexpr std::size_t shapes_per_step = 4;
-constexpr std::size_t fewest_points = 4;  // fewest points that a window must have
+// A window that ends at most this many points after its first is not compared.
+constexpr std::size_t fewest_points = 4;
 constexpr float not_compared = 1e9F;
 
 /// Directions in which the start and the end of a window move to its eight neighbours.
 constexpr std::array<std::pair<int, int>, lanes> neighbours{
     {{-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 1}, {1, -1}, {1, 0}, {1, 1}}};
 
-/// The first point whose arc length is at least that of the point `from` plus `by`, which may be negative.
+/// The first point that lies at least `by` of arc length after the point `from`; before it if `by` is
+/// negative.
 std::size_t point_at(const ShapeSpace& points, std::size_t from, float by) {
     const auto begin = points.length.begin(), end = begin + static_cast<std::ptrdiff_t>(points.count);
     const auto found = std::lower_bound(begin, end, points.length[from] + by);

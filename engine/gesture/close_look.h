@@ -1,10 +1,10 @@
 // gesture/close_look.h: finds exactly where a stroke within continuous motion starts and ends, and its
 // distance to a template there.
 //
-// The windows of the spotter are coarse: their starts are a ninth of their length apart. A close look moves
-// start and end of a window by 8, 4 and at last 2 % of its length, each time to the best of the eight
-// neighbours, by the elastic distance of fine shapes (shape.h). Its work is cut into steps of four shapes
-// or one comparison of eight pairs.
+// The spotter (spotter.h) compares parts of the motion, its windows, with the templates. These are coarse:
+// their starts are a ninth of their length apart. A close look moves start and end of a window by 8, 4 and at
+// last 2 % of its length, each time to the best of the eight neighbours, by the elastic distance of fine
+// shapes (shape.h). Its work is cut into steps of four shapes or one comparison of eight pairs.
 #pragma once
 #include "gesture/recogniser.h"
 
@@ -19,18 +19,18 @@ public:
     /// Begins with the points from `first` to `last`, a window of the spotter, and the template that it
     /// resembles.
     void begin(std::size_t first, std::size_t last, const RecogniserSpace::Survivor& match);
-    /// Ends the look without a result.
+    /// Ends the search without a result.
     void stop() { active_ = false; }
     /// Whether a search has begun and not ended yet.
     bool is_active() const { return active_; }
     /// Does one step. Returns true when the search has ended; then the results below are valid.
     bool step(ShapeSpace& points);
 
-    /// First point of the part of the motion that fits the template best.
+    /// Index of the first point of the part of the motion that fits the template best.
     std::size_t first() const { return first_; }
-    /// Last point of the best part.
+    /// Index of the last point of that part.
     std::size_t last() const { return last_; }
-    /// Distance of the best part from the template.
+    /// Elastic distance of that part from the template.
     float distance() const { return distance_; }
 
 private:
@@ -45,8 +45,8 @@ private:
     const Recogniser& recogniser_;
     FineKind kind_{};
     bool active_ = false;
-    /// round_: number of the round; 0 while the window itself is compared. made_: number of neighbours in
-    /// this round that have a shape.
+    /// round_: number of the round; 0 while the window itself is compared. made_: number of neighbouring
+    /// windows whose shapes have been computed in this round.
     std::size_t round_ = 0, made_ = 0;
     std::size_t first_{}, last_{};
     float distance_{};

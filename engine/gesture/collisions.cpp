@@ -26,7 +26,8 @@ VariationSettings scatter_of(const Recogniser& recogniser, std::uint32_t gesture
     return scatter;
 }
 
-/// How the variations of each gesture are recognised: [drawn gesture][recognised gesture].
+/// Draws variations of each gesture and returns the shares of them that were recognised as each gesture:
+/// [drawn gesture][recognised gesture].
 Shares read_variations(const Recogniser& recogniser, std::span<const Gesture> gestures,
                        const ReadStroke& read, RecogniserSpace& space) {
     Shares shares(gestures.size(), std::vector<Mistaken>(gestures.size()));
@@ -46,7 +47,8 @@ Shares read_variations(const Recogniser& recogniser, std::span<const Gesture> ge
     return shares;
 }
 
-/// Least distance of a template of `from` to the gesture `to`, by a recogniser that knows only `to`.
+/// Least distance of a template of `from` to the gesture `to`. The recogniser knows only `to`, because a
+/// nearer gesture would otherwise be its answer.
 Expected<double> distance_between(const Gesture& from, const Gesture& to, const RecogniserSettings& settings,
                                   RecogniserSpace& space) {
     auto alone = settings;

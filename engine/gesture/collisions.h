@@ -22,7 +22,7 @@ inline constexpr double max_taken = 0.02;
 /// Largest share of variations that may be nearer to the other gesture.
 inline constexpr double max_nearer = 0.05;
 
-/// How variations of one gesture are recognised beside another one, as shares of all variations.
+/// How often variations of one gesture are taken for another one, as shares of all its variations.
 struct Mistaken {
     double taken{};  ///< share of the variations that are accepted as the other gesture
     /// Share of the variations that are nearest to the other gesture instead of their own, accepted or not.
@@ -47,7 +47,8 @@ struct Pair {
     double nearer() const { return std::max(a_as_b.nearer, b_as_a.nearer); }
 };
 
-/// A function that recognises a stroke as the game does. Empty: Recogniser::recognise.
+/// A function with which the variations are recognised, so that they are read as in the game. Empty:
+/// Recogniser::recognise.
 using ReadStroke = std::function<Recognition(const Recogniser&, Points, RecogniserSpace&)>;
 
 /// All pairs of gestures. Pairs whose strokes are mistaken most often come first, then the pairs with the

@@ -12,14 +12,14 @@ namespace {
 constexpr std::size_t compared_points = 48;
 // Size below which an unrecognised stroke counts as too small (m).
 constexpr double min_size = 0.03;
-// Deviation up to which a stroke has the shape of the gesture (share of the size).
+// Root mean square distance from the gesture up to which a stroke has its shape (share of the size).
 constexpr double same_shape = 0.08;
 // Largest gap between start and end of a closed gesture (share of the size).
 constexpr double widest_gap = 0.25;
-// Tilt from which on the player is told about it (rad).
+// Angle between stroke and gesture from which on the player is told about it (rad).
 constexpr double told_tilt = 12 * pi / 180;
-// Deviation from which on the player is told about it, and distance from the middle that still counts as the
-// middle (shares of the size).
+// Distance of a point of the stroke from the gesture from which on the player is told about it, and distance
+// from the gesture's middle that still counts as its middle (shares of the size).
 constexpr double told_deviation = 0.16, central = 0.12;
 constexpr std::size_t max_lines_of_advice = 3;
 
@@ -54,7 +54,8 @@ double size_of_box(const Outline& outline) {
     return std::max(high.x - low.x, high.y - low.y);
 }
 
-/// Moves the centroid to the origin and makes the root mean square distance from it 1.
+/// Moves the centroid of the points to the origin and scales them so that their root mean square distance
+/// from it is 1.
 void normalise(Outline& outline) {
     vec3 middle(0);
     for (const vec3 p : outline) middle += p / static_cast<double>(compared_points);
@@ -66,7 +67,7 @@ void normalise(Outline& outline) {
     for (vec3& p : outline) p /= std::sqrt(std::max(sum, 1e-30));
 }
 
-/// The best rotation of one outline against another, and the squared distances that remain.
+/// The best rotation of one outline against another, and how far their points then still are apart.
 struct Fit {
     double sum = 1e300;  ///< sum of the squared distances
     double angle{};      ///< angle by which the drawn outline is turned against the other (rad)
@@ -75,7 +76,7 @@ struct Fit {
 };
 
 const vec3& point(const Outline& outline, std::size_t i, const Fit& fit) {
-    // In a closed outline the last point equals the first.
+    // In a closed outline the last point equals the first, so it is left out of the cycle.
     const std::size_t at = fit.shift == 0 ? i : (i + fit.shift) % (compared_points - 1);
     return outline[fit.reversed ? compared_points - 1 - at : at];
 }
@@ -92,8 +93,9 @@ void try_fit(const Outline& drawn, const Outline& wanted, Fit fit, Fit& best) {
     if (fit.sum < best.sum) best = fit;
 }
 
-/// The best fit over all starts and directions. Turns beyond a right angle count as another figure, unless
-/// the gesture may be turned by any angle.
+/// The best fit over both directions of drawing and, for closed gestures, all starting points. A fit with a
+/// turn beyond a right angle counts only if there is no other, because it mostly is another figure. This does
+/// not hold for gestures that may be turned by any angle.
 Fit fit_outlines(const Outline& drawn, const Outline& wanted, const GestureOptions& options) {
     Fit best, turned;
     const std::size_t shifts = options.closed ? compared_points - 1 : 1;

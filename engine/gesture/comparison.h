@@ -15,29 +15,31 @@ namespace thaum::gesture {
 /// Differences between a stroke and a gesture, in numbers from which advice to the player is made.
 struct Comparison {
     double size{};   ///< longer edge of the stroke's bounding box (m)
-    double scale{};  ///< size of the stroke, as a multiple of the gesture's
+    double scale{};  ///< longer edge of the stroke's bounding box, as a multiple of the gesture's
     double gap{};    ///< distance from the stroke's end to its start (share of the size)
     double tilt{};   ///< angle by which the stroke is turned against the gesture, counterclockwise (rad)
     /// Root mean square distance of the stroke's points from the gesture's (share of the size).
     double deviation{};
     double worst{};  ///< largest distance of a point from the gesture's (share of the size)
-    /// Place of that point in the gesture, relative to the gesture's middle (share of the size).
+    /// Place of the gesture from which that point is so far away, relative to the gesture's middle (share of
+    /// the size).
     vec3 worst_place{};
     /// true if the stroke is drawn against the gesture's direction and the gesture's direction matters.
     bool backwards{};
 };
 
-/// Compares a stroke with the nearest stroke of a gesture. A stroke without two different places gives zeros.
+/// Compares a stroke with that recorded stroke of a gesture which it resembles most. A stroke without two
+/// different places gives zeros.
 Comparison compare(Points stroke, const Gesture& gesture);
 
 /// Advice to the player, the most important first, at most three lines: "draw it larger", "end where you
-/// began". Empty if there is nothing to improve. `force` is the mean force (N). `read`: true if the stroke
-/// was recognised as this gesture, so that it was large enough.
+/// began". Empty if there is nothing to improve. `force` is the mean force of the stroke (N). `read`: true if
+/// the stroke was recognised as this gesture, so that it was large enough.
 std::vector<std::string> advice_on(const Comparison& comparison, const Gesture& gesture, double force,
                                    bool read);
 
-/// Whether a stroke has the shape of the gesture, and is not recognised only because of its direction or its
-/// turn.
+/// Whether a stroke has the shape of the gesture, but is drawn in the wrong direction or turned too far,
+/// which alone prevents its recognition.
 bool is_turned_copy(const Comparison& comparison, const Gesture& gesture);
 
 /// Words for a direction from the middle: "upper left", "right", "middle".

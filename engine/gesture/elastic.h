@@ -28,15 +28,15 @@ using EightShapes = EightOf<shape_points>;
 /// Eight templates as FineShape.
 using EightFineShapes = EightOf<fine_points>;
 
-/// Puts the values of eight templates in the lanes. A template may be given several times, to fill lanes that
-/// are not needed.
+/// Puts the values of eight templates side by side, one template in each lane. A template may be given
+/// several times, to fill lanes that are not needed.
 void set_lanes(EightShapes& eight, std::size_t channels, const std::array<const float*, lanes>& values);
 void set_lanes(EightFineShapes& eight, std::size_t channels, const std::array<const float*, lanes>& values);
 
-/// Distances of a stroke to eight templates of as many channels, each from 0 to 1/2 if no point is matched
-/// twice. A distance has the same bits in each lane.
+/// Distances of a stroke to eight templates with the same number of channels, each from 0 to 1/2 if no point
+/// is matched twice. The same template gives the same bits in whichever lane it is.
 std::array<float, lanes> elastic_distances(const Shape& stroke, const EightShapes& eight);
-/// Distances of a fine shape to eight others.
+/// Distances of a stroke to eight templates, as above, in the fine shape.
 std::array<float, lanes> elastic_distances(const FineShape& stroke, const EightFineShapes& eight,
                                            std::size_t channels);
 

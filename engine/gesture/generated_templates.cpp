@@ -11,8 +11,8 @@ constexpr double tolerance = 15;  // largest rotation against the template (degr
 
 GestureOptions options_of(Figure figure) {
     GestureOptions o;
-    // A circle or star that starts at another place equals a rotated one whose force rises and falls
-    // elsewhere. So these two figures may be rotated by any angle.
+    // A user may start a circle or star at another place, which looks like a rotated one whose force rises
+    // and falls elsewhere. So these two figures may be rotated by any angle.
     o.closed = figure == Figure::circle || figure == Figure::star;
     o.rotation = o.closed ? pi : tolerance / (180 / pi);
     o.direction_sensitive = figure == Figure::s;
@@ -23,7 +23,8 @@ GestureOptions options_of(Figure figure) {
     return o;
 }
 
-/// A user who draws slowly and well. The three such users differ in proportions and corners.
+/// Style of a user who draws slowly and well. There are three such users, who differ in proportions and
+/// corners.
 UserStyle careful_style(std::size_t number) {
     static constexpr std::array<double, strokes_of_each> aspects{1, 0.93, 1.08}, corners{0.15, 0.25, 0.2},
         leans{0, 0.1, -0.1};

@@ -32,7 +32,8 @@ double minimum_jerk(double u) {
     return u * u * u * (10 + u * (6 * u - 15));
 }
 
-/// Displacement after a share `u` of an arc with the given chord, in the plane of x and y.
+/// Displacement after a share `u` of an arc in the plane of x and y. The arc has this chord, and its heading
+/// turns by `turn` (rad).
 vec3 along_arc(vec3 chord, double turn, double u) {
     if (std::abs(turn) < 1e-6) return u * chord;
     // The arc turns by `turn` in all and its chord has the mean heading. So the part up to u has a chord of
@@ -105,7 +106,8 @@ void disturb(Path& path, const UserStyle& style, Random& random) {
     }
 }
 
-/// A movement along one leg. Its times are in units that the pace scales.
+/// A movement of the hand along one leg of the path. Its times have an arbitrary unit, which the pace of the
+/// stroke turns into seconds.
 struct Movement {
     double begin{}, seconds{};
     vec3 chord{};
@@ -165,7 +167,8 @@ private:
     quat lean_{1, 0, 0, 0};
 };
 
-/// Samples the stroke at a pace of 1, and returns the mean force along its path.
+/// Returns the mean force along the path of a stroke that is drawn at the pace 1 (one second for each unit of
+/// time).
 double mean_force_at_pace_one(std::span<const Movement> movements, const Frame& frame) {
     constexpr int steps = 200;
     const double step = end_of(movements) / steps;
@@ -226,7 +229,7 @@ std::vector<StrokePoint> draw(const Path& path, const UserStyle& style, double f
     const auto movements = movements_of(path, random);
     const Frame frame(style, random);
     const Tremor tremor(style, random);
-    // The force is inversely proportional to the time that the same path takes.
+    // The viscous force, and so its mean, is inversely proportional to the time that the path takes.
     const double pace = mean_force_at_pace_one(movements, frame) / force;
     const double rest = random.uniform(0, 0.12), whole = rest + end_of(movements) * pace;
     const double end = whole + random.uniform(0, 0.1);

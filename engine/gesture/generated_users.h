@@ -21,7 +21,7 @@
 
 namespace thaum::gesture {
 
-/// Viscosity of the field that a stroke is drawn against (N s/m).
+/// Viscosity that resists the hand while a stroke is drawn (N s/m).
 inline constexpr double stroke_viscosity = 3.5;
 /// Mean force below which a stroke is gentle, and above which it is harsh (N).
 inline constexpr double gentle_force = 1.0, harsh_force = 1.5;
@@ -30,26 +30,28 @@ inline constexpr double gentle_force = 1.0, harsh_force = 1.5;
 enum class Figure : std::uint8_t { circle, v, s, star };
 inline constexpr std::size_t figures = 4;
 
-/// Names of the figures, in order.
+/// Names of the figures, in the order of Figure.
 std::span<const std::string_view> figure_names();
 
-/// Properties that all strokes of one user share. Figures that consist of nodes have height 1.
+/// Properties that all strokes of one user share. Figures are defined with the height 1 and then scaled to
+/// `size`.
 struct UserStyle {
     static constexpr std::size_t max_nodes = 8;
 
     double size{};              ///< height of a figure (m)
-    double aspect{};            ///< width of a figure, as a multiple of the usual
+    double aspect{};            ///< width of a figure, as a multiple of its usual width
     double slant{};             ///< shear: shift of x for each unit of y
     double tilt{};              ///< turn about the z axis (rad)
     double lean_x{}, lean_y{};  ///< turns of the plane of drawing about the x and y axes (rad)
     double bow{};               ///< depth of the middle of a figure relative to its rim (share of the size)
-    double bulge{};             ///< turn of the heading along a straight line (rad)
-    double corner_overlap{};    ///< overlap of two movements at a corner (share of a movement)
+    double bulge{};             ///< turn of the hand's heading along a line that should be straight (rad)
+    /// Overlap in time of two movements at a corner, which rounds it (share of a movement).
+    double corner_overlap{};
     double tremor{};            ///< amplitude of the tremor (m)
     /// Standard deviation of a node's position from stroke to stroke (share of the size).
     double jitter{};
     double circle_start{};     ///< angle at which a circle begins (rad)
-    double gap{};              ///< angle by which a circle is drawn too far; negative: it is left open (rad)
+    double gap{};  ///< angle by which a circle is drawn beyond its start; negative: it is left open (rad)
     double gentle{}, harsh{};  ///< mean force of gentle and of harsh strokes (N)
     std::size_t star_start{};  ///< corner at which a star begins
     bool mirrored_circle{};    ///< true if circles go clockwise

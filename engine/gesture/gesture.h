@@ -16,11 +16,11 @@ inline constexpr std::size_t max_templates = 1024;
 /// Largest number of points of one recorded stroke.
 inline constexpr std::size_t max_template_points = 100'000;
 
-/// Rules for strokes of one gesture.
+/// How strokes of one gesture may differ from its templates.
 struct GestureOptions {
     /// True if the stroke must be drawn in the recorded direction. False if it may also be drawn backwards.
     bool direction_sensitive = true;
-    double rotation = 0;     ///< largest turn about the z axis against the template (rad), 0 to pi
+    double rotation = 0;  ///< largest turn of a stroke about the z axis against the template, 0 to pi (rad)
     double min_scale = 0;    ///< least size of a stroke, as a multiple of the template's
     double max_scale = 1e9;  ///< largest size of a stroke, as a multiple of the template's
     bool closed = false;     ///< true if the stroke is a closed curve that may start anywhere

@@ -26,12 +26,12 @@ inline constexpr std::size_t max_gesture_bytes = std::size_t{16} << 20U;
 /// Describes why a stroke must not be written to the file of a gesture; empty if it may be.
 std::string fault_of_stroke(Points stroke);
 
-/// Reads a gesture. The error names file, line and fault, such as columns of different lengths.
+/// Reads a gesture. The error names file, line and fault, such as lists `t` and `x` of different lengths.
 Expected<Gesture> read_gesture(const Config& config);
 /// Reads the file of a gesture.
 Expected<Gesture> load_gesture(const std::filesystem::path& path);
 
-/// Text that reads back to the same gesture, bit for bit.
+/// Text of a file from which the same gesture is read, bit for bit.
 std::string to_file(const Gesture& gesture);
 
 /// A text as a quoted TOML string.

@@ -8,36 +8,39 @@ namespace {
 
 constexpr double points_of_shortest = 40;  // number of points of the shortest window (a part of the motion
                                            // that is compared with templates)
-// Number of places along the shortest window at which windows end.
+// Number of scans while the hand moves by the length of the shortest window. At each scan, windows of all
+// lengths end at the present point.
 constexpr double ends_of_shortest = 14;
 /// Largest overlap of two reported gestures, as a share of the shorter one.
 constexpr double max_overlap = 0.15;
-// A gesture's score also depends on the usual distance between its own strokes. With this usual distance the
-// score is neither raised nor lowered.
+// Strokes of some gestures scatter more than those of others, so the score (the smaller, the surer) takes
+// into account the usual distance between strokes of a gesture. With this usual distance the score is neither
+// raised nor lowered.
 constexpr double plain_usual = 0.06;
-// Least dot product of a window and a template that are then compared elastically, as a share of the
-// template's product with itself.
+// Least dot product of a window (part of the motion) with a template for which both are compared further, by
+// elastic distance; as a share of the template's product with itself.
 constexpr float min_match = 0.5F;
 constexpr std::size_t kept_points = max_points / 2;
 constexpr float max_looked_at = 0.25F;  // largest score of a window that gets a close look (close_look.h)
-// Interval at which a tick is used for a close look, if one is due (ticks).
+// While windows are being compared, one tick out of this many is used for a close look, if one is due.
 constexpr std::uint32_t look_every = 4;
 
-// Constants of the factors that, besides the distance, separate gestures from other motion. On strokes of
-// other users, the logarithm of the distance counts about 15 times as much as the logarithm of the motion
-// before and after, and 10 times as much as the squared logarithm of the duration.
+// Besides the distance, two factors of the score separate gestures from other motion: rest before and after
+// the stroke, and its duration. On strokes of users who drew no template, the logarithm of the distance
+// counts about 15 times as much as the logarithm of the motion before and after, and 10 times as much as the
+// squared logarithm of the duration.
 //
-// Durations before and after a stroke in which motion counts (s).
+// Time before and after a stroke for which the score takes motion into account (s).
 constexpr float time_before = 0.3F, time_after = 0.2F;
 constexpr double rest_power =
-    0.07;  // exponent for the motion before and after, each as a share of the stroke's speed
+    0.07;  // exponent of the speeds before and after the stroke, each divided by the stroke's own speed
 constexpr double duration_weight = 0.1;
-// limits of the shares of motion: for a hand at rest, and for a hand that moves fast
+// limits of these speeds, divided by the stroke's own: for a hand at rest, and for a hand that moves fast
 constexpr float min_motion = 0.1F, max_motion = 3;
 constexpr float shortest_time = 0.05F;  // shortest duration that a speed is divided by, against division by
                                         // zero (s)
 
-/// Overlap of two spans of time, as a share of the shorter.
+/// Overlap of two spans of time, as a share of the shorter one.
 double overlap(double start_a, double end_a, double start_b, double end_b) {
     const double shorter = std::min(end_a - start_a, end_b - start_b);
     const double both = std::min(end_a, end_b) - std::max(start_a, start_b);
@@ -114,7 +117,8 @@ void Spotter::restart() {
     skipped_ = ends_ = 0;
 }
 
-/// Drops the older half of the points. Arc lengths and times become relative to the first point that is kept.
+/// Makes room for new points: drops the older half. Arc lengths and times become relative to the first point
+/// that is kept.
 void Spotter::make_room() {
     const std::size_t first = points_.count - kept_points;
     const float length = points_.length[first], t = points_.t[first];
@@ -187,7 +191,8 @@ void Spotter::keep(const Pair& pair) {
     pairs_[at] = pair;
 }
 
-/// Scans windows of the next length, with and without depth as the templates require.
+/// Compares the window of the next length with the templates, with and without depth as they require. Ends
+/// the scan when windows become too long.
 void Spotter::look_at_length() {
     const float from = last_end_ - next_length_;
     const auto* begin = points_.length.data();
@@ -227,7 +232,8 @@ void Spotter::look_at_window(std::size_t first, bool depth) {
     ++window_count_;
 }
 
-/// Sorts pairs with depth first, because pairs that are compared together must have the same channels.
+/// Sorts the pairs of window and template: those with depth first. Pairs that are compared together must have
+/// the same channels.
 void Spotter::sort_by_channels() {
     std::array<Pair, max_pairs> flat;
     std::size_t solid_count = 0, flat_count = 0;
@@ -267,7 +273,8 @@ void Spotter::verify() {
     }
 }
 
-/// Keeps the best window of each gesture that was compared. The runner-up is the nearest other gesture.
+/// Makes a candidate of each gesture's best window in this scan. Its runner-up is the nearest other gesture,
+/// but not one of the same shape with another force.
 void Spotter::collect() {
     for (std::uint32_t g = 0; g < recogniser_.gestures(); ++g) {
         if (!best_[g].found) continue;
@@ -289,7 +296,8 @@ void Spotter::collect() {
     }
 }
 
-/// Keeps a window of a gesture for a close look, if it is the best of those that overlap.
+/// Keeps a window for a close look (a search for the stroke's exact ends), if it is the best of the gesture's
+/// windows that overlap.
 void Spotter::hold(const Candidate& c, std::size_t first, const RecogniserSpace::Survivor& match) {
     if (!(c.score <= max_looked_at)) return;
     auto& held = held_[c.gesture];
@@ -298,12 +306,12 @@ void Spotter::hold(const Candidate& c, std::size_t first, const RecogniserSpace:
     };
     if (!beats(seen_[c.gesture])) return;
     if (held.waiting && !beats(held.what)) return;
-    // A waiting window that is due, and not worse, gets its close look first, so the new one is dropped.
+    // If the gesture's waiting window is due for its close look and not worse, it is not replaced.
     if (held.waiting && now_ >= held.due && c.score >= held.what.score) return;
     held = {true, c, dropped_ + first, dropped_ + end_, match, now_ + settings_.hold};
 }
 
-/// Begins the close look at the best window that is due.
+/// Begins the close look at the best window that has waited long enough. Returns false if there is none.
 bool Spotter::begin_look() {
     Held* best = nullptr;
     for (auto& h : held_) {
@@ -318,14 +326,15 @@ bool Spotter::begin_look() {
     return true;
 }
 
-/// Does one step of a close look. Returns false if no close look is due.
+/// Does one step of the present close look, or of a new one. Returns false if no window is due for one.
 bool Spotter::look_closer() {
     if (!look_.is_active() && !begin_look()) return false;
     if (look_.step(points_)) end_look();
     return true;
 }
 
-/// Factor of the score for the motion before and after a stroke, less than 1 if the hand rested.
+/// Factor of the score (the smaller, the surer) for the motion before and after a stroke, less than 1 if the
+/// hand rested.
 double Spotter::quiet_factor(std::size_t first, std::size_t last) const {
     const auto &length = points_.length, &t = points_.t;
     const float speed = (length[last] - length[first]) / std::max(t[last] - t[first], shortest_time);
@@ -344,7 +353,7 @@ double Spotter::quiet_factor(std::size_t first, std::size_t last) const {
     return det::pow(share(way_before, time_before) * share(way_after, seconds_after), rest_power);
 }
 
-/// Makes a candidate from a close look that has ended.
+/// Makes a candidate, with its final score, from a close look that has ended.
 void Spotter::end_look() {
     const std::size_t first = look_.first(), last = look_.last();
     auto c = looked_at_.what;

@@ -24,24 +24,28 @@ namespace thaum::gesture {
 
 /// Settings of a Spotter.
 struct SpotterSettings {
-    /// Largest ratio between the arc lengths of a stroke and a template, whichever of them is longer.
+    /// Largest ratio between the arc lengths of a stroke and a template, the longer one divided by the other.
     double length_range = 3;
-    double window_ratio = 1.12;  ///< ratio between the arc lengths of consecutive windows
+    /// Ratio between the arc lengths of a window (part of the motion that is compared) and the next shorter
+    /// one.
+    double window_ratio = 1.12;
     double longest = 8;          ///< longest duration of a stroke (s)
-    double hold = 0.2;           ///< time without a better window after which the close look begins (s)
-    double wait = 0.1;           ///< time for which a candidate waits for a better one (s)
-    float max_score = 0.14F;     ///< largest score of a stroke that is reported
+    /// Time after which a window gets a close look (search for its exact ends) if no better one has come (s).
+    double hold = 0.2;
+    /// Time for which a candidate waits for a better one that overlaps it, before it is reported (s).
+    double wait = 0.1;
+    float max_score = 0.14F;     ///< largest score of a stroke that is reported; the smaller, the surer
     std::size_t windows_per_tick = 4;
 };
 
-/// A window that may be a gesture.
+/// A part of the motion that may be a gesture.
 struct Candidate {
     std::uint32_t gesture = Recognition::none;
     std::uint32_t runner_up = Recognition::none;
     float distance{};
     float runner_up_distance{};
     float score{};          ///< score, as the top of this file describes it; the smaller, the surer
-    double start{}, end{};  ///< times of the first and the last point (s)
+    double start{}, end{};  ///< times of its first and last point (s)
     double mean_force{};
 
     bool operator==(const Candidate&) const = default;
@@ -55,15 +59,16 @@ struct Spotted {
     double told{};  ///< time at which the gesture was reported (s)
 };
 
-/// Chooses among candidates that overlap. Separate from the scanner, so that trials can compare thresholds on
-/// the same candidates.
+/// Chooses among candidates that overlap. Separate from Spotter, which finds them, so that tests can compare
+/// thresholds of the score on the same candidates.
 class CandidateChoice {
 public:
     CandidateChoice(double wait, float max_score) : wait_(wait), max_score_(max_score) {}
 
-    /// Considers a candidate that was found at time `now` (s). May report an earlier one.
+    /// Considers a candidate that was found at time `now` (s). It waits for a better one. Returns the
+    /// candidate that waited so far if the new one does not overlap it.
     std::optional<Candidate> add(const Candidate& candidate, double now);
-    /// Reports the waiting candidate once its time has come; called at time `now` (s).
+    /// Returns the waiting candidate if no better one has come in time; called at time `now` (s).
     std::optional<Candidate> at(double now);
     double due() const { return due_; }  ///< time at which the waiting candidate is reported (s)
 
@@ -90,12 +95,13 @@ public:
     /// Allocates nothing.
     std::optional<Spotted> feed(const StrokePoint& point);
 
-    /// Like `feed`, but reports nothing: returns all candidates of those ends of windows that were finished
-    /// in this tick.
+    /// Takes a point like `feed`, but returns all candidates that were completed in this tick, without a
+    /// choice among them.
     std::span<const Candidate> scan(const StrokePoint& point);
 
-    std::uint64_t ends() const { return ends_; }  ///< number of window ends so far, skipped ones included
-    /// Number of window ends for which there was no time.
+    /// Number of points so far at which windows should end, skipped ones included.
+    std::uint64_t ends() const { return ends_; }
+    /// Number of those points whose windows were not all compared, because the hand moved on too fast.
     std::uint64_t skipped_ends() const { return skipped_; }
 
 private:
@@ -113,7 +119,8 @@ private:
     struct Held {
         bool waiting = false;
         Candidate what;
-        /// Numbers of the window's first and last point, counted since the start.
+        /// Numbers of the window's first and last point, counted from the spotter's start, dropped points
+        /// included.
         std::uint64_t first{}, last{};
         RecogniserSpace::Survivor match{};
         double due{};  ///< time at which the close look may begin (s)
@@ -138,7 +145,7 @@ private:
     double quiet_factor(std::size_t first, std::size_t last) const;
 
     const Recogniser& recogniser_;
-    /// For each gesture, the factor between a candidate's distance and its score.
+    /// For each gesture, the factor by which the score takes its usual distance into account.
     std::vector<float> factors_;
     SpotterSettings settings_;
     CandidateChoice choice_;
@@ -148,11 +155,11 @@ private:
     vec3 latest_{};         ///< place of the last point that was appended
     double now_ = -1e300;   ///< time of the last tick (s)
     float spacing_, end_step_;
-    float last_end_ = 0;  ///< arc length at the last window end that was scanned
+    float last_end_ = 0;  ///< arc length at the point at which windows ended last
     std::vector<Window> windows_;
     std::size_t window_count_ = 0, verified_ = 0;
     float next_length_ = 0;  ///< arc length of the next window in this scan
-    std::size_t end_ = 0;    ///< point at which the windows of this scan end
+    std::size_t end_ = 0;    ///< index of the point at which the windows of this scan end
     bool scanning_ = false, verifying_ = false;
     std::array<Pair, max_pairs> pairs_{};
     std::size_t pair_count_ = 0;

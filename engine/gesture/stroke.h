@@ -32,7 +32,7 @@ struct Stroke {
     std::size_t line{};  ///< line of the stroke's first point in the file (from 1); 0: not from a file
 };
 
-/// Parts of a point that a recogniser may use.
+/// Parts of a point that a recogniser may use besides x and y.
 struct Channels {
     bool depth = true;  ///< true: z may be used
     bool force = true;

@@ -32,7 +32,7 @@ StrokePoint point_of(TableReader& table, const PointColumns& c) {
         table.number(c.t), {table.number(c.x), table.number(c.y), table.number(c.z)}, table.number(c.force)};
 }
 
-/// Adds a point to a stroke or session.
+/// Adds a point to a stroke or session (continuous motion), or reports a fault of the table.
 void append(TableReader& table, std::vector<StrokePoint>& points, const StrokePoint& p) {
     if (!points.empty() && p.t < points.back().t)
         return table.report(text("time runs backwards, from ", points.back().t, " to ", p.t, " s"));

@@ -55,7 +55,7 @@ Expected<SessionSet> read_sessions(std::string_view csv, std::string_view name);
 Expected<std::vector<SessionLabel>> read_labels(std::string_view csv, std::string_view name);
 /// @}
 
-/// Strokes as CSV text that reads back to the same strokes.
+/// CSV text from which read_strokes reads the same strokes.
 std::string to_csv(std::span<const Stroke> strokes);
 
 }  // namespace thaum::gesture

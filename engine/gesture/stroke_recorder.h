@@ -14,7 +14,7 @@ public:
 
     /// Takes the position of the hand in one tick. Times must not run backwards.
     void feed(const StrokePoint& hand, bool down);
-    /// Ends a stroke whose button is still down.
+    /// Ends the present stroke although its button is still down.
     void end();
 
     /// Removes the last stroke, if there is one.
@@ -22,7 +22,7 @@ public:
 
     /// Strokes that have ended; each begins at time 0.
     const std::vector<std::vector<StrokePoint>>& strokes() const { return strokes_; }
-    /// The stroke that is being recorded while the button is down; empty: none.
+    /// The points so far of the stroke whose button is down; empty: none.
     Points open() const { return open_; }
 
 private:

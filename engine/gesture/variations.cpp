@@ -8,7 +8,8 @@ namespace thaum::gesture {
 namespace {
 
 constexpr std::size_t waves = 3;
-constexpr std::size_t thinned_points = 160;  // number of points that is enough for a variation
+// Number of points to which a stroke is thinned out before it is varied, because more are not needed.
+constexpr std::size_t thinned_points = 160;
 
 /// A smooth random function on [0, 1]: a sum of sines with half a period or more.
 struct Waves {

@@ -21,14 +21,14 @@ inline constexpr double longest_halt = 0.2;
 /// the stroke's width, height and depth.
 inline constexpr double rest_reach = 0.02;
 
-/// Points of a stroke between two rests.
+/// Part of a stroke between two rests, during which the hand moves.
 struct MovingPart {
     std::size_t first{}, last{};  ///< indices of the part's first and last point
     double earlier{};             ///< removed duration of the rests before the part (s)
 };
 
-/// The parts of a stroke between its rests. If there are more rests than room, the remaining ones stay in the
-/// last part.
+/// The parts of a stroke between its rests. If there are more rests than fit in `items`, the remaining ones
+/// stay in the last part.
 struct MovingParts {
     static constexpr std::size_t most = 32;
     std::array<MovingPart, most> items{};
@@ -131,7 +131,7 @@ private:
         return run;
     }
 
-    /// True if the hand has hardly left one rest before the other begins.
+    /// True if the second rest begins soon after the first one and near its place, so that both are one.
     bool is_same(const Rest& rest, const Rest& next) const {
         const Vec way = rest.middle - next.middle;
         return seconds(rest.last, next.first) < longest_halt && glm::dot(way, way) < 4 * square_;

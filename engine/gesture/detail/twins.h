@@ -9,17 +9,18 @@
 
 namespace thaum::gesture {
 
-/// Distance up to which two gestures are twins if the mean force of one is twice that of the other. The limit
-/// grows with the logarithm of the ratio of the forces, up to the second value: the clearer the difference in
-/// force, the less alike the shapes need be.
+/// Elastic distance up to which two gestures count as one shape (are twins) if the mean force of one is twice
+/// that of the other. The limit grows with the logarithm of the ratio of the forces, up to the second value:
+/// the clearer the difference in force, the less alike the shapes need be.
 inline constexpr double twin_distance = 0.07, max_twin_distance = 0.15;
 /// The same limits for two gestures that no third one resembles: every other gesture is at least
 /// `clear_of_others` times as far from them as they are from each other. Such a pair may differ more, and is
 /// still one shape, drawn with little care.
 inline constexpr double clear_twin_distance = 0.12, max_clear_twin_distance = 0.25, clear_of_others = 1.6;
 
-/// Whether two gestures at a distance can be distinguished by force, if their strokes have these mean forces.
-/// `third` is the distance of the nearest third gesture; 0: there is none.
+/// Whether two gestures are so near to each other in shape, and so different in force, that force should tell
+/// them apart. `force` and `other` are the mean forces of their strokes. `third` is the distance to the
+/// nearest third gesture; 0: there is none.
 inline bool differ_in_force(double distance, double force, double other, double third = 0) {
     if (!(std::min(force, other) > 0)) return false;
     const double doublings = std::abs(det::log(force / other)) / det::log(2);
@@ -28,8 +29,8 @@ inline bool differ_in_force(double distance, double force, double other, double 
            distance <= std::min(clear_twin_distance * doublings, max_clear_twin_distance);
 }
 
-/// How unusual a mean force is for a gesture with the mean force `usual`: half the square of the difference
-/// of the logarithms, in units of force_scatter.
+/// How unusual a stroke's mean force is for a gesture whose strokes have the mean force `usual`: half the
+/// square of the difference of the logarithms, in units of force_scatter.
 inline double force_oddness(double force, double usual) {
     constexpr double force_scatter = 0.25;
     constexpr double min_force = 1e-3;  // smallest force that counts (share of the usual force)

@@ -1,7 +1,7 @@
-// gesture/detail/vectors.h: numbers side by side, for arithmetic on four or eight of them at once.
+// gesture/detail/vectors.h: vectors of four or eight numbers for vector instructions of the processor.
 //
-// Arrays of vectors in this folder have no initialiser where every element is written anyway, because
-// clearing a long block takes longer than the arithmetic.
+// Arrays of such vectors in this folder have no initialiser where every element is written anyway, because
+// clearing a long array takes longer than the arithmetic.
 #pragma once
 #include <cstdint>
 #include <cstring>

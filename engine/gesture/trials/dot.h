@@ -21,8 +21,8 @@ inline constexpr std::size_t dot_points = 32;
 /// A unit vector of x, y, z and force of each point.
 using StrokeVector = std::array<double, 4 * dot_points>;
 
-/// Places at equal steps of arc length from the first to the last point, with linear interpolation. A stroke
-/// of one place gives that place everywhere. Needs at least one point.
+/// Points at equal steps of arc length from the first to the last point of a stroke, interpolated linearly. A
+/// stroke of one place gives that place everywhere. Needs at least one point.
 std::array<StrokePoint, dot_points> equally_spaced(Points stroke);
 
 /// Makes the vector of a stroke. Returns false for an empty stroke, one of a single

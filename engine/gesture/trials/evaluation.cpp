@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::uint32_t none = 0xffffffff;
 constexpr double false_accepts_wanted = 0.01;
-/// Number of strokes to which weights are fitted, at most. Of more strokes, only every second, third or so is
-/// taken: the weights need no more, and there may be very many.
+/// Largest number of strokes to which the weights of a calibration are fitted. Of more strokes, only every
+/// second, third or so is taken: that is enough for the weights, and saves time.
 constexpr std::size_t max_fitted = 20'000;
 
 using Numbers = std::vector<std::vector<std::size_t>>;
@@ -26,7 +26,7 @@ void draw(std::vector<std::size_t>& from, std::size_t count, Random& random) {
     from.resize(most);
 }
 
-/// One round of a test, in which the templates stay the same.
+/// One round of a test, in which the templates stay the same: a user and the number of the repeat.
 struct Fold {
     std::uint32_t user{};
     std::size_t repeat{};
@@ -60,7 +60,8 @@ private:
         return std::nullopt;
     }
 
-    /// Whether each gesture is left without templates; the same for every user in one repeat.
+    /// Chooses at random the gestures that get no templates in this repeat (1), so that their strokes should
+    /// be refused. The choice is the same for all users.
     std::vector<char> unknown_gestures(std::size_t repeat) const {
         std::vector<std::size_t> order(index_.gestures.size());
         for (std::size_t g = 0; g < order.size(); ++g) order[g] = g;
@@ -95,7 +96,8 @@ private:
             const bool own = index_.user_of[s] == fold.user;
             if (used[s] != 0 || (settings_.protocol != Protocol::random && !own)) continue;
             const auto g = index_.gesture_of[s];
-            if (templates[g].empty() && unknown[g] == 0) continue;  // there is no stroke for a template
+            // No template: there was no stroke to make one of.
+            if (templates[g].empty() && unknown[g] == 0) continue;
             test(s, **classifier, number, unknown[g] == 0);
         }
         return {};
@@ -125,7 +127,8 @@ std::vector<std::uint32_t> groups_of(std::span<const Trial> trials) {
     return groups;
 }
 
-/// Sets the probabilities of one group with weights fitted to the other groups.
+/// Sets the probabilities of one group of strokes, mostly those of one user, by weights that are fitted to
+/// the other groups.
 void calibrate_group(std::vector<Trial>& trials, std::uint32_t group) {
     std::vector<LabelledEvidence> samples;
     const std::size_t stride = trials.size() / max_fitted + 1;
@@ -140,8 +143,8 @@ void calibrate_group(std::vector<Trial>& trials, std::uint32_t group) {
     }
 }
 
-/// The probability that is exceeded by only the share `false_accepts_wanted` of the strokes of unknown
-/// gestures.
+/// The probability that only the share `false_accepts_wanted` of these strokes, all of gestures without
+/// templates, exceeds.
 double threshold_of(std::vector<double> unknown) {
     if (unknown.empty()) return 0;
     std::sort(unknown.begin(), unknown.end(), std::greater<>());

@@ -1,5 +1,5 @@
-// gesture/trials/evaluation.h: how often a method is right on strokes of a
-// data set, and how well it knows that.
+// gesture/trials/evaluation.h: tests a method of recognition on the strokes of a data set: how often it is
+// right, and how well its probabilities tell that.
 //
 // Protocols, by where the K random strokes of each gesture come from that are templates:
 //
@@ -39,10 +39,11 @@ struct EvaluationSettings {
     std::size_t templates = 1;  ///< number of templates of each gesture
     std::size_t repeats = 10;
     Channels channels{};
-    double at = 1;             ///< share of each tested stroke's length that is shown, from its start: 0 to 1
+    double at = 1;  ///< share of each tested stroke's length that the method gets, from its start: 0 to 1
     double unknown_share = 0;  ///< share of gestures without templates, 0 to less than 1
     std::uint64_t seed = 1;
-    /// true: keep the probability of the method itself, made from templates alone.
+    /// true: keep the method's own probabilities, which it made from templates alone; false: fit new ones to
+    /// the data set.
     bool own_calibration = false;
 };
 
@@ -55,18 +56,18 @@ struct Trial {
     Evidence evidence{};
     double probability{};  ///< probability that the stroke was meant as `answer`
 
-    /// Whether the stroke is of a known gesture and was read as that.
+    /// Whether the stroke's gesture had templates and the answer is that gesture.
     bool right() const { return known && answer == truth; }
 };
 
-/// Trials of about the same probability, to compare it with the share of right answers.
+/// Tested strokes with about the same probability, to compare it with the share of right answers among them.
 struct ReliabilityBin {
     std::size_t count{};
     double confidence{};  ///< mean probability
     double right{};       ///< share of right answers
 };
 
-/// How well strokes of no gesture are refused.
+/// How well strokes of gestures without templates ("unknown") are refused, and the others ("known") accepted.
 struct OpenSet {
     /// Share of known strokes that are accepted as the right gesture, at the chosen thresholds.
     double correct_accepts{};
@@ -88,10 +89,12 @@ struct Evaluation {
     std::optional<OpenSet> open_set;
 };
 
-/// The gestures of a data set in the order of their names, each with the numbers of its strokes.
+/// The gestures and users of a data set in the order of their names, and to which of them each stroke
+/// belongs.
 struct GestureIndex {
     std::vector<std::string> gestures, users;
-    std::vector<std::uint32_t> gesture_of, user_of;  ///< gesture and user of each stroke
+    /// For each stroke, the number of its gesture and of its user.
+    std::vector<std::uint32_t> gesture_of, user_of;
 };
 /// Finds all gestures and users of a set.
 GestureIndex index_of(std::span<const Stroke> strokes);
@@ -102,15 +105,15 @@ struct Certainty {
     double told{};
     double right{};  ///< share of the sure answers that are right; 0 if there are none
 };
-/// Certainty of a method that tells only answers of at least this probability.
+/// Certainty of a method that gives only answers of at least this probability.
 Certainty certainty_of(const Evaluation& evaluation, double min_probability);
 
-/// Templates of one fold (a round of the test).
+/// The gestures of one fold (a round of the test), with the strokes that are their templates.
 std::vector<Gesture> gestures_of(std::span<const Stroke> strokes, const GestureIndex& index,
                                  std::span<const std::vector<std::size_t>> templates);
 
-/// Random templates of one fold: numbers of strokes for each gesture. `user` is the user of the fold;
-/// not used by the protocol `random`.
+/// Draws the templates of one fold (a round of the test) at random: for each gesture, the numbers of its
+/// strokes. `user` is the user of the fold; not used by the protocol `random`.
 std::vector<std::vector<std::size_t>> draw_templates(const GestureIndex& index, Protocol protocol,
                                                      std::uint32_t user, std::size_t count, Random& random);
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array<std::string_view, 6> names{"dot", "tdnn", "directions", "elastic", "default", "early"};
 
-/// The gesture with the highest score, as an answer. The greatest possible score is 1, so 1 - score serves as
+/// The gesture with the highest score, as an answer. The highest possible score is 1, so 1 - score serves as
 /// the distance.
 Answer answer_of(std::span<const double> scores) {
     Answer answer;
@@ -75,7 +75,7 @@ public:
     }
 
 private:
-    /// With few strokes, more epochs are needed.
+    /// With fewer strokes, more epochs are needed for as many steps of the training.
     static TrainingSettings training_for(std::span<const Gesture> gestures, std::uint64_t seed) {
         std::size_t strokes = 0;
         for (const auto& g : gestures) strokes += g.strokes.size();

@@ -28,11 +28,11 @@ struct Answer {
     double probability{};  ///< probability by the method's own calibration, 0 to 1; 1 if the method has none
 };
 
-/// A method that was given its templates.
+/// A method of recognition that has got its templates.
 class Classifier {
 public:
     virtual ~Classifier() = default;
-    /// Reads one stroke.
+    /// Recognises one stroke.
     virtual Answer classify(Points stroke) = 0;
 };
 

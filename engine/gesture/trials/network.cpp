@@ -16,7 +16,7 @@ double row_sum(const double* row, std::span<const double> values) {
     return sum;
 }
 
-/// Working memory of the training.
+/// Working memory of the training: values and errors of the two layers.
 struct Layers {
     std::vector<double> hidden, output, error_output, error_hidden;
 
@@ -42,7 +42,7 @@ double propagate(const Network& n, const TrainingSample& sample, Layers& l) {
     return squares;
 }
 
-/// Adds the gradient of one layer: error of each output times each input.
+/// Adds the gradient of one layer's weights: error of each output times each input, and 1 for the bias.
 void add_layer(std::span<const double> errors, std::span<const double> inputs, std::vector<double>& slope) {
     for (std::size_t r = 0; r < errors.size(); ++r) {
         double* row = &slope[r * (inputs.size() + 1)];

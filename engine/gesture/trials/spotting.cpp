@@ -63,7 +63,8 @@ std::vector<Found> candidates_in(const Session& session, const Recogniser& recog
     return found;
 }
 
-/// The labels of a session, and the strokes that may be reported but need not be.
+/// The labels of a session (gestures that must be reported), and the strokes that may be reported but need
+/// not be.
 struct Truth {
     std::vector<Label> labels, ignored;
 };
@@ -102,7 +103,7 @@ Count count_at(float threshold, std::span<const Found> found, const Truth& truth
     return count;
 }
 
-/// The reports that were counted in each session at each threshold.
+/// Counts of right, false and missed reports in each session at each threshold of the score.
 using Counts = std::vector<std::array<Count, thresholds>>;
 
 Count sum_of_others(const Counts& counts, std::size_t without, std::size_t threshold) {
@@ -139,7 +140,8 @@ SpottingScore score_of(const Count& count, double hours) {
     return s;
 }
 
-/// Score summed over the sessions, each at the threshold that is best on the other users' sessions.
+/// Result summed over all sessions. The threshold for each session is the one that is best on the other
+/// users' sessions, so that no session is tested with a threshold fitted to it.
 template <class Better>
 SpottingScore cross_validated(const Counts& counts, double hours, Better value) {
     Count sum;

@@ -7,7 +7,8 @@
 // neither way. Such strokes are attempts without a label, as in the protocol of Taranta et al. (2020),
 // whose sessions hold many of them.
 //
-// For each user, the threshold of the score is chosen on the sessions of the other users.
+// For each user, the threshold of the score (the largest one that is reported) is chosen on the sessions of
+// the other users.
 #pragma once
 #include <optional>
 #include <span>
@@ -29,7 +30,7 @@ struct SpottingSettings {
     std::vector<SessionLabel> ignored{};  ///< strokes that may be reported but need not be
 };
 
-/// Result for one choice of thresholds, over all repeats.
+/// Result for one way to choose thresholds, over all repeats.
 struct SpottingScore {
     std::size_t right{}, wrong{}, missed{};
     double precision{}, recall{}, f1{};

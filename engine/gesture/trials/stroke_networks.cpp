@@ -7,7 +7,8 @@
 namespace thaum::gesture {
 namespace {
 
-constexpr double widest_step = 2;  // longest step (cells); a longer jump counts as this
+// Longest step from one cell of the grid to the next; a longer one counts as this (cells).
+constexpr double widest_step = 2;
 
 bool all_finite(Points stroke) {
     return std::all_of(stroke.begin(), stroke.end(), [](const auto& p) { return is_finite(p); });

@@ -29,7 +29,7 @@ inline constexpr std::size_t window_transitions = 8;
 inline constexpr std::size_t hidden_nodes = 24;
 inline constexpr std::size_t direction_vectors = 16;
 
-/// A network that reads strokes.
+/// A network, and the form in which it gets strokes.
 struct StrokeNetwork {
     NetworkKind kind{};
     Network network;
@@ -37,17 +37,19 @@ struct StrokeNetwork {
     bool operator==(const StrokeNetwork&) const = default;
 };
 
-/// Windows of transitions of a stroke. A stroke of fewer than 8 transitions gives one window with zeros in
-/// front; a stroke without a transition, or with values that are not finite, gives none.
+/// Inputs of the time-delay network for a stroke: windows of 8 transitions from cell to cell. A stroke of
+/// fewer than 8 transitions gives one window with zeros in front; a stroke without a transition, or with
+/// values that are not finite, gives none.
 std::vector<std::vector<double>> transition_windows(Points stroke);
 
-/// Unit vectors from point to point, three numbers each; empty for a stroke without two different places.
+/// Input of the network of directions: unit vectors along the stroke, three numbers each; empty for a stroke
+/// without two different places.
 std::vector<double> direction_input(Points stroke);
 
 /// Inputs of a network of this kind for one stroke.
 std::vector<std::vector<double>> inputs_of(NetworkKind kind, Points stroke);
 
-/// Mean of the outputs over the inputs of the stroke; all -1 for a stroke without inputs.
+/// Mean of the network's outputs over all inputs made from the stroke; all -1 for a stroke without inputs.
 std::vector<double> outputs_of(const StrokeNetwork& network, Points stroke);
 
 /// A network with one output for each gesture, in their order.
