@@ -28,7 +28,7 @@ inline Floats8 larger(const Floats8& a, const Floats8& b) { return a > b ? a : b
 /// The smaller value in each lane.
 inline Floats8 smaller(const Floats8& a, const Floats8& b) { return a < b ? a : b; }
 
-/// Copies at least `count` values, rounded up to a multiple of eight.
+/// Copies `count` values, rounded up to a multiple of eight.
 inline void copy_by_8(const float* from, float* to, std::ptrdiff_t count) {
     for (std::ptrdiff_t i = 0; i < count; i += 8) store(to + i, load(from + i));
 }

@@ -82,7 +82,8 @@ bool holds_fluid(const Fluid& fluid, std::size_t at) {
     return solids == nullptr || solids->holds_fluid(at);
 }
 
-/// Weight of a cell in a push: a smooth function of the distance up to `radius`, 0 beyond.
+/// Weight of a cell when something is spread round a place: a smooth function of the distance up to `radius`,
+/// 0 beyond.
 double kernel(const Fluid& fluid, vec3 place, vec3 at, double radius) {
     vec3 apart = at - place;
     for (int axis = 0; axis < 3; ++axis) {
@@ -94,7 +95,8 @@ double kernel(const Fluid& fluid, vec3 place, vec3 at, double radius) {
     return part > 0 ? part * part : 0;
 }
 
-/// Cells along one axis that a kernel may reach: [low, high). Indices wrap where the edge is periodic.
+/// Range of cells along one axis that may lie within `radius` of a place: [low, high). Indices wrap where the
+/// edge is periodic.
 std::array<int, 2> kernel_range(const Fluid& fluid, std::size_t axis, vec3 place, double radius) {
     const int n = fluid.lattice.cells[axis];
     const double wide = radius / fluid.lattice.h + 1;
@@ -112,8 +114,9 @@ std::array<int, 2> kernel_range(const Fluid& fluid, std::size_t axis, vec3 place
     return {inside(at - wide), inside(at + wide + 1)};
 }
 
-/// Distributes `total` over those samples within `radius` for which `counts` returns true. `first` is the
-/// position of the sample of cell (0, 0, 0) (cells). Returns false if there is no such sample.
+/// Distributes `total` by a smooth kernel over those samples within `radius` of a place for which `counts`
+/// returns true. `first` is the position of the sample of cell (0, 0, 0) (cells). Returns false if there is
+/// no such sample.
 template <class Counts>
 bool distribute(const Fluid& fluid, vec3 place, double radius, double total, vec3 first, Samples& samples,
                 Counts&& counts) {

@@ -72,7 +72,8 @@ struct State {
     /// Velocity (m/s). Ghosts follow the edges; Fluid::place has the positions of the samples.
     std::array<Samples, 3> velocity;
     std::array<Samples, 3> push;  ///< velocity that the next step adds (m/s)
-    /// Pressure of the last step with solids; scratch memory of `classic` (m^2/s^2).
+    /// Pressure of the last step, from which the next one starts if there are solids; scratch memory of
+    /// `classic` (m^2/s^2).
     Samples pressure;
     /// Potential whose gradient the last projection subtracted; used only with solids (m^2/s).
     Samples projected;
@@ -138,12 +139,13 @@ struct StepReport {
     int substeps{};  ///< number of Runge-Kutta sub-steps
     /// true: `max_substeps` was not enough, so a semi-Lagrangian step covered the remaining time.
     bool fell_back{};
-    int pressure_iterations{};  ///< number of iterations over all sub-steps; a direct solve counts as one
+    /// Number of iterations of the pressure solve over all sub-steps; a direct solve counts as one.
+    int pressure_iterations{};
     double divergence{};        ///< largest divergence times h, divided by the largest speed
     double energy{};            ///< kinetic energy per unit of density (m^5/s^2)
     double rescaled{};          ///< kinetic energy removed because no force had done that work (m^5/s^2)
     double speed{};             ///< largest velocity component (m/s)
-    std::int64_t cells{};       ///< visited cells: cells times sub-steps
+    std::int64_t cells{};       ///< work of the step: number of cells times sub-steps
 };
 
 /// Advances the fluid by dt (s), 0 < dt <= 1. A fluid at rest without forces costs nothing.

@@ -41,8 +41,8 @@ Mirrors wall_mirrors(int n, float factor, int depth) {
     return result;
 }
 
-/// Mirrored layers for a quantity that is sampled on the faces across the axis. Layers 0 and n are the walls
-/// themselves.
+/// Ghost layers of a quantity that is sampled on the faces across the axis and is zero on walls. Layers 0 and
+/// n are the walls themselves.
 Mirrors face_mirrors(int n, int depth) {
     Mirrors result;
     result.add({0, 0, 0});
@@ -100,7 +100,7 @@ void fill_z(const Lattice& lattice, const Mirrors& all, float* cells) {
     for (const Mirror& m : all) copy_scaled(first + m.from * plane, first + m.to * plane, plane, m.factor);
 }
 
-/// Copies row j of layer k, including its ghosts, from another row.
+/// Copies row j of layer k, including its ghost cells, from another row, times `factor`.
 void copy_row(const Lattice& lattice, int from_j, int from_k, int j, int k, float factor, float* cells) {
     copy_scaled(cells + lattice.at(-ghosts, from_j, from_k), cells + lattice.at(-ghosts, j, k),
                 lattice.stride[1], factor);

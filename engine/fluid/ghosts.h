@@ -6,8 +6,9 @@ namespace thaum::fluid {
 
 /// Continuation of a quantity beyond a wall across one axis.
 enum class GhostRule : std::uint8_t {
-    even,  ///< the quantity is cell-centred across this axis and mirrored
-    /// The quantity is cell-centred across this axis and mirrored with the opposite sign: zero on the wall.
+    even,  ///< the quantity is sampled at cell centres along this axis, and mirrored
+    /// The quantity is sampled at cell centres along this axis, and mirrored with the opposite sign: zero on
+    /// the wall.
     odd,
     /// The quantity is sampled on the faces across this axis: zero on both walls, and odd beyond them.
     through_wall,
@@ -15,8 +16,8 @@ enum class GhostRule : std::uint8_t {
 
 inline constexpr std::array all_even{GhostRule::even, GhostRule::even, GhostRule::even};
 
-/// Writes the ghosts; `rule` is used only at walls. The `_across` version fills only the ghosts beyond
-/// the two sides across one axis, without the corners.
+/// Writes the values of ghost cells; `rule` is used only at walls. The `_across` version fills only the
+/// ghosts beyond the two sides across one axis, without the corners.
 void fill_ghosts_across(const Lattice& lattice, std::size_t axis, GhostRule rule, Samples& samples);
 /// Writes all ghosts of a box, corners included.
 void fill_ghosts(const Lattice& lattice, const std::array<GhostRule, 3>& rule, Samples& samples);

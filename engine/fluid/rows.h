@@ -18,7 +18,8 @@ struct Row {
 struct Rows {
     Lattice lattice{};
     std::vector<Row> rows{};  ///< row j of layer k has the index k * lattice.cells[1] + j
-    /// Starts of the lattice rows that have fluid close enough to an end for ghost cells to mirror it.
+    /// Indices at which those lattice rows start whose fluid is so near to one end that ghost cells there
+    /// mirror it.
     std::vector<std::ptrdiff_t> rows_near_sides{};
     bool complete{};  ///< true: every row contains all cells of its lattice row
 

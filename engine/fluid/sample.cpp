@@ -7,7 +7,7 @@ namespace thaum::fluid {
 
 namespace {
 
-/// Wraps or clamps one coordinate in the same way as into_box.
+/// Moves one coordinate into the box as into_box does: wrapped across periodic edges, clamped at walls.
 template <class T>
 T into_box(const Lattice& lattice, std::size_t axis, T place) {
     const auto n = static_cast<T>(lattice.cells[axis]);

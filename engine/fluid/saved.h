@@ -42,7 +42,7 @@ struct SavedFluid {
 
 inline constexpr std::uint32_t saved_version = 2;
 
-/// Bytes of a file that `restore` reads; `caller_data` is kept with them.
+/// The saved fluid and surface as bytes, which `restore` reads; they include `caller_data`.
 Bytes save(const Fluid& fluid, const SpringSurface& surface, const NamedShape& shape,
            std::span<const std::byte> caller_data = {});
 

@@ -16,9 +16,9 @@
 namespace thaum::fluid {
 namespace {
 
-/// Largest phase of the stiffest mode in a sub-step (rad). As long as the phase is at most 2, for frequency
-/// and for damping, no step can add energy. At 1 the stiffest mode loses less than 1.4 % of its energy, and
-/// all modes that are five times slower lose less than 1e-6.
+/// Largest phase by which the stiffest mode of oscillation may advance in a sub-step (rad). As long as the
+/// phase is at most 2, for frequency and for damping, no step can add energy. At 1 the stiffest mode loses
+/// less than 1.4 % of its energy, and all modes that are five times slower lose less than 1e-6.
 constexpr double max_phase = 1;
 
 /// Stiffnesses of the springs and of gravity (`level`), divided by the mass of a node (1/s^2), and the drag
@@ -46,7 +46,7 @@ SpringNetwork spring_network(const SpringSurfaceSettings& s) {
             .mirrored = s.rim == Rim::free};
 }
 
-/// Square of the highest frequency (1/s^2).
+/// Upper bound of the square of the surface's highest angular frequency (1/s^2).
 double highest_squared_frequency(const SpringNetwork& net) {
     return std::max(8 * net.structural, 4 * net.structural + 8 * net.shear) + net.level;
 }
@@ -100,7 +100,8 @@ void mirror(const SpringNetwork& net, double* h) {
 
 // ---- probes ----------------------------------------------------------------------------------------------
 
-/// Rectangle of nodes under a probe and the weight of each; the weights add up to 1.
+/// Rectangle of nodes under a probe, and the weight of each in the force and in the mean height; the weights
+/// add up to 1.
 struct Footprint {
     std::size_t x0{}, x1{}, z0{}, z1{};  ///< nodes from (x0, z0) to before (x1, z1); empty if x0 == x1
     const double* weights{};             ///< weights, row by row
@@ -170,7 +171,8 @@ double contact_force(const SpringSurfaceSettings& s, const Footprint& print, boo
     return inside ? std::clamp(gap, -s.cling, 0.0) : std::clamp(gap, 0.0, s.pop_through);
 }
 
-/// Lets the probe break through the surface or tear off it when its force reaches the limit.
+/// Lets the probe break through the surface when the force reaches `pop_through`, or tears the surface off it
+/// when the pull reaches `cling`.
 void update_inside(const SpringSurfaceSettings& s, const Footprint& print, std::uint32_t& inside,
                    double height) {
     const double gap = s.contact * (height - print.height);
@@ -218,8 +220,8 @@ void accelerate(const SpringNetwork& net, Values h, Values v, double* __restrict
     }
 }
 
-/// The same for a later stage, whose velocity is v + t before. There `before` is the acceleration of an
-/// earlier stage.
+/// Accelerations `a` of the nodes in a later Runge-Kutta stage. Its velocity is v + t before, where `before`
+/// is the acceleration of an earlier stage.
 void accelerate(const SpringNetwork& net, Values h, Values v, Values before, double t, double* __restrict a) {
     for (std::size_t z = net.first; z < net.end; ++z) {
         const auto [begin, end] = vectors(net, z);
@@ -233,7 +235,7 @@ void close_array(const SpringNetwork& net, double* values) {
     mirror(net, values);
 }
 
-/// Heights of a stage: h + t v.
+/// Heights of the nodes in a Runge-Kutta stage: h + t v.
 void place_stage(const SpringNetwork& net, Values h, Values v, double t, double* __restrict stage) {
     for (std::size_t z = net.first; z < net.end; ++z) {
         const auto [begin, end] = vectors(net, z);
@@ -242,7 +244,7 @@ void place_stage(const SpringNetwork& net, Values h, Values v, double t, double*
     close_array(net, stage);
 }
 
-/// Heights of a stage: h + t v + t2 a.
+/// Heights of the nodes in a later Runge-Kutta stage: h + t v + t2 a.
 void place_stage(const SpringNetwork& net, Values h, Values v, double t, Values a, double t2,
                  double* __restrict stage) {
     for (std::size_t z = net.first; z < net.end; ++z) {
@@ -311,7 +313,8 @@ double sum_of_squares(std::span<const double> values) {
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
-/// Whether an upper bound of the energy is below the limit set by `still`.
+/// Whether the energy, by an upper bound, is below the limit at which the surface falls asleep
+/// (SpringSurfaceSettings::still).
 bool is_still(const SpringSurface& surface, const SpringNetwork& net) {
     const double most =
         net.mass / 2 *
@@ -335,8 +338,8 @@ bool touches_level(const SpringSurface& surface, const ProbeFootprints& footprin
     return false;
 }
 
-/// Footprints of the probes that are not absent (see `advance`); their weights are written from `weights` on.
-/// An absent probe is marked as outside.
+/// Footprints (nodes under a probe, with weights) of the probes that are on the surface; their weights are
+/// written from `weights` on. Any other probe is marked as not having broken through.
 ProbeFootprints probe_footprints(SpringSurface& surface, std::span<const SurfaceProbe> probes,
                                  double* weights) {
     ProbeFootprints footprints{.count = std::min(probes.size(), surface_probe_capacity)};
@@ -359,7 +362,7 @@ double stiffness_of_probes(const SpringSurfaceSettings& s, const SpringNetwork& 
     return sum;
 }
 
-/// Number of sub-steps, and the length of each (s).
+/// Number of sub-steps of a call, and the length of each (s).
 std::pair<std::uint32_t, double> sub_steps(const SpringSurfaceSettings& s, const SpringNetwork& net,
                                            const ProbeFootprints& footprints, double dt) {
     const double rate = std::max(

@@ -13,7 +13,7 @@
 // structural springs alone.
 //
 // A spring connects the probe to the surface. Its end at the surface is the mean height under the probe,
-// weighted by its footprint. If the force reaches `pop_through`, the probe breaks through and feels the
+// weighted more near its middle. If the force reaches `pop_through`, the probe breaks through and feels the
 // surface no more. When the probe rises through it again, the surface clings to it and is pulled up. A
 // smaller force, `cling`, tears the surface off the probe.
 //
@@ -60,7 +60,8 @@ struct SpringSurfaceSettings {
     double cling{40};         ///< pull that tears the surface off a leaving probe, >= 0 (N)
     /// Depth over which a push decays by a factor of e in the base fluid, see transmitted(), > 0 (m).
     double reach{0.3};
-    /// A length, >= 0 (m). The surface falls asleep if its energy is below tension times still^2.
+    /// Amplitude of waves that counts as still, >= 0 (m): the surface falls asleep if its energy is below
+    /// tension times still^2.
     double still{1e-5};
     std::uint32_t max_steps{32};  ///< largest number of sub-steps of a call, 1 to 1000
 };
@@ -130,7 +131,7 @@ struct SpringSurfaceStep {
     /// Time by which the surface advanced; less than dt if the sub-steps were not enough (s).
     double seconds{};
     std::uint32_t steps{};    ///< number of sub-steps; 0 while asleep
-    std::uint32_t visited{};  ///< visited nodes, over all sub-steps
+    std::uint32_t visited{};  ///< work of the call: number of nodes, summed over all sub-steps
 };
 
 /// Advances by dt (s) under probes that do not move. Probes are identified by their index from call to

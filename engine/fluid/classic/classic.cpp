@@ -11,8 +11,9 @@ namespace {
 
 /// Rule for the values of a field in its ghost cells. This solver uses only the layer next to the box.
 struct Border {
-    std::array<float, 3> factor{1, 1, 1};  ///< factor from the nearest inner cell to a ghost cell beyond a
-                                           ///< wall across each axis: 1 or -1
+    /// For each axis, value of a ghost cell beyond a wall, divided by that of the nearest inner cell: 1 or
+    /// -1.
+    std::array<float, 3> factor{1, 1, 1};
     float lid{};  ///< velocity added in the ghost cells above the top of y: twice that of the lid (m/s)
 };
 
@@ -45,8 +46,8 @@ struct RowEnds {
     }
 };
 
-/// Fills the ghost cells of a field, one axis after another. Each axis includes the ghost cells of earlier
-/// axes, so that those at edges and corners are right, too.
+/// Fills the ghost cells of a field, one axis after another. The rows along an axis include the ghost cells
+/// of the axes before it, so that those at edges and corners are right, too.
 void fill_border(const Lattice& lattice, const Border& border, Samples& samples) {
     const auto [nx, ny, nz] = lattice.cells;
     const auto sides = [&](std::size_t axis) {
@@ -80,8 +81,8 @@ void relax(const Lattice& lattice, const Border& border, int sweeps, float own, 
             float* const c = x.data() + first;
             float west = c[-1];
             for (int i = 0; i < n; ++i) {
-                // The neighbour that was written last is added last, because only this term must wait for the
-                // result of the previous iteration.
+                // The neighbour that was written last is added last. Then only this addition, and not the
+                // whole sum, must wait for the previous iteration.
                 const float others = c[i + 1] + c[i - ny] + c[i + ny] + c[i - nz] + c[i + nz];
                 west = (b[i] + share * (others + west)) * inverse;
                 c[i] = west;
@@ -141,10 +142,10 @@ void project(Fluid& fluid, ClassicScratch& scratch) {
     classic_fill(fluid);
 }
 
-/// A place between eight cell centres.
+/// A place between eight cell centres, for interpolation.
 struct TracedPlace {
-    std::ptrdiff_t corner;      ///< index of the cell with the lowest coordinates
-    std::array<float, 3> part;  ///< position between the lowest and the highest cell, 0 to 1
+    std::ptrdiff_t corner;      ///< index of that of the eight cells with the lowest coordinates
+    std::array<float, 3> part;  ///< position along each axis between that cell and the next one, 0 to 1
 };
 
 /// Place from which the fluid of a cell came, along one axis: the lower cell, and the position between it and
@@ -194,7 +195,7 @@ Tracer tracer_of(const Fluid& fluid, const std::array<Samples, 3>& velocity, dou
 
 float mix(float a, float b, float part) { return a + part * (b - a); }
 
-/// Value of a field at a traced place, by linear interpolation along each axis.
+/// Value of a field at the place from which fluid came, by linear interpolation along each axis.
 float sample(const Lattice& lattice, const TracedPlace& place, const Samples& samples) {
     const auto [sx, sy, sz] = lattice.stride;
     const float* const c = samples.data() + place.corner;

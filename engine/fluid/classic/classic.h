@@ -24,7 +24,7 @@ namespace thaum::fluid {
 struct ClassicScratch {
     /// copies of velocities or of a substance, which a pass reads while it writes its result
     std::array<Samples, 3> before{};
-    Samples source{};  ///< right-hand side of a solve
+    Samples source{};  ///< right-hand side of a solve, for diffusion or pressure
 };
 
 /// Advances the fluid by dt (s), > 0, in one step. Of the ghost cells it uses only the layer next to the box.

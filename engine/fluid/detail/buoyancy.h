@@ -12,21 +12,23 @@
 
 namespace thaum::fluid {
 
-/// Adds gravity on `weight`, whose ghost cells must be filled, to the forces on the open faces. Along the
-/// vertical, the mean of every level (cells at one height) is left out, because pressure balances it. `open`
-/// holds the shares of the faces that no solid covers; null means all are open.
+/// Adds the force of gravity on `weight` (substances relative to the base fluid), whose ghost cells must be
+/// filled, to the forces on the open faces. Along the vertical, the mean of every level (cells at one height)
+/// is left out, because pressure balances it. `open` holds the shares of the faces that no solid covers; null
+/// means all are open.
 void add_weight(const Rows& rows, int order, const std::array<Samples, 3>* open, const vec3& gravity,
                 const Samples& weight, std::array<Samples, 3>& force);
 
-/// Moves `weight` by the velocity for `time` (s), in one step of first order with central differences.
-/// The ghosts of `weight` must be filled. The result is only a prediction: the amount is not conserved,
-/// but a constant stays constant. `open` holds the open shares of faces; null means all are open.
+/// Predicts where the flow will have carried `weight` after `time` (s), in one step of first order with
+/// central differences. The ghosts of `weight` must be filled. The result is only a prediction: the amount is
+/// not conserved, but a constant stays constant. `open` holds the open shares of faces; null means all are
+/// open.
 void predict_weight(const Rows& rows, const std::array<Samples, 3>& velocity,
                     const std::array<Samples, 3>* open, double time, const Samples& weight, Samples& moved);
 
-/// Potential energy that diffusion with k = 1 m^2/s adds per second, summed over cells (1/s^2 for a weight
-/// without unit). Diffusion adds energy because it spreads a heavy substance upwards from below. The ghosts
-/// of `weight` must be filled. `open` holds the open shares of faces; null means all are open.
+/// Potential energy that diffusion with the coefficient k = 1 m^2/s adds per second, summed over cells (1/s^2
+/// for a weight without unit). Diffusion adds energy because it spreads a heavy substance upwards from below.
+/// The ghosts of `weight` must be filled. `open` holds the open shares of faces; null means all are open.
 double lifted_by_diffusion(const Rows& rows, const std::array<Samples, 3>* open, const vec3& gravity,
                            const Samples& weight);
 

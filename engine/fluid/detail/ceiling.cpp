@@ -7,8 +7,8 @@
 namespace thaum::fluid {
 namespace {
 
-/// Highest density of a row. Densities are >= 0 or negative zero, so their bits compare like integers.
-/// GCC 12 vectorises the integer comparison.
+/// Highest density of a row. Densities are >= 0 or negative zero, so their bits compare like integers. They
+/// are compared as such because GCC 12 vectorises only that comparison.
 [[gnu::noinline]] float highest_of_row(const float* __restrict value, std::ptrdiff_t count) {
     std::uint32_t most = 0;
     for (std::ptrdiff_t i = 0; i < count; ++i)
@@ -41,10 +41,12 @@ DensityStencil densities_along(const float* density, const float* aperture, std:
     return result;
 }
 
-// A hill or slope counts as smooth if its bend or its rise from cell to cell is at most `max_change` of its
-// height. The smallest such change must be at least `evenness` of the largest.
+// A hill or slope of the density counts as smooth if its second difference (bend), or its rise from cell to
+// cell, is at most `max_change` of its height. The smallest such value among neighbouring cells must be at
+// least `evenness` of the largest.
 constexpr float max_change = 0.125F, evenness = 0.7F;
-/// largest slope at a cell, as a share of the bend there, with which the top of a hill lies in that cell
+/// Largest slope at a cell, divided by the bend (second difference) there, with which the top of a hill lies
+/// in that cell.
 constexpr float max_slope = 0.6F;
 
 /// Height that a smooth slope gains between the last cell before a wall and the wall; 0 if there is no wall
@@ -83,8 +85,8 @@ float crest_above(const std::array<DensityStencil, 3>& along) {
     return sum;
 }
 
-/// True if so many cells exceed `level` that they are the inside of a body and not the top of a hill.
-/// Layers and waves that cross the whole lattice do not count, however many cells they have.
+/// True if so many cells exceed the density `level` that they are the inside of a body and not the top of a
+/// hill. Layers and waves that cross the whole lattice never count as a body.
 bool is_plateau(const Rows& rows, const Samples& density, float level) {
     constexpr int cells_of_a_top = 64;
     const auto [nx, ny, nz] = rows.lattice.cells;

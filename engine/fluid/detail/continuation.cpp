@@ -9,19 +9,20 @@
 namespace thaum::fluid {
 namespace {
 
-/// Search range of a fit along each axis (cells). With a shorter range the fit has too few faces: it follows
-/// noise, and the flow gains energy.
+/// Distance along each axis within which a fit (linear function through known velocities) uses faces (cells).
+/// With a shorter range the fit has too few faces: it follows noise, and the flow gains energy.
 constexpr int reach = 2;
-/// Added to the variance of the positions of a fit's faces, so that the fit has a solution if all faces lie
-/// in one plane (cells^2).
+/// Added to the variance of the positions of the faces that a fit uses, so that the fit has a solution even
+/// if all faces lie in one plane (cells^2).
 constexpr double min_spread = 1e-6;
-/// Largest sum of the absolute weights of a fit. This value and upwind_share were chosen by trials in turning
-/// and stirred bowls of 16 to 64 cells: with 6, flows gained energy.
+/// Largest sum of the absolute weights with which a fit combines velocities; larger ones magnify noise. This
+/// value and upwind_share were chosen by trials in turning and stirred bowls of 16 to 64 cells: with 6, flows
+/// gained energy.
 constexpr double max_weights = 4;
-/// Weight of upwind differences. With a smaller one, flows gained energy in some trials; with 1 a turning
-/// flow lost twice as much energy.
+/// Share of upwind differences in the advection beside continued velocities. With a smaller one, flows gained
+/// energy in some trials; with 1 a turning flow lost twice as much energy.
 constexpr float upwind_share = 0.5F;
-/// Number of partial sums in which the sources of one continued velocity are added. In a single sum each
+/// Number of partial sums in which the terms of one continued velocity are added. In a single sum each
 /// addition would wait for the one before.
 constexpr std::uint32_t sums_at_once = 4;
 
@@ -52,7 +53,7 @@ Faces faces_across(const Lattice& lattice, const Solids& solids, std::size_t axi
     return result;
 }
 
-/// Whether advection may read this face although it is not wholly open.
+/// Whether advection may read the velocity of this face although a solid covers it in part or wholly.
 bool is_read(const Faces& faces, const Cells& cell) {
     const std::size_t at = faces.at(cell);
     const auto step = [&](std::size_t axis) { return static_cast<std::size_t>(faces.lattice.stride[axis]); };
@@ -66,10 +67,10 @@ bool is_read(const Faces& faces, const Cells& cell) {
     return result;
 }
 
-/// An open face near the face whose velocity is continued, as a part of the fit.
+/// An open face whose velocity a fit uses, to continue the velocity of another face near it.
 struct FittedFace {
     std::size_t at{};
-    vec3 apart{};     ///< place relative to the centre of the continued face (cells)
+    vec3 apart{};     ///< place relative to the centre of the face whose velocity is continued (cells)
     double weight{};  ///< weight in the fit, later weight in the continued velocity
 };
 
@@ -90,9 +91,10 @@ std::vector<FittedFace> open_faces_around(const Faces& faces, const Cells& centr
     return result;
 }
 
-/// Solves the least-squares fit of a linear function. Replaces the weight of each face in the fit by its
-/// weight in the value of the function at the centre of the continued face. If that centre lies so far from
-/// the fitted faces that the weights would magnify noise, the slope of the function is reduced (max_weights).
+/// Solves the least-squares fit of a linear function to the velocities of these faces. Replaces the weight of
+/// each face in the fit by its weight in the continued velocity, the value of the function at the centre of
+/// the face in question. If that centre lies so far from the fitted faces that the weights would magnify
+/// noise, the slope of the function is reduced (max_weights).
 void solve_fit(std::vector<FittedFace>& faces) {
     double total = 0;
     vec3 mean(0);

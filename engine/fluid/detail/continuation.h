@@ -28,17 +28,18 @@ public:
     /// Replaces the velocities on cut faces, and on closed faces beside fluid, by continued ones. Neither
     /// reads nor writes ghost cells.
     void apply(std::array<Samples, 3>& velocity);
-    /// Adds the terms of divergence and upwind differences (see the top of this file) to a stage that
-    /// Momentum has computed from a continued velocity.
+    /// Adds the terms of divergence and upwind differences (see the top of this file) to a Runge-Kutta stage
+    /// that Momentum has computed from a continued velocity.
     void correct(const RungeKuttaStage& stage) const;
 
 private:
-    /// An open face and its part in a continued velocity.
+    /// An open face, and its weight in the continued velocity of another face.
     struct Source {
         std::uint32_t at{};  ///< index of the face in the samples
         float weight{};
     };
-    /// A face whose velocity is continued: replaced by the weighted sum of its sources' velocities.
+    /// A face whose velocity is continued: replaced by the weighted sum of the velocities of other faces, its
+    /// sources.
     struct Target {
         std::uint32_t at{};  ///< index of the face in the samples
         /// Index of the target's first source; the sources end where those of the next target begin.
@@ -51,7 +52,8 @@ private:
         std::vector<Target> targets;
         /// Sources of each target, padded to a multiple of four with weights of 0.
         std::vector<Source> sources;
-        std::vector<std::uint32_t> beside;  ///< open faces whose advection reads continued velocities
+        /// Indices of the open faces whose advection reads continued velocities.
+        std::vector<std::uint32_t> beside;
     };
 
     void find_targets(const Solids& solids, std::size_t axis);

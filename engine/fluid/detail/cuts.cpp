@@ -9,10 +9,10 @@ namespace thaum::fluid {
 namespace {
 
 constexpr int pieces = 4;           ///< number of parts into which a line is divided to search for walls
-constexpr int halvings = 20;        ///< bisections to locate a crossing
+constexpr int halvings = 20;        ///< bisections to locate the place where a line crosses a wall
 constexpr int cells_looked_at = 3;  ///< search range along each axis for the distance to a wall (cells)
 
-/// A place of the four-point Gauss rule on the interval from 0 to 1, and its weight.
+/// A place of the four-point Gauss rule for integrals over the interval from 0 to 1, and its weight.
 struct GaussPlace {
     double at, weight;
 };
@@ -31,7 +31,8 @@ double crossing(const SolidShare& solid, vec3 open_end, vec3 to_solid) {
     return 0.5 * (open + closed);
 }
 
-/// Open length of a line and its first moment about the start, both relative to the length of the line.
+/// Length of a line outside of solids (open length), and the first moment of its open part about the start.
+/// Both are relative to the length of the line.
 struct OpenLength {
     double length{}, moment{};
 };
@@ -66,8 +67,8 @@ void add_crossings(const SolidShare& solid, vec3 from, vec3 along, std::vector<d
     }
 }
 
-/// A face: its corner with the lowest coordinates, and the two edges that start there (m). Open lengths are
-/// measured along `first`.
+/// A face of a cell: its corner with the lowest coordinates, and the two edges that start there (m). Lines
+/// across the face run along `first`.
 struct FaceEdges {
     vec3 low, first, second;
 };

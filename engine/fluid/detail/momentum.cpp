@@ -7,8 +7,9 @@
 namespace thaum::fluid {
 namespace {
 
-/// Interpolates the advecting velocity between a sample and the previous one, `step` away. The result
-/// is multiplied by 16 / 9 at order 4 and by 2 at order 2.
+/// Interpolates the advecting velocity half-way between a sample and the previous one, `step` away. The
+/// result is multiplied by 16 / 9 at order 4 and by 2 at order 2, which saves multiplications here; later
+/// factors take it out.
 template <bool fourth>
 void interpolate_row(const float* u, std::ptrdiff_t step, std::ptrdiff_t count, float* out) {
     for (std::ptrdiff_t i = 0; i < count; i += 8) {
@@ -18,8 +19,8 @@ void interpolate_row(const float* u, std::ptrdiff_t step, std::ptrdiff_t count, 
     }
 }
 
-/// Rows of the advecting velocity around a row of advected values: the previous row, the low side, the
-/// high side, the next row.
+/// Four neighbouring rows of the advecting velocity across a row of advected values: one beyond its low side,
+/// those on its low and high side, and one beyond its high side.
 struct CarryingRows {
     const float* before;
     const float* low;
@@ -28,8 +29,8 @@ struct CarryingRows {
     std::ptrdiff_t step;  ///< index distance between advected neighbours along this axis
 };
 
-/// Flux to the next samples minus flux from the previous ones. `by` is the advecting velocity, q the advected
-/// values.
+/// Flux out of eight samples to the next ones minus flux into them from the previous ones. `by` is the
+/// advecting velocity, q the advected values.
 inline Floats8 flux(const CarryingRows& by, const float* q, std::ptrdiff_t i) {
     return load(by.high + i) * load(q + by.step) - load(by.low + i) * load(q - by.step);
 }

@@ -56,8 +56,7 @@ private:
     template <bool fourth>
     void interpolate_in_layer(const std::array<Samples, 3>& velocity, std::ptrdiff_t step, int k);
 
-    /// Bounding rectangle of the rows of a layer that hold fluid: rows first to end - 1, `count` cells
-    /// from `start`.
+    /// Rectangle of a layer that contains all its fluid: rows first to end - 1, `count` cells from `start`.
     struct LayerBounds {
         int first, end;
         std::ptrdiff_t start, count;

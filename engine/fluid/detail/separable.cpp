@@ -85,8 +85,8 @@ void add_dense(const std::vector<SampledWave>& columns, const CellRange& places,
     waves.back.push_back(std::move(back));
 }
 
-/// Folds a range repeatedly, as long as each of its waves is symmetric or antisymmetric about the middle.
-/// There are as many waves as places.
+/// Folds a range of places (replaces mirrored places by their sums and differences), then its halves, as long
+/// as each wave is symmetric or antisymmetric about the middle. There are as many waves as places.
 void fold_waves(const std::vector<SampledWave>& columns, const CellRange& places, Waves& waves) {
     if (places.count == 0) return;
     std::vector<SampledWave> symmetric;
@@ -108,7 +108,7 @@ void fold_waves(const std::vector<SampledWave>& columns, const CellRange& places
 
 // ---- transform to waves and back -------------------------------------------------------------------------
 
-/// Number of columns that are transformed together.
+/// Number of columns of an array that are transformed together, so that vector instructions are used fully.
 constexpr std::ptrdiff_t wide = 16;
 
 /// out[r] = sum over d of matrix[d][r] in[d], for `rows` values of r at once; every row has `wide`
@@ -192,8 +192,8 @@ inline void unfold(const CellRange& places, Floats8* values) {
     }
 }
 
-/// Direction of a transform. `through` multiplies by a matrix from places to places, with folds on both
-/// sides.
+/// Direction of a transform. `through` goes to waves and back by one matrix from places to places, with folds
+/// before and after it.
 enum class TransformDirection : std::uint8_t { to_waves, from_waves, through };
 
 /// The matrices of a transform, [in][out]: one for each dense range, a range of places that remains after all
@@ -221,7 +221,7 @@ void change_columns(const DenseTransform& by, const RowBlock& from, const RowBlo
     for (int i = 0; i < waves.count; ++i) store_row<whole>(to, i, found + 2 * i);
 }
 
-/// Transforms along the outer index of from[count][width]; `to` may be the same array.
+/// Transforms each column of from[count][width], that is, along its outer index; `to` may be the same array.
 template <TransformDirection direction>
 void change(const DenseTransform& by, float* from, float* to, std::ptrdiff_t width) {
     std::ptrdiff_t c = 0;
@@ -232,11 +232,12 @@ void change(const DenseTransform& by, float* from, float* to, std::ptrdiff_t wid
     change_columns<direction, false>(by, {from + c, width, left}, {to + c, width, left});
 }
 
-/// Factor of a Poisson equation for each product of three waves: scale / ((along + outer) + inner).
+/// Solution of a Poisson equation for each product of three waves: a factor scale / ((along + outer) +
+/// inner).
 struct SpectralDivision {
     float scale;
-    const float* along;          ///< factor of each wave along the columns
-    const float *outer, *inner;  ///< factors of each column
+    const float* along;          ///< term of each wave along the columns
+    const float *outer, *inner;  ///< terms of each column, by its waves along the two other axes
 };
 
 template <bool whole>
@@ -264,7 +265,7 @@ void divide_columns(const Waves& waves, const SpectralDivision& by, const RowBlo
     for (int i = 0; i < waves.count; ++i) store_row<whole>(block, i, given + 2 * i);
 }
 
-/// Transforms along the outer index of values[count][width], multiplies by the factors, and transforms back.
+/// Transforms each column of values[count][width], multiplies by the factors of `by`, and transforms back.
 void divide(const Waves& waves, const SpectralDivision& by, float* values, std::ptrdiff_t width) {
     std::ptrdiff_t c = 0;
     for (; c + wide <= width; c += wide) divide_columns<true>(waves, by, {values + c, width, wide}, c);
@@ -275,9 +276,10 @@ void divide(const Waves& waves, const SpectralDivision& by, float* values, std::
 DenseTransform forth(const Waves& waves) { return {waves, waves.forth}; }
 DenseTransform back(const Waves& waves) { return {waves, waves.back}; }
 
-/// Matrix with elements sum over k of wave_k[i] factor[k] wave_k[j]. Momentum is the sum over all places, so
-/// each row must keep its sum. The rounding error of a row is therefore added to its smallest element, where
-/// float has the finest resolution.
+/// Matrix that transforms to waves, multiplies each wave k by factor[k] and transforms back; its elements are
+/// the sum over k of wave_k[i] factor[k] wave_k[j]. Momentum is the sum over all places, so each row must
+/// keep its sum. The rounding error of a row is therefore added to its smallest element, where float has the
+/// finest resolution.
 std::vector<float> damped(const std::vector<double>& waves, std::span<const double> factor) {
     const std::size_t n = factor.size();
     std::vector<float> result(n * n);

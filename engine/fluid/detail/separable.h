@@ -29,8 +29,8 @@ struct CellRange {
 /// with the middle, and differences in the upper half. After all folds each dense range has a matrix of
 /// its own, with as many waves as places.
 struct Waves {
-    int start{};                  ///< first cell or face whose value is not fixed by the edge
-    int count{};                  ///< number of places, which is also the number of waves
+    int start{};                  ///< first cell or face whose value is not fixed by the side of the box
+    int count{};                  ///< number of places (cells or faces), which is also the number of waves
     std::vector<double> angle{};  ///< phase per cell of each wave (rad)
     /// Ranges to fold, in this order: first the whole axis, then halves of ranges that were folded before.
     std::vector<CellRange> folds{};
@@ -44,7 +44,7 @@ struct Waves {
 
 Waves make_waves(int cells, Edge edge, GhostRule rule);
 
-/// Symbols: minus the eigenvalue of a wave, times h^2.
+/// The symbol of an operator for a wave is minus the eigenvalue, times h^2.
 ///
 /// Symbol of the divergence of the gradient on the staggered grid, of order 2 or 4.
 double pressure_symbol(double angle, int order);

@@ -10,9 +10,9 @@
 namespace thaum::fluid {
 namespace {
 
-// Extra term of the preconditioner for a mostly closed cell: own_part h^2 (1 / d - 1 / own_below), where d is
-// the sum of the open shares of the cell's faces. With these values the cauldron takes 4.2 iterations; with
-// h^2 / d it took 6.2.
+// Extra term of the preconditioner for a cell that solids mostly close off: own_part h^2 (1 / d - 1 /
+// own_below), where d is the sum of the shares of the cell's six faces that no solid covers. With these
+// values the cauldron takes 4.2 iterations; with h^2 / d it took 6.2.
 constexpr double own_part = 0.8, own_below = 5;
 // Factor by which one round of conjugate gradients reduces the residual, and the largest number of rounds. In
 // float, the search stops converging at a few thousandths of the initial residual. The residual is then
@@ -38,7 +38,8 @@ void add(const Rows& rows, Samples& to, double part, const Samples& from) {
     });
 }
 
-/// Fills the ghost cells at periodic sides only. Walls are closed faces, beyond which values have no effect.
+/// Fills the ghost cells at periodic sides only. At walls it is not needed: they count as closed faces,
+/// beyond which values have no effect.
 void fill_round(const Rows& rows, Samples& potential) {
     for (std::size_t axis = 0; axis < 3; ++axis)
         if (rows.lattice.edges[axis] == Edge::periodic)
@@ -88,7 +89,8 @@ void Solids::clear_closed_faces(std::array<Samples, 3>& velocity) const {
     }
 }
 
-/// Sets residual_ to minus the divergence. Returns the largest divergence and velocity.
+/// Sets residual_ to minus the divergence of the velocity. Returns the largest divergence and the largest
+/// velocity component.
 Solids::Maxima Solids::divergence(const std::array<Samples, 3>& velocity) {
     const auto [x, y, z] = lattice_.stride;
     const auto per_h = static_cast<float>(1 / lattice_.h);
@@ -117,8 +119,9 @@ Solids::Maxima Solids::divergence(const std::array<Samples, 3>& velocity) {
     return {max_of(largest), max_of(fastest)};
 }
 
-/// Sets image_ to minus the divergence, through open faces, of the direction's gradient. Ghosts at
-/// periodic sides must be filled. Returns the product of direction and image.
+/// Applies the operator of the pressure equation to the search direction: sets image_ to minus the
+/// divergence, through open faces, of the direction's gradient. Ghosts at periodic sides must be filled.
+/// Returns the scalar product of direction and image.
 double Solids::apply_to_direction() {
     const auto [x, y, z] = lattice_.stride;
     const auto per_h2 = static_cast<float>(1 / (lattice_.h * lattice_.h));
@@ -144,7 +147,8 @@ double Solids::apply_to_direction() {
     return sum;
 }
 
-/// Sets smoothed_ to the preconditioned residual. Returns its products with the residual and with image_.
+/// Sets smoothed_ to the preconditioned residual. Returns its scalar products with the residual and with
+/// image_.
 Solids::Products Solids::precondition() {
     const std::ptrdiff_t nx = lattice_.cells[0];
     float* packed = packed_.data();
@@ -179,9 +183,9 @@ Solids::Products Solids::precondition() {
     return sum;
 }
 
-/// Moves along direction_ as far as reduces the energy most. Ghosts of the direction at periodic sides
-/// must be filled. `slope` is the product of residual and direction. Returns the largest remaining
-/// residual, or nothing if no step reduces the energy.
+/// Moves the solution along direction_, as far as reduces the energy most. Ghosts of the direction at
+/// periodic sides must be filled. `slope` is the scalar product of residual and direction. Returns the
+/// largest remaining residual, or nothing if no step reduces the energy.
 std::optional<double> Solids::step_along_direction(double slope) {
     curvature_ = apply_to_direction();
     if (!(curvature_ > 0)) {
@@ -216,7 +220,7 @@ int Solids::solve(double left, double tolerance, int max_iterations) {
     while (iterations < max_iterations && left > tolerance) {
         const Products products = precondition();
         if (!(products.residual > 0)) break;
-        // The new direction is conjugate to the previous one, which may be the start of the search or belong
+        // The new direction is conjugate to the previous one, even if that was the initial guess or belongs
         // to the previous round.
         const auto turn = static_cast<float>(curvature_ > 0 ? -products.image / curvature_ : 0);
         each_row(rows_, [&](Row row) {

@@ -82,7 +82,8 @@ private:
     std::array<Samples, 3> open_;
     std::array<std::vector<CutFace>, 3> cut_faces_;
     Samples diagonal_;  ///< sum of the open shares of the faces of each cell
-    Samples own_;       ///< additional factor of the preconditioner for the cell's own residual (m^2)
+    /// Factor by which the preconditioner adds the cell's own residual, for mostly closed cells (m^2).
+    Samples own_;
     Rows rows_;
     PressureSolver box_;
     // Conjugate gradients: residual, preconditioned residual, search direction, operator times

@@ -13,7 +13,7 @@ public:
     virtual ~SolverApart() = default;
     virtual StepReport step(Fluid& fluid, double dt) = 0;
     virtual void carry_substances(Fluid& fluid, double dt) = 0;
-    /// Writes the velocity's ghost cells.
+    /// Writes the velocity's ghost cells, as this solver's rules for the sides require.
     virtual void fill(Fluid& fluid) = 0;
 };
 

@@ -28,11 +28,11 @@ constexpr double weight_1 = 1 - weight_2 - weight_3 - weight_4;
 /// Largest distance that the flow may move in a sub-step, summed over the axes (cells). At order 4 the phase
 /// of the fastest wave, which is 3.5 cells long, advances by 1.37 times that (rad).
 constexpr double max_carried = 2.0;
-/// Largest nu dt / h^2 for which the stages include viscosity. For the shortest wave, rate times dt is 16
-/// times that: 2.4.
+/// Largest nu dt / h^2 for which the Runge-Kutta stages include viscosity; larger values are solved
+/// implicitly. The shortest wave then decays at a rate of 16 times that per step, 2.4, which is still stable.
 constexpr double max_explicit = 0.15;
-/// Largest nu dt / h^2 of the base fluid for which implicit viscosity takes one pass. At 0.66 one pass
-/// doubles the error beside a curved wall.
+/// Largest nu dt / h^2 of the base fluid for which implicit viscosity treats the step in one pass instead of
+/// several. At 0.66 one pass doubles the error beside a curved wall.
 constexpr double max_one_pass = 0.25;
 /// Limit of nu dt / h^2 where viscosity varies or there are solids. At this value the fluid already moves as
 /// a rigid body within a step. With a larger one, float could no longer represent its coupling to the fluid
@@ -46,8 +46,8 @@ constexpr int max_iterations = 40;
 /// The pressure is then solved again, `solves_more` times at most.
 constexpr double max_divergence_without_solids = 1e-6;
 constexpr int solves_more = 2;
-/// Largest number of sub-steps of the substances after a semi-Lagrangian step. It is lower than usual to
-/// limit the processor time; in most such steps no number would be enough.
+/// Largest number of sub-steps by which substances are transported after a semi-Lagrangian step. It is lower
+/// than usual to limit the processor time; in most such steps no number that is fast enough would do.
 constexpr int transports_of_fall_back = 7;
 /// Flow slower than this comes to rest unless a force accelerates it (m/s).
 constexpr double rest_speed = 1e-6;
@@ -124,11 +124,12 @@ bool StaggeredSolver::has_weight(const Settings& settings) {
                                                       [](const Substance& s) { return s.weight != 0; });
 }
 
-/// Number of sub-steps of equal length that keeps the distance per sub-step within max_carried.
+/// Number of sub-steps of equal length with which the flow moves at most max_carried in each.
 ///
-/// Where the fluid slips along solids, advection reads continued velocities on cut faces. A face then counts
-/// by its open share. In a small opening the velocity, or the force, may be much larger than around it, and
-/// without the weight it would require sub-steps that the flow does not need.
+/// Where the fluid slips along solids, advection on faces that a solid covers in part reads velocities
+/// continued from around. The velocity of such a face is then weighted by the share that no solid covers. In
+/// a small opening the velocity, or the force, may be much larger than around it, and without the weight it
+/// would require sub-steps that the flow does not need.
 double StaggeredSolver::substeps_wanted(const Settings& settings, const Velocity& velocity, double dt) const {
     const auto wanted = [&](double flow, double push) {
         const double carried = flow + std::abs(settings.lid) + dt * push;
@@ -145,7 +146,7 @@ double StaggeredSolver::substeps_wanted(const Settings& settings, const Velocity
     return wanted(flow, push);
 }
 
-/// Sums all forces. `share` converts the queued velocity changes to an acceleration (1/s).
+/// Sums all forces in force_. `share` converts the queued velocity changes (pushes) to an acceleration (1/s).
 void StaggeredSolver::gather_forces(const Settings& settings, const State& state, double share) {
     has_force_ = state.pushed || solids_ != nullptr;
     const auto factor = static_cast<float>(share);
@@ -240,7 +241,7 @@ const StaggeredSolver::Velocity& StaggeredSolver::carrying_velocity(const Settin
     return second_stage_;
 }
 
-/// Makes sum_ the new velocity.
+/// Makes sum_, the sum of the Runge-Kutta stages, free of divergence and the new velocity.
 void StaggeredSolver::end_step(const Settings& settings, State& state, double dt, StepReport& report) {
     if (solids_) {
         const auto found =
@@ -258,7 +259,7 @@ void StaggeredSolver::end_step(const Settings& settings, State& state, double dt
     std::swap(state.velocity, sum_);
 }
 
-/// Finds the rows of fluid in which a push is not 0.
+/// Finds the rows of fluid in which a push (velocity that is to be added) is not 0.
 void StaggeredSolver::find_pushed_rows(const State& state) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const float* push = state.push[axis].data();
@@ -270,15 +271,16 @@ void StaggeredSolver::find_pushed_rows(const State& state) {
     }
 }
 
-/// Clears the pushes after a step. They lie only in the rows found by find_pushed_rows, because `push` adds
-/// none to a solid.
+/// Sets the pushes (velocities to be added) to 0 after a step. They lie only in the rows found by
+/// find_pushed_rows, because none is ever added in a solid.
 void StaggeredSolver::clear_pushes(State& state) const {
     if (!state.pushed) return;
     for (std::size_t axis = 0; axis < 3; ++axis) clear(pushed_rows_[axis], state.push[axis]);
     state.pushed = false;
 }
 
-/// Work of the pushes over a whole step at the given velocity (m^2/s^2, summed over cells).
+/// Work that the pushes (velocities added by the caller) do over a whole step if the fluid has this velocity
+/// (m^2/s^2, summed over cells).
 double StaggeredSolver::work_of_pushes(const State& state, const Velocity& velocity) const {
     if (!state.pushed) return 0;
     double work = 0;
@@ -289,10 +291,10 @@ double StaggeredSolver::work_of_pushes(const State& state, const Velocity& veloc
     return work;
 }
 
-/// Slows the flow if it gained more kinetic energy than was available. Available are the energy before the
-/// sub-step, whose velocity is in sum_, the energy that substances released by sinking, and the work of the
-/// pushes at the mean of old and new velocity. Excess energy has two sources: with solids, the pressure of
-/// the previous step; and differences between the force on a substance and its flux.
+/// Slows the flow if the sub-step gave it more kinetic energy than was available. Available are the energy
+/// before the sub-step, whose velocity is in sum_, the energy that substances released by sinking, and the
+/// work of the pushes at the mean of old and new velocity. Excess energy has two sources: with solids, the
+/// pressure of the previous step; and differences between the force on a substance and its flux.
 ///
 /// `share` is this sub-step's share of the pushes. `sunk` is the released potential energy (m^2/s^2,
 /// summed over cells).
@@ -402,7 +404,7 @@ void StaggeredSolver::carry_substances(const Settings& settings, State& state, d
 }
 
 /// Transports the substances by the velocities before a sub-step (in sum_) and after it. Returns the
-/// result of transport_substances.
+/// potential energy that they released by sinking, as transport_substances does.
 double StaggeredSolver::transport_after_substep(const Settings& settings, State& state, double dt,
                                                 int max_substeps) {
     return transport_substances(sum_, state.velocity, settings, state, dt, max_substeps);
@@ -443,8 +445,8 @@ void StaggeredSolver::come_to_rest(const Settings& settings, State& state, doubl
         spreads =
             spreads || (settings.substances[s].diffusion > 0 && largest(rows_, state.substances[s]) > 0);
     if (has_force_ && dt * sum_of_largest(rows_, force_) >= rest_speed) {
-        // A force counts only if it makes the flow faster; strong viscosity may cancel its effect. sum_ holds
-        // the velocity before the last sub-step.
+        // A force keeps the fluid awake only if it makes the flow faster; strong viscosity may cancel its
+        // effect. sum_ holds the velocity before the last sub-step.
         const double before = largest(rows_, sum_);
         if (spreads || before >= rest_speed || speed > before) return;
     }
@@ -469,15 +471,15 @@ void StaggeredSolver::clear_divergence(const Settings& settings, State& state, S
     }
 }
 
-/// Gathers the forces and returns how many sub-steps the remaining time needs, at least 1.
+/// Gathers the forces and returns how many sub-steps the remaining time `left` needs, at least 1.
 double StaggeredSolver::plan_substeps(const Settings& settings, State& state, double left, double whole,
                                       int allowed) {
     start_norms_ = current_norms_ ? *current_norms_ : velocity_norms(rows_, state.velocity, energy_shares());
     gather_forces(settings, state, 1 / whole);
     const double wanted = std::max(1.0, substeps_wanted(settings, state.velocity, left));
     if (!solids_ || wanted <= allowed) return wanted;
-    // After a collision within a shorter step, the stored pressure would push much too hard over a longer
-    // step, so it is dropped. The step is then of first order, and stable.
+    // A collision of the flow with a wall in a shorter step leaves a very high pressure. Over a longer step
+    // it would push much too hard, so it is set to 0. The step is then of first order only, but stable.
     std::fill(state.pressure.begin(), state.pressure.end(), 0.0F);
     gather_forces(settings, state, 1 / whole);
     return std::max(1.0, substeps_wanted(settings, state.velocity, left));

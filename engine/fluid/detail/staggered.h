@@ -82,9 +82,10 @@ private:
     FaceApertures face_apertures_;  ///< shares of the faces that no solid covers
     FaceFlow face_flow_;
     TransportScratch transport_;
-    std::array<Rows, 3> pushed_rows_;             ///< rows in which this step's pushes are not 0
-    VelocityNorms start_norms_{};                 ///< norms of the velocity before a sub-step
-    std::optional<VelocityNorms> current_norms_;  ///< norms of the current velocity, if known
+    /// Rows in which this step's pushes (velocities to be added) are not 0.
+    std::array<Rows, 3> pushed_rows_;
+    VelocityNorms start_norms_{};  ///< largest values and energy of the velocity before a sub-step
+    std::optional<VelocityNorms> current_norms_;  ///< those of the current velocity, if known
     Velocity force_, stage_, second_stage_, sum_;
     bool has_force_ = false;            ///< true: force_ is not all zero
     bool viscosity_in_stages_ = false;  ///< true: the stages of this step include viscosity

@@ -6,7 +6,7 @@
 namespace thaum::fluid {
 namespace {
 
-/// Number of partial sums, so that additions can be vectorised.
+/// Number of partial sums in which numbers are added, so that additions can be vectorised.
 constexpr std::ptrdiff_t lanes = 8;
 
 void each_whole_row(const Lattice& lattice, auto&& visit) {

@@ -55,16 +55,17 @@ using Floats = const float* __restrict;
 // The loops over rows are functions that are not inlined and have no branches, so that GCC 12 vectorises all
 // of them.
 
-/// One row of faces, with what the flux through each of them depends on.
+/// A row of faces of cells, with what the flux of a substance through each of them depends on.
 struct FaceRow {
     Floats courant;
-    Floats aperture, third, fifth;  ///< tables of the faces; null if all faces are open
+    /// Shares that no solid covers, and weights of terms of order 3 and 5; null if all faces are open.
+    Floats aperture, third, fifth;
     std::ptrdiff_t step;            ///< index distance between the cells on both sides of a face
 };
 
 /// Factors of one sub-step, which covers a part of the whole time.
 struct SubstepScale {
-    float courant;    ///< factor on the Courant numbers of the whole time
+    float courant;    ///< share of the whole time: factor on the Courant numbers, which are for all of it
     float diffusion;  ///< diffusion coefficient times dt / h^2
     float sharpness;  ///< factor of the flux against the slope (see the top of this file)
 };
@@ -98,8 +99,8 @@ inline float minmod(float a, float b, float c) {
     return above_zero(minimum(minimum(a, c), b)) + below_zero(maximum(maximum(a, c), b));
 }
 
-/// Adds the flux of a stage to the sum. In the last stage, replaces the sum by the difference between the
-/// flux of high order and that of first order, which is computed from `start`.
+/// Adds the fluxes of a Runge-Kutta stage to the sum. In the last stage, completes the sum to the flux of
+/// high order and subtracts the flux of first order, which is computed from `start`.
 template <StageIndex stage, TransportTerms terms>
 [[gnu::noinline]] void flux_row(SubstepScale scale, const FaceRow& face, Floats value, Floats start,
                                 std::ptrdiff_t count, float* __restrict sum) {
@@ -165,9 +166,10 @@ inline float donors(float part, float diffusion, Floats courant, Floats aperture
            donor<terms>(part * courant[i], below, value[i - s], value[i]);
 }
 
-/// Applies the first-order fluxes to a row of cells. Then computes which share of the flux differences (fifth
-/// order minus first) each cell can take. `part` limits differences that leave a cell, so that its density
-/// stays above zero. `room` limits those that enter it, so that its density stays below `ceiling`.
+/// Applies the first-order fluxes to a row of cells. Then computes for each cell which share of the flux
+/// differences (fifth order minus first) may be applied. `part` is the share for differences that leave a
+/// cell, with which its density stays above zero. `room` is the share for those that enter it, with which its
+/// density stays below `ceiling`.
 template <TransportTerms terms>
 [[gnu::noinline]] void limit_row(SubstepScale scale, const std::array<FaceRow, 3>& faces,
                                  const Fluxes& difference, Floats start, float ceiling, std::ptrdiff_t count,
@@ -225,10 +227,10 @@ inline float limited_difference(Floats difference, Floats part, Floats room, std
 
 /// What crosses one level (cells at one height) in one sub-step, as sums over its faces.
 struct LevelCrossing {
-    double density{};  ///< density that crossed the level
+    double density{};  ///< amount of the substance that crossed the level upwards (densities times cells)
     double flow{};     ///< net flow of fluid (cells)
     double either{};   ///< sum of the absolute flows of fluid (cells)
-    double carried{};  ///< sum of absolute flow times mean density beside the face
+    double carried{};  ///< sum of absolute flow times the mean density of the two cells beside the face
 
     /// Density that crossed, minus what the mean density would have carried. The net flow through a level is
     /// zero except for the error of the pressure solve.
@@ -432,8 +434,9 @@ struct Schedule {
     double carried, spread;
 };
 
-/// Divides a time into at most `most` sub-steps. `outflow` and `diffusion` (k dt / h^2) are for the whole
-/// time.
+/// Divides a time into at most `most` sub-steps. `outflow`, the part of a cell that flows out of it, and
+/// `diffusion` (k dt / h^2) are for the whole time. If the sub-steps are not enough, only parts of both are
+/// done.
 Schedule schedule(double outflow, double diffusion, int most) {
     const double spreading = 6 * diffusion;
     const double wanted = std::max(1.0, std::ceil((outflow + spreading) / max_courant));
@@ -453,7 +456,8 @@ bool is_empty(const Rows& rows, const Samples& density) {
     });
 }
 
-/// Sharpness for a substance: 0 if it has no region of uniform density, and 0 if it diffuses.
+/// Sharpness of a substance's edges, the factor of the flux that keeps them sharp: 0 if the substance has no
+/// region of uniform density, and 0 if it diffuses.
 float sharpness_of(const FaceFlow& face_flow, double diffusion, const Samples& density) {
     if (diffusion > 0) return 0;
     const Cells n = face_flow.rows().lattice.cells;

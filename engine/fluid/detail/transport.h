@@ -37,8 +37,8 @@
 
 namespace thaum::fluid {
 
-/// Apertures of the faces, at the positions of the velocities, and the order that each flux may have. Made
-/// once.
+/// Apertures of the faces (shares that no solid covers), at the positions of the velocities, and the order
+/// that each flux may have. Made once.
 struct FaceApertures {
     std::array<Samples, 3> aperture{};
     /// Weights of the flux's terms of higher order: `third` is 5 where the flux may have order 3, `fifth` is
@@ -58,7 +58,8 @@ struct FaceFlow {
     std::array<Samples, 3> courant{};
     const FaceApertures* face_apertures{};  ///< tables of the faces; null: all faces are open
     Rows whole{};                           ///< rows of all cells; used if all faces are open
-    double outflow{};  ///< largest part that leaves a cell; above 1 if its content is replaced more than once
+    /// Largest part of a cell's content that flows out; above 1 if the content is replaced more than once.
+    double outflow{};
     double dt{};       ///< time over which the flow acts (s)
 
     const Rows& rows() const { return face_apertures != nullptr ? face_apertures->rows : whole; }
@@ -76,8 +77,8 @@ void set_face_flow(const Lattice& lattice, const std::array<Samples, 3>& before,
                    const std::array<Samples, 3>& after, const FaceApertures* face_apertures, double dt,
                    FaceFlow& face_flow, int order = 2);
 
-/// Scratch memory for any substances on one lattice with the same apertures. Cells without open faces
-/// stay zero.
+/// Scratch memory for any substances on one lattice with the same apertures of faces. Cells without open
+/// faces stay zero.
 struct TransportScratch {
     Samples first{}, second{}, part{}, room{};
     std::array<Samples, 3> flux{};
@@ -94,7 +95,8 @@ struct TransportSettings {
     /// Largest number of sub-steps, >= 1; 10 are enough for a flow of four cells along two axes at
     /// once.
     int max_substeps{10};
-    vec3 moved_along{};  ///< the component of an axis is nonzero if `moved` is to be computed along it
+    /// A component is nonzero if TransportReport::moved is to be computed along that axis.
+    vec3 moved_along{};
 };
 
 /// Result of one transport of a substance.
@@ -109,7 +111,7 @@ struct TransportReport {
     /// density along the axis grew by as much. Circulation of the mean density of a level is left out. It
     /// would be zero but for the error of the pressure solve.
     vec3 moved{};
-    std::int64_t cells{};  ///< visited cells, over all sub-steps
+    std::int64_t cells{};  ///< number of cells that were processed, summed over all sub-steps
 };
 
 /// Transports a density by a flow. The density must be finite and >= 0. Fills the ghosts itself. Results

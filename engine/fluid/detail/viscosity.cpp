@@ -14,15 +14,17 @@ namespace {
 /// three axes loses its velocity by the product of three factors. If that product were thousands, the
 /// pressure would take minutes to settle.
 constexpr double min_way = 0.2;
-/// Smallest ratio of the velocity at the centre of a face to that at the centre of its open part. Faces with
-/// a smaller ratio are dragged (DraggedFace).
+/// Smallest ratio of the velocity at the centre of a face to that at the centre of its open part for which
+/// lines are solved through the centre of the face. Faces with a smaller ratio, whose centre is in the solid
+/// or nearly so, get a drag instead (DraggedFace).
 constexpr double min_factor = 0.25;
-/// Strength of the drag on a dragged face: a multiple of nu dt / h^2, divided by the distance from the centre
-/// of the open part to the wall (cells).
+/// Strength of the drag on such a face: this factor times nu dt / h^2, divided by the distance from the
+/// centre of the open part to the wall (cells).
 constexpr float drag_factor = 8;
-/// Limits of the explicit half for a link (coupling of two neighbouring places by viscosity) between open
-/// places, and for a link to a wall. Even if both links of a place are at their limit, no wave grows in the
-/// explicit half, so energy only falls. Between open places all values stay within their previous range.
+/// Limits of the coefficient with which the explicit half of the step uses a link (coupling of two
+/// neighbouring places by viscosity): for a link between open places, and for one to a wall. Even if both
+/// links of a place are at their limit, no wave grows in the explicit half, so energy only falls. Between
+/// open places all values stay within their previous range.
 constexpr float max_explicit_link = 0.25F;
 constexpr float max_explicit_wall_link = 0.5F;
 
@@ -101,13 +103,14 @@ Lines lines_along(const Lattice& lattice, const ViscousStep& step, std::size_t a
 
 /// Scratch rows with one value for each of the parallel lines that are solved together.
 struct RowBuffers {
-    float* closed;   ///< coefficients that stand for closed places
+    float* closed;   ///< coefficients below 0, which mark closed places (in a solid)
     float* zeros;    ///< a row of zeros
     float* link;     ///< coefficient of the link (coupling by viscosity) to the next place
     float* below;    ///< implicit part of the link from the previous place
-    float* flux;     ///< explicit flux from the previous place
+    float* flux;     ///< flux of momentum from the previous place, by the velocity before the step
     float* to_wall;  ///< implicit part of the link to the wall at the low end
-    float* ring;     ///< explicit flux through the link between the ends of periodic lines
+    /// Flux of momentum through the link between the ends of periodic lines, by the velocity before the step.
+    float* ring;
 };
 
 /// Results of the elimination of the tridiagonal systems: for each place the factor of the next place's
@@ -127,8 +130,8 @@ std::array<float, 2> links_to_walls(const Lines& lines) {
     return {wall, wall};
 }
 
-/// Coefficients of place r of each line. Beyond the ends they are closed, or those of
-/// the other end of periodic lines.
+/// Viscous coefficients of place r of each line. Beyond the ends they mark closed places, or are those of the
+/// other end of periodic lines.
 const float* coefficients_at(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r) {
     if (r < 0 || r >= lines.count) {
         if (lines.edge != Edge::periodic) return buffers.closed;
@@ -181,8 +184,8 @@ void find_links(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r,
     cuts = cuts.subspan(taken);
 }
 
-/// Explicit and implicit parts of the links to the walls at the low end, and of the link between the
-/// ends of periodic lines.
+/// Begins the elimination: computes the explicit and implicit parts of the links to the walls at the low end,
+/// and of the link between the ends of periodic lines.
 template <bool ring>
 void begin(const Lines& lines, const RowBuffers& buffers, const EliminationFactors& left) {
     const auto last = (lines.count - 1) * lines.row;
@@ -236,8 +239,8 @@ PlaceRows place_at(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t
 /// Values at one place of eight lines after the explicit half of the step.
 struct ExplicitHalf {
     Floats8 value;
-    Floats8 to_next;        ///< explicit flux to the next place, or to the wall
-    Floats8 implicit_link;  ///< implicit part of that link
+    Floats8 to_next;  ///< flux of momentum to the next place or to the wall, by the velocity before the step
+    Floats8 implicit_link;  ///< implicit part of the link to the next place or to the wall
 };
 
 template <bool ring, bool last>
@@ -264,7 +267,8 @@ template <bool ring, bool last>
     return {given, to_next, whole - part};
 }
 
-/// Explicit half of one place on each line, and its elimination from the system of the implicit half.
+/// Computes the explicit half of the step at one place of each line, then eliminates the place from the
+/// tridiagonal system of the implicit half.
 template <bool ring, bool last>
 void eliminate_place(const Lines& lines, const RowBuffers& buffers, const EliminationFactors& left,
                      std::ptrdiff_t r) {
@@ -296,7 +300,7 @@ void eliminate_place(const Lines& lines, const RowBuffers& buffers, const Elimin
     }
 }
 
-/// Whether no wall drags on these lines, so that only differences of values matter.
+/// Whether no wall drags on these lines, so that a velocity that all places share stays as it is.
 bool is_loose(const Lines& lines, bool solids) {
     return !solids && (lines.edge == Edge::periodic || (lines.edge == Edge::free_slip && !lines.through));
 }
@@ -319,8 +323,8 @@ void add_first(const Lines& lines, const float* first) {
     }
 }
 
-/// Both halves of the step for all lines at once. The tridiagonal systems are solved by elimination
-/// from the low end to the high one, then substitution back.
+/// Does the explicit and the implicit half of the step for all lines at once. The tridiagonal systems are
+/// solved by elimination from the low end to the high one, then substitution back.
 template <bool ring>
 void solve(const Lines& lines, const RowBuffers& buffers, const EliminationFactors& left) {
     const auto n = lines.count;
@@ -449,8 +453,8 @@ void Viscosity::find_cuts(const SolidShare& solid, std::size_t axis, std::size_t
     }
 }
 
-/// For each slab, the range of places along its lines that contains all open places, with one closed place at
-/// either end.
+/// For each slab (layer of parallel lines), finds the range of places along its lines that contains all open
+/// ones, with one closed place at either end.
 void Viscosity::find_open_ranges(std::size_t axis, std::size_t across) {
     const auto [beside, outer, pitch] = slabs_along(lattice_, across);
     const int n = lattice_.cells[across];
@@ -513,8 +517,9 @@ void Viscosity::component(const ViscousStep& step, std::size_t axis, Samples& u)
     });
 }
 
-/// Adds the explicit part of a constant force to eight places with the given coefficients, times `sign`. It
-/// is the part of their velocity on which the explicit half would act if the force had acted before the step.
+/// Adds that part of a constant force's effect to eight places, times `sign`, on which the explicit half of
+/// the step would act if the force had acted before it. It is taken out before the step and put back after
+/// it, so that viscosity does not damp it.
 void Viscosity::add_force(const ViscousStep& step, std::size_t axis, float sign, const Floats8& coefficients,
                           std::ptrdiff_t at, Samples& u) {
     const auto half = 0.5F * sign * static_cast<float>(step.dt);
@@ -566,8 +571,8 @@ void Viscosity::along(const ViscousStep& step, std::size_t axis, std::size_t acr
     const RowBuffers buffers{closed_.data(), zeros.data(),   link.data(), below.data(),
                              flux.data(),    to_wall.data(), ends.data()};
     const EliminationFactors left{upper_.data() + w, corner_.data() + w};
-    // Clears the row of zeros before the first place, because slabs of another width may have left values in
-    // it.
+    // Sets the row before the first place to 0, because slabs (layers of lines) of another width may have
+    // left values in it.
     for (auto* rows : {&upper_, &corner_}) std::fill_n(rows->data(), w, 0.0F);
     for (int o = 0; o < lattice_.cells[outer]; ++o) {
         if (solids_ != nullptr) {

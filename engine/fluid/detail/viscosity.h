@@ -43,7 +43,7 @@ struct ViscousStep {
     bool no_slip_at_solids = true;  ///< true: no slip at solids; false: free slip
     double lid{};                   ///< speed along x of a no-slip wall at the top of y (m/s)
     double dt{};                    ///< length of the step (s)
-    int passes = 1;                 ///< number of passes into which the step is divided
+    int passes = 1;                 ///< number of passes of equal length into which the step is divided
 };
 
 /// A link (coupling by viscosity) between a place on a line of the solver and a neighbour beyond a wall.
@@ -53,8 +53,8 @@ struct CutLink {
     float nearer{};       ///< h divided by the distance from the open place to the wall
 };
 
-/// A cut face that belongs to the lines of the solver. Its velocity is scaled from the centre of its open
-/// part to the centre of the face.
+/// A cut face (one that a solid covers in part) whose velocity the lines of the solver use. It is scaled from
+/// the centre of the open part to the centre of the face.
 struct ScaledFace {
     std::size_t at{};
     /// Distance of the centre of the face from the wall, divided by that of the centre of the open part.
@@ -97,14 +97,15 @@ private:
     Lattice lattice_;
     const Solids* solids_;
     Rows rows_;  ///< cells that hold fluid
-    /// Above 0 for faces that belong to the lines of the solver; empty if there are no solids.
+    /// Above 0 for faces whose velocity the lines of the solver use; empty if there are no solids.
     std::array<Samples, 3> on_lines_;
     std::array<std::vector<ScaledFace>, 3> scaled_;
     std::array<std::vector<DraggedFace>, 3> dragged_;
     std::vector<float> dragged_speeds_;  ///< velocities of the dragged faces
     /// Links that a wall cuts, by component and direction, sorted by slab (layer of parallel lines).
     std::array<std::array<std::vector<CutLink>, 3>, 3> cuts_;
-    /// Range with open places, by component, direction and slab.
+    /// Range of the places that are not in solids, by component, direction and slab (layer of parallel
+    /// lines).
     std::array<std::array<std::vector<CellRange>, 3>, 3> open_ranges_;
     Samples face_coefficients_;  ///< dt nu / (passes h^2) at each face; below 0 on closed faces
     // Arrays of parallel lines, [place along a line][line]. Lines along x need all four; others only upper_

@@ -19,8 +19,9 @@ inline Floats8 link(bool holds, const Floats8& a, const Floats8& b) {
     return low < zero8 ? one : both;
 }
 
-/// Ratio of the coefficients of two places from which on their link is corrected for an interface. Below this
-/// ratio, the mean places the interface at most a twentieth of a cell wrong.
+/// Ratio of the viscous coefficients of two places from which on their link is corrected for an interface
+/// (border of two fluids). Below this ratio, the harmonic mean alone puts the interface at most a twentieth
+/// of a cell off.
 inline constexpr float layers_from = 1.1F;
 
 /// Rows of coefficients of six consecutive places. The link joins the third and the fourth.
@@ -32,8 +33,8 @@ struct HalfPlaces {
     Floats8 far_behind, behind, own, faced, far_faced;
 };
 
-/// Absolute difference between the coefficient of a place and that of the place beyond it; 0 if that one is
-/// closed.
+/// Absolute difference between the coefficient of a place and that of the place beyond it; 0 if the latter is
+/// closed (in a solid).
 inline Floats8 step_beyond(const Floats8& place, const Floats8& beyond) {
     const Floats8 step = beyond < zero8 ? zero8 : beyond - place;
     return larger(step, -step);
@@ -51,8 +52,8 @@ inline Floats8 sureness(const HalfPlaces& at, const Floats8& jump) {
 /// Rows of coefficients of the two places before a place and of the two after it.
 using PlacesAround = std::array<const float*, 4>;
 
-/// Which of eight places may hold an interface: places whose two neighbours differ, while the places beyond
-/// the neighbours equal them.
+/// Which of eight places may hold an interface (border of two fluids): those whose two neighbours differ from
+/// each other, while the place beyond each neighbour equals that neighbour.
 inline Magnitudes8 interface_between(const PlacesAround& rows, std::ptrdiff_t i) {
     const Floats8 before = load(rows[1] + i), after = load(rows[2] + i);
     const Floats8 uneven = step_beyond(before, load(rows[0] + i)) + step_beyond(after, load(rows[3] + i));
@@ -60,8 +61,9 @@ inline Magnitudes8 interface_between(const PlacesAround& rows, std::ptrdiff_t i)
     return (low >= zero8) & (high > layers_from * low) & (100.0F * uneven < high - low);
 }
 
-/// Resistance of the half of a place that faces a neighbour. If the place holds an interface, its coefficient
-/// tells how far each neighbour reaches into it. A place beside a closed one is treated as uniform.
+/// Viscous resistance of that half of a place which faces a neighbour. If the place holds an interface, its
+/// coefficient tells how far the fluid of each neighbour reaches into it. A place beside a closed one is
+/// treated as uniform.
 inline Floats8 half_resistance(const HalfPlaces& at) {
     const Floats8 one = zero8 + 1.0F, whole = one / (at.own + 1e-30F);
     const Floats8 sign = at.behind > at.faced ? one : -one;
@@ -73,7 +75,8 @@ inline Floats8 half_resistance(const HalfPlaces& at) {
     return between ? whole + sureness(at, jump) * (layers - whole) : whole;
 }
 
-/// The links `simple` between two places, corrected where an interface lies within one of them.
+/// The coefficients `simple` of links between two places, corrected where an interface lies within one of the
+/// places.
 inline Floats8 layered_link(const Floats8& simple, const LinkRows& rows, std::ptrdiff_t i) {
     const Floats8 before = load(rows[1] + i), a = load(rows[2] + i), b = load(rows[3] + i);
     const Floats8 after = load(rows[4] + i), low = smaller(a, b);
