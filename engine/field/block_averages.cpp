@@ -7,14 +7,16 @@
 namespace thaum::field {
 namespace {
 
-/// Largest number of distinct sample values with which a body counts as having coarse steps.
+/// Largest number of distinct sample values with which the surface of a body counts as having coarse steps,
+/// as that of a mask has.
 constexpr std::size_t few_values = 100;
 constexpr int widest_block = 16;
 /// Fewest blocks along an axis for which averages are made. Fewer blocks would not show the shape of a body.
 constexpr int fewest_blocks = 4;
 /// Smallest ratio of the widest to the finest spacing at which the slices of a scan count as coarse steps.
 constexpr double far_apart = 2;
-/// Edge of a block if slices are far apart or samples have few values, as a multiple of the widest spacing.
+/// Edge of a block if slices are far apart or samples have few values, as a multiple of the widest distance
+/// between samples.
 constexpr double over_steps = 2;
 
 /// Average of the finite samples of a box; NaN if there are none.
@@ -34,10 +36,10 @@ float average(const Grid& grid, const VoxelBox& box) {
     return finite > 0 ? static_cast<float>(sum / finite) : std::numeric_limits<float>::quiet_NaN();
 }
 
-/// Number of blocks along x that are summed together.
+/// Number of blocks along x that are summed together, so that memory is read in order.
 constexpr int together = 64;
 
-/// Samples that belong to a box of blocks.
+/// The box of samples that a box of blocks covers.
 VoxelBox samples_of(const BlockAverages& averages, const Grid& grid, const VoxelBox& blocks) {
     VoxelBox box;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -119,7 +121,8 @@ struct FewValues {
     }
 };
 
-/// Whether the samples take few values only, as in masks and in numbered segments.
+/// Whether the samples take so few values that a body's surface has coarse steps, as in masks and in numbered
+/// segments.
 bool has_steps(const Grid& grid) {
     FewValues values;
     for (int k = 0; k < grid.count[2]; ++k) {

@@ -21,15 +21,16 @@ struct BlockAverages {
     std::array<int, 3> count{};         ///< number of blocks along each axis
     /// Averages of the finite samples of each block, x fastest. Empty if each block is a single sample.
     std::vector<float> samples{};
-    std::uint32_t newest{};  ///< value of Bricks::newest up to which the averages are current
+    /// Bricks::newest (number of the body's last change) when the averages were made.
+    std::uint32_t newest{};
 
     /// The averages of the blocks of a grid, in its frame; without samples if averages are not needed. Valid
     /// until the averages are made again.
     Grid grid(const Grid& of) const;
 };
 
-/// Averages of a grid's samples; empty if its samples need no averages. `bricks` are those of the grid's body
-/// if the body may change, else null.
+/// Averages of a grid's samples; empty if its samples make no coarse steps. `bricks`, which number the
+/// changes of a body part by part, are needed if the body may change, else null.
 BlockAverages make_block_averages(const Grid& grid, const Bricks* bricks = nullptr);
 
 /// Recomputes the averages of the parts of a body that have changed. No allocation.

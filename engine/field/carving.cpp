@@ -10,18 +10,19 @@
 namespace thaum::field {
 namespace {
 
-// Distance from its constant at which a filter sets a density to the constant exactly, as a share of the
-// range from empty to full.
+// When a filter brings a density as near as this to the constant towards which it moves it, the density
+// becomes the constant exactly (share of the range from empty to full).
 constexpr double close_enough = 0x1.0p-20;
-// Least weight at which a constant sets the colour of a voxel, and any operation its material.
+// Least weight of the tool at a voxel with which an operation of the method `constant` sets its colour, and
+// any operation its material.
 constexpr double half_covered = 0.5;
 
 /// One operation of a tool at one of its places in a body, with all that it needs there.
 struct Cast {
     const Operation* operation;
     Footprint footprint;
-    double amount;       ///< rate of a filter times its duration
-    std::uint64_t seed;  ///< random seed for the rounding of colours
+    double amount;       ///< rate of a filter times the duration for which it acts; not used for a constant
+    std::uint64_t seed;  ///< random seed by which colours are rounded up or down
 };
 
 struct Casts {
@@ -29,8 +30,9 @@ struct Casts {
     std::size_t count = 0;
 };
 
-/// Number of places along the motion at which the tool is applied. Unless `max_places` limits them,
-/// neighbouring places are at most half of the extent's smallest half edge apart.
+/// Number of places along the tool's motion at which it is applied. They are so near to each other that a
+/// quick motion leaves no gaps: at most half of the extent's smallest half edge apart, unless `max_places`
+/// limits their number.
 int places_along(const VoxelView& body, const Extent& extent, vec3 motion) {
     const vec3 way = extent.in_metres ? motion : motion / body.spacing;
     const double smallest = std::min({extent.half.x, extent.half.y, extent.half.z});
@@ -77,8 +79,8 @@ VoxelBox box_around(const Casts& casts) {
     return box;
 }
 
-/// Density of a voxel after an operation. `weight` is that of a constant; for a filter it is the fraction by
-/// which the density moves towards its target.
+/// Density of a voxel after an operation. `weight` is that of the tool's shape at the voxel; for a filter it
+/// is the fraction by which the density moves towards the operation's constant.
 float next_density(const VoxelView& body, const Cast& cast, float current, double weight) {
     const double range = static_cast<double>(body.full) - static_cast<double>(body.empty);
     const double empty = static_cast<double>(body.empty), target = empty + cast.operation->density * range;
@@ -87,7 +89,7 @@ float next_density(const VoxelView& body, const Cast& cast, float current, doubl
         const double next = d + weight * (target - d);
         return static_cast<float>(std::abs(next - target) <= close_enough * range ? target : next);
     }
-    // The density must lie between two limits that depend on the weight at the rim of the tool's shape. A
+    // The density must lie between two limits, which at the rim of the tool's shape leave more room. A
     // density within the limits is kept, so applying the tool again changes nothing.
     const double solid = (d - empty) / range, constant = cast.operation->density;
     const double low = constant * weight, high = constant + (1 - weight) * (1 - constant);
@@ -112,7 +114,7 @@ Rgb8 next_colour(const Cast& cast, std::size_t voxel, Rgb8 current, double weigh
             mixed(current.b, to.b, weight, part(32))};
 }
 
-/// Returns true if one of the six neighbours lies on the other side of the surface.
+/// Whether one of the voxel's six neighbours lies on the other side of the body's surface.
 bool is_at_surface(const VoxelView& body, std::array<int, 3> voxel) {
     const bool inside = body.density[body.at(voxel[0], voxel[1], voxel[2])] >= body.surface;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -126,7 +128,8 @@ bool is_at_surface(const VoxelView& body, std::array<int, 3> voxel) {
     return false;
 }
 
-/// Applies an operation to one voxel. Returns true if a bit of it changed.
+/// Applies an operation to one voxel, and adds the change of density to `sums`. Returns true if a bit of the
+/// voxel changed.
 bool change(const VoxelView& body, const Cast& cast, std::size_t voxel, double weight, Edit& sums) {
     const Properties& changes = cast.operation->changes;
     bool changed = false;
@@ -179,7 +182,7 @@ void apply(const VoxelView& body, const Cast& cast, const VoxelBox& brick, Chang
     }
 }
 
-/// Adds the changed voxels of a brick to the result.
+/// Adds the number of changed voxels of a brick, and a box around them, to the result.
 void count_changed(const Changed& changed, const VoxelBox& brick, Edit& result) {
     const std::size_t before = result.voxels;
     for (int row = 0; row < brick_size * brick_size; ++row) {

@@ -40,12 +40,13 @@ struct Edit {
 /// Largest number of places at which one dab is applied along its motion.
 inline constexpr int max_places = 32;
 
-/// Voxels that the tool may change. A motion longer than half a radius is divided into steps of that length,
-/// at most `max_places`, so that a quick stroke leaves no gaps.
+/// Voxels that the tool may change. A motion longer than half of the tool's smallest half edge is divided
+/// into steps of at most that length, but into no more than `max_places`, so that a quick stroke leaves no
+/// gaps.
 VoxelBox reach(const VoxelView& body, const Tool& tool, const Dab& dab);
 
-/// Changes the body and the versions of its changed bricks. No allocation. A dab outside the body, or with a
-/// number that is not finite, changes nothing.
+/// Applies the tool once. The bricks of the body that change get a new version. No allocation. A dab outside
+/// the body, or with a number that is not finite, changes nothing.
 Edit edit(const VoxelView& body, const Tool& tool, const Dab& dab);
 
 }  // namespace thaum::field

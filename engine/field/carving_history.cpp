@@ -31,8 +31,8 @@ BrickCopy& copy_at(CarvingHistory& history, std::uint64_t number) {
     return history.ring[static_cast<std::size_t>(number % history.capacity)];
 }
 
-/// A new copy at the end of the ring. The ring grows up to its capacity, so
-/// that unused memory is never touched.
+/// A new copy at the end of the ring buffer. It grows up to its capacity, so that unused memory is never
+/// touched.
 BrickCopy& new_copy(CarvingHistory& history) {
     const std::uint64_t number = history.next++;
     if (number % history.capacity == history.ring.size()) history.ring.emplace_back();
@@ -50,7 +50,7 @@ void exchange(BrickCopy& copy, const VoxelView& body) {
                  [](auto* kept, auto* current, std::size_t n) { std::swap_ranges(kept, kept + n, current); });
 }
 
-/// Compares bits, so that a NaN density equals itself.
+/// Whether a brick still equals its copy. Compares bits, so that a density that is NaN equals itself.
 bool is_unchanged(const BrickCopy& copy, const VoxelView& body) {
     bool same = true;
     for_each_run(copy, body, [&](const auto* kept, const auto* current, std::size_t n) {
@@ -73,7 +73,8 @@ void open_step(CarvingHistory& history) {
     ++history.mark;
 }
 
-/// Makes the open step the last one that is done, and forgets the steps before it that could be redone.
+/// Forgets the steps that could be redone. The open step, which is kept, then counts as the last one that is
+/// done.
 void forget_redo(CarvingHistory& history) {
     if (!history.open || history.done == history.steps.size()) return;
     const auto from = history.steps.begin() + static_cast<std::ptrdiff_t>(history.done);
@@ -93,8 +94,8 @@ std::uint64_t missing_copies(const CarvingHistory& history, const VoxelView& bod
     return missing;
 }
 
-/// Forgets steps until this many copies fit: those that could be redone, then the oldest ones. Returns false
-/// if even the open step itself had to be forgotten.
+/// Forgets steps until this many more copies of bricks fit in memory: first those that could be redone, then
+/// the oldest ones. Returns false if even the open step itself had to be forgotten.
 bool make_room(CarvingHistory& history, std::uint64_t copies) {
     const auto is_full = [&] {
         return history.next - history.steps.front().first + copies > history.capacity;
@@ -108,7 +109,8 @@ bool make_room(CarvingHistory& history, std::uint64_t copies) {
     return true;
 }
 
-/// Exchanges the contents of a step's copies with the bricks of the body.
+/// Exchanges the contents of a step's copies with the bricks of the body, which undoes the step or redoes it.
+/// Returns a box around these bricks.
 VoxelBox exchange(CarvingHistory& history, const CarvingStep& step, const VoxelView& body) {
     VoxelBox changed;
     Bricks& bricks = *body.bricks;

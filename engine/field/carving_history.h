@@ -28,7 +28,7 @@ struct BrickCopy {
     std::array<std::uint8_t, voxels_of_brick> material{};
 };
 
-/// Copies of bricks that belong to one stroke: a run in the ring of copies.
+/// The copies of bricks that belong to one stroke; they lie side by side in the ring buffer.
 struct CarvingStep {
     std::uint64_t first{};  ///< number of the first copy, counted over the whole life of the history
     std::uint64_t count{};
@@ -44,7 +44,7 @@ struct CarvingHistory {
     std::deque<CarvingStep> steps{};
     std::size_t done{};                    ///< number of steps that can be undone
     bool open = false;                     ///< true while new edits belong to the last step
-    std::uint32_t mark{};                  ///< number of the open step, to mark its bricks in kept_in
+    std::uint32_t mark{};  ///< number of the open step, by which kept_in tells the bricks that it has copied
     std::vector<std::uint32_t> kept_in{};  ///< for each brick: mark of the last step that has a copy of it
 };
 
@@ -59,16 +59,18 @@ CarvingHistory make_history(const VoxelView& body, std::size_t bytes = usual_his
 /// once a stroke has changed something.
 void end_step(CarvingHistory& history, const VoxelView& body);
 
-/// Copies the bricks of the box that the open step has not copied yet. Opens a step if none is open.
+/// Copies the bricks of the box before they are changed, unless the open step has copied them already. Opens
+/// a step if none is open.
 void keep(CarvingHistory& history, const VoxelView& body, const VoxelBox& box);
 
-/// Applies a tool (field/carving.h) within the open step.
+/// Applies a tool (field/carving.h) so that it can be undone, as a part of the open step.
 Edit edit(const VoxelView& body, const Tool& tool, const Dab& dab, CarvingHistory& history);
 
 /// Undoes the last step. Returns a box around all changed voxels, empty if there is no such step. An open
 /// step is ended first.
 VoxelBox undo(CarvingHistory& history, const VoxelView& body);
-/// Redoes the step that was undone last. Returns as `undo` does.
+/// Redoes the step that was undone last. Returns a box around all changed voxels, empty if there is no such
+/// step.
 VoxelBox redo(CarvingHistory& history, const VoxelView& body);
 
 /// Whether there is a step to undo.

@@ -93,7 +93,8 @@ Extent read_extent(const ConfigTable& table) {
     return extent;
 }
 
-/// Reads the keys of a filter. The density towards which melting moves stays 0, its default.
+/// Reads the keys of an operation of the method `filter`. The density towards which melting moves stays 0,
+/// its default.
 void read_filter(const ConfigTable& table, Operation& operation) {
     enum : std::size_t { melt, construct, mix };
     const auto filter = table.choice("filter", {"melt", "construct", "mix"});

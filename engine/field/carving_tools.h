@@ -52,7 +52,8 @@ struct Stamp {
     std::vector<float> weight{};
 };
 
-/// Region of voxels that an operation reaches, with a weight for each voxel.
+/// Region of voxels that an operation reaches, with a weight for each voxel: how strongly the operation acts
+/// there.
 struct Extent {
     ExtentShape shape{};
     /// Half edges along the tool's axes; for a sphere or a Gaussian, the radius along all three (voxels or
@@ -74,8 +75,9 @@ struct Operation {
     Method method{};
     Extent extent{};
     Properties changes{};
-    double rate = 0;     ///< strength of a filter at weight 1 (1/s)
-    double density = 0;  ///< constant, from 0 (empty) to 1 (solid)
+    /// Rate at which a filter moves a property towards its constant where the weight is 1 (1/s).
+    double rate = 0;
+    double density = 0;  ///< the constant for density, from 0 (empty) to 1 (solid)
     Rgb8 colour{};
     std::uint8_t material = 0;
     bool surface_only = false;  ///< true: change only voxels beside the body's surface
@@ -96,7 +98,7 @@ Expected<Tool> read_tool(const Config& config, const Materials& materials);
 /// Reads the file of a tool. The error is that of `read_tool`, or says that the file cannot be read.
 Expected<Tool> load_tool(const std::filesystem::path& path, const Materials& materials);
 
-/// A stamp of the body in the box: weight 0 for empty voxels, 1 for solid ones.
+/// Makes a stamp of the shape that a body has in the box: weight 0 for empty voxels, 1 for solid ones.
 Stamp stamp_of(const VoxelView& body, const VoxelBox& box);
 
 }  // namespace thaum::field

@@ -17,7 +17,7 @@ Cell cell_at(double x, int count) {
     return {low, x - low};
 }
 
-/// Up to four samples along an axis, with their weights for the value and the slope.
+/// Up to four samples along an axis (taps of the kernel), with their weights for the value and the slope.
 struct Taps {
     std::array<std::ptrdiff_t, 4> offset{};
     std::array<double, 4> value{}, slope{};
@@ -37,8 +37,8 @@ Weights catmull_rom(double t) {
          0.5 * (3 * t2 - 2 * t)}};
 }
 
-/// Replaces the tap `from`, which lies outside the samples, by extrapolation: the parabola through the next
-/// three taps, given in the order `to`.
+/// Replaces the tap `from`, a place outside the samples, by extrapolation: its weights go to the next three
+/// taps, in the order `to`, as a parabola through them requires.
 void fold(Taps& taps, std::size_t from, std::array<std::size_t, 3> to) {
     constexpr std::array<double, 3> parabola{3, -3, 1};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -49,7 +49,8 @@ void fold(Taps& taps, std::size_t from, std::array<std::size_t, 3> to) {
     taps.offset[from] = taps.offset[to[0]];
 }
 
-/// Computes the taps at x, counted in samples from the first one. `per_metre` is the sample density (1/m).
+/// Computes the taps (samples with weights) for a place x, counted in samples from the first one. `per_metre`
+/// is the sample density (1/m).
 Taps taps_at(double x, int count, std::ptrdiff_t stride, double per_metre, Kernel kernel) {
     Taps taps;
     if (count == 1) {
@@ -73,7 +74,7 @@ Taps taps_at(double x, int count, std::ptrdiff_t stride, double per_metre, Kerne
         taps.slope[i] = weights.slope[i] * per_metre;
     }
     const bool low_edge = low == 0, high_edge = low == count - 2;
-    // At most one end is folded: even in a grid of three samples, no cell touches both ends.
+    // At most one of these applies: even in a grid of three samples, no cell touches both ends.
     if (low_edge) fold(taps, 0, {1, 2, 3});
     if (high_edge) fold(taps, 3, {2, 1, 0});
     return taps;

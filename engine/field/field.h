@@ -93,9 +93,9 @@ struct Grid {
     vec3 spacing{1};  ///< distance between samples along each axis, > 0 (m)
     Kernel kernel{Kernel::catmull_rom};
 
-    // Passes the place on in registers, component by component. Otherwise, if the caller has just written it
-    // to memory, clang loads two numbers at once, and the processor must wait until both are stored. The wait
-    // takes half of the time of an evaluation.
+    // The place is passed on component by component, so in registers. Otherwise clang loads two numbers at
+    // once. If the caller has just written the place to memory, the processor must then wait until both are
+    // stored, which takes half of the time of an evaluation.
     Scalar operator()(vec3 place) const { return scalar_at(place.x, place.y, place.z); }
     /// The same value as operator(), to the last bit, without the gradient and in less time.
     double value(vec3 place) const { return value_at(place.x, place.y, place.z); }

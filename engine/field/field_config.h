@@ -15,8 +15,8 @@
 
 namespace thaum::field {
 
-/// Reads the points of a transfer function, each coordinate within the range. A fault is reported at the key;
-/// the function is then 0 everywhere.
+/// Reads the points of a transfer function, each coordinate within the range. If there is a fault, it is
+/// reported at the key, and the function is 0 everywhere.
 TransferFunction read_transfer(const ConfigTable& table, std::string_view key, Range range,
                                const std::vector<double>& fallback);
 

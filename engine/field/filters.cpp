@@ -124,7 +124,8 @@ Scalar read_clamped(const void* what, vec3 place) {
 Scalar read_smoothed(const void* what, vec3 place) { return stage_of(what).smoothed.component[0](place); }
 Vector read_smoothed_vector(const void* what, vec3 place) { return stage_of(what).smoothed(place); }
 
-/// The output of a filter stage as a field without a bounding box.
+/// The output of a filter as a field without a bounding box. `quick`: gradients that would need differences
+/// are 0.
 template <bool quick>
 AnyField endless_output_of(const FilterStage& stage) {
     const bool vector = stage.input.is_vector();
@@ -144,7 +145,8 @@ AnyField endless_output_of(const FilterStage& stage) {
     return {};
 }
 
-/// The box of the input data. Its samples are not passed on, because they do not show the filtered values.
+/// The box of a filter's input, in which its output has values. The box's samples are not passed on, because
+/// they are not the filtered values.
 SampleBox filtered_box(const void* what) {
     const AnyField& input = stage_of(what).input;
     SampleBox box = input.is_vector() ? sample_box_of(input.vector) : sample_box_of(input.scalar);
@@ -152,7 +154,7 @@ SampleBox filtered_box(const void* what) {
     return box;
 }
 
-/// The output of a filter stage as a field that is bounded if its input is.
+/// The output of a filter as a field that has a bounding box if its input has one.
 template <bool quick>
 AnyField output_of(const FilterStage& stage) {
     AnyField out = endless_output_of<quick>(stage);
@@ -181,13 +183,14 @@ std::vector<double> gaussian(double deviation) {
 /// and each sample's sum keeps its order.
 constexpr std::size_t lines_at_once = 16;
 
-/// Buffer for lines: sample i of line l is at lines_at_once * (margin + i) + l.
+/// Buffer for lines of samples, side by side: sample i of line l is at lines_at_once * (margin + i) + l.
 struct Lines {
     std::vector<double> samples{};
     std::size_t margin{};
 };
 
-/// Copies lines into the buffer, with margins that repeat the outermost samples. Line l begins at first[l].
+/// Copies lines of samples into the buffer, with margins that repeat the outermost samples. Line l begins at
+/// first[l].
 void take_lines(std::span<const float* const> first, std::ptrdiff_t stride, int count, Lines& lines) {
     const int margin = static_cast<int>(lines.margin);
     double* out = lines.samples.data();
@@ -227,7 +230,8 @@ std::uint64_t key_of(const FilterSource& source) {
     return hash_combine(key, source.field.is_vector() ? 1 : 0);
 }
 
-/// Makes a stage read the smoothed samples of its input. Reuses those of `old` if they are the same.
+/// Makes the filter `smooth` of a stage read smoothed samples of its input. Those in `old` are used again if
+/// they have the same key, a hash of all that they depend on.
 void use_smoothed(FilterStage& stage, const FilterSource& source, std::uint64_t key,
                   std::vector<std::unique_ptr<SmoothedSamples>>& old, FilteredField& out) {
     const auto found =

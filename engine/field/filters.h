@@ -77,8 +77,8 @@ struct FilterSource {
     Kernel kernel{Kernel::catmull_rom};  ///< kernel between smoothed samples
 };
 
-/// A scalar or vector field, read in the parent's frame. `field` refers to the other members, so this object
-/// must not be moved.
+/// A scalar or vector field that lies, moved and turned, in another frame, and is read in that frame. `field`
+/// refers to the other members, so this object must not be moved.
 struct PlacedField {
     Placed<Scalar> scalar{};
     Placed<Vector> vector{};
@@ -89,10 +89,10 @@ struct PlacedField {
     PlacedField& operator=(const PlacedField&) = delete;
 };
 
-/// Places a field that is given in its own frame.
+/// Makes `out` the field `own`, which is given in its own frame, at this placement.
 void place(PlacedField& out, const AnyField& own, const Placement& placement);
 
-/// One filter with its input.
+/// One filter with its input, as a part of a FilteredField.
 struct FilterStage {
     Filter filter{};
     AnyField input{}, quick_input{};
@@ -106,7 +106,7 @@ struct SmoothedSamples {
     Volume volume{};
 };
 
-/// A source and its filters. Fields refer to this object, so it must not be moved.
+/// A field with a chain of filters behind it. Fields refer to this object, so it must not be moved.
 struct FilteredField {
     AnyField field{};  ///< the output, with value and gradient
     AnyField quick{};  ///< output with the same value; gradients that would need differences are 0
@@ -123,8 +123,8 @@ struct FilteredField {
 /// vector. The error names the filter.
 Expected<bool> checked_filters(std::span<const Filter> filters, bool source_is_vector);
 
-/// Puts filters behind a source. Takes almost no time unless something must be smoothed. The error is that of
-/// `checked_filters`; `out` is then unchanged.
+/// Makes `out` the field `source` behind these filters. Takes almost no time unless something must be
+/// smoothed. The error is that of `checked_filters`; `out` is then unchanged.
 Expected<void> set_filters(FilteredField& out, const FilterSource& source, std::span<const Filter> filters);
 
 /// Averages samples with Gaussian weights along each axis, up to 4 standard deviations (in samples) away.

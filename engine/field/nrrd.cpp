@@ -18,8 +18,9 @@
 namespace thaum::field {
 namespace {
 
-/// An axis counts as turned if the sine of its angle to an axis of space is larger than `is_turned`. Two axes
-/// count as skewed if the cosine of the angle between them is larger than `is_skewed`.
+/// An axis of samples counts as turned if the tangent of its angle to the nearest axis of space is larger
+/// than `is_turned`. Two axes count as skewed if the cosine of the angle between them is larger than
+/// `is_skewed`.
 constexpr double is_turned = 1e-6, is_skewed = 1e-3;
 
 using Path = std::filesystem::path;
@@ -30,7 +31,7 @@ Error fail_file(const Path& path, std::string_view message) {
 
 // ---- reading ----------------------------------------------------------------------------------------------
 
-/// How the axes of a file map to those of a volume.
+/// Which axis of a file becomes which axis of a volume, and how they lie in space.
 struct Arrangement {
     std::array<std::size_t, 3> from{0, 1, 2};  ///< index of the file's axis for each axis of the volume
     std::array<bool, 3> is_reversed{};
@@ -38,7 +39,7 @@ struct Arrangement {
     mat3 turn{1.0};
 };
 
-/// Arrangement for axes that lie along those of space; std::nullopt: they do not.
+/// Arrangement if the file's axes lie along those of space; std::nullopt if they do not.
 std::optional<Arrangement> along_space(const std::array<vec3, 3>& direction) {
     Arrangement a;
     std::array<bool, 3> used{};
@@ -57,7 +58,8 @@ std::optional<Arrangement> along_space(const std::array<vec3, 3>& direction) {
     return a;
 }
 
-/// Arrangement for axes that are turned but at right angles; std::nullopt: they are not at right angles.
+/// Arrangement if the file's axes are turned against those of space but at right angles to each other;
+/// std::nullopt if they are not.
 std::optional<Arrangement> turned(const std::array<vec3, 3>& direction) {
     Arrangement a;
     std::array<vec3, 3> unit{};
@@ -92,7 +94,8 @@ void keep_luminance(NrrdColour colour, Volume& volume) {
     if (colour == NrrdColour::red_green_blue) volume.stored_as = SampleType::float32;
 }
 
-/// Keeps colours as they are or only their luminance, and adds a note unless there is one already.
+/// Keeps colours as they are or only their luminance, as chosen. Adds a note on that for the user unless
+/// there is one already.
 void take_colours(const NrrdHeader& header, const ReadChoice& choice, Volume& volume) {
     volume.is_colour = choice.colours_as_vectors;
     if (choice.colours_as_vectors) return;
@@ -144,7 +147,7 @@ Expected<void> check_order(const NrrdHeader& header, std::span<const std::byte> 
     return {};
 }
 
-/// Order of the stored samples of one moment.
+/// Where a file has the samples of one moment of time, in the order of the volume.
 StoredOrder order_of(const NrrdHeader& header, const Arrangement& a, int frame) {
     StoredOrder order{.first = frame * header.frame_stride, .component_stride = header.component_stride};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -217,12 +220,12 @@ WrittenSpace space_of(const Volume& volume) {
     return space;
 }
 
-/// True if spacings alone say where the samples are.
+/// True if the file needs to give only spacings, because the volume has no place and is not turned.
 bool needs_no_space(const Volume& volume, const WrittenSpace& space) {
     return !space.first && !volume.is_of_patient && volume.placement.turn == mat3(1.0);
 }
 
-/// The number of mm that reads back as exactly this length; std::nullopt: there is none.
+/// The number of mm from which a reader computes exactly this length; std::nullopt: there is none.
 std::optional<double> mm_of(double metres) {
     const double mm = metres * 1000;
     for (const double one : {mm, std::nextafter(mm, HUGE_VAL), std::nextafter(mm, -HUGE_VAL)}) {

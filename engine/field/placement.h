@@ -29,7 +29,8 @@ inline vec3 to_parent(const Placement& p, vec3 place) { return p.origin + p.turn
 /// Inverse of `to_parent`: a place in the volume's own frame.
 inline vec3 to_own(const Placement& p, vec3 place) { return ((place - p.origin) * p.turn) / p.scale; }
 
-/// Placement in the outermost frame of a part that lies at `inner` in a frame that itself lies at `outer`.
+/// Placement of a part in the outer frame, if the part lies at `inner` in a frame that itself lies at
+/// `outer`.
 inline Placement combined(const Placement& outer, const Placement& inner) {
     return {to_parent(outer, inner.origin), outer.turn * inner.turn, outer.scale * inner.scale};
 }

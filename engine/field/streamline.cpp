@@ -10,7 +10,8 @@ namespace {
 struct Flow {
     vec3 direction{};
     double speed{};
-    double twist{};  ///< rotation of the matter about the direction, for each metre along the line (rad/m)
+    /// Angle by which the flowing matter turns about the direction, for each metre along the line (rad/m).
+    double twist{};
     bool moves{};
 };
 
@@ -28,7 +29,8 @@ struct Tracer {
         return {direction, speed, std::isfinite(turn) ? turn : 0.0, true};
     }
 
-    /// One step of length h. `moves` becomes false if the field vanishes anywhere in the step.
+    /// Place after one step of length h from `from`. `moves` becomes false if the field is 0 at any place
+    /// that the step reads.
     vec3 stepped(vec3 from, const Flow& there, double h, bool& moves) const {
         const Flow b = at(from + h / 2 * there.direction);
         const Flow c = at(from + h / 2 * b.direction);
@@ -54,8 +56,8 @@ struct Tracer {
         return step;
     }
 
-    /// Makes steps shorter until one is within the tolerance or has the shortest length. Updates h to the
-    /// length for the next step; `done` is the length of this one.
+    /// Makes one step, and repeats it with shorter lengths until its error is within the tolerance or it has
+    /// the shortest length. Updates h to the length for the next step; `done` is the length of this one.
     Step controlled(vec3 from, const Flow& there, double left, double& h, double& done) const {
         while (true) {
             done = std::min(h, left);
@@ -84,7 +86,8 @@ vec3 any_across(vec3 along) {
     return glm::normalize(glm::cross(along, axis));
 }
 
-/// Keeps `across` perpendicular to the new direction `along`, and turns it by `angle` about `along`.
+/// The direction `across` at the next point: made perpendicular to the line's new direction `along`, and
+/// turned by `angle` about it.
 vec3 carried(vec3 across, vec3 along, double angle) {
     const vec3 flat = across - glm::dot(across, along) * along;
     const double length = glm::length(flat);

@@ -9,8 +9,8 @@ namespace thaum::field {
 namespace {
 
 constexpr double max_coordinate = 1e100;
-/// Largest number of columns (new points of the function) that one stroke draws. In a longer stroke they are
-/// farther apart.
+/// Largest number of columns (values of x at which a stroke sets the function) of one stroke. In a longer
+/// stroke they are farther apart.
 constexpr double max_columns = 512;
 
 double limited_coordinate(double v) {
@@ -56,8 +56,8 @@ void thin_out(Draft& draft, double kept) {
     }
 }
 
-/// Gives the function the value y at x, a column. `left` and `right` are the positions of the columns beside
-/// it.
+/// Gives the function the value y at x. At `left` and `right`, the neighbouring values of x that a stroke can
+/// set, and beyond them it stays as it was.
 void set_column(TransferFunction& f, double left, double x, double right, double y) {
     const auto old = points_of(f);
     const auto has = [&](double at) { return std::ranges::any_of(old, [&](vec2 p) { return p.x == at; }); };
@@ -133,7 +133,8 @@ void draw(TransferFunction& f, double x, double y, double width) {
     if (!(width > 0) || !std::isfinite(x) || !std::isfinite(width) || std::isnan(y)) return;
     const double column = std::round(limited_coordinate(x) / width);
     const double left = (column - 1) * width, middle = column * width, right = (column + 1) * width;
-    // Far from 0, neighbouring columns may round to the same number. Then nothing is drawn.
+    // Far from 0, neighbouring columns (values of x that can be set) may round to the same number. Then
+    // nothing is drawn.
     if (!(left < middle && middle < right && -max_coordinate <= left && right <= max_coordinate)) return;
     set_column(f, left, middle, right, limited_coordinate(y));
 }

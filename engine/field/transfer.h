@@ -48,14 +48,15 @@ TransferFunction window(double low, double high, double from, double to);
 /// beyond 1e100 or stands before an earlier one, or says that there are too many or none.
 Expected<TransferFunction> transfer_function(std::span<const vec2> points);
 
-/// Draws one column of a freehand curve. Columns are `width` apart, at its multiples. The column nearest to x
-/// gets the value y. The function stays as it was at all other columns and beyond, and becomes linear between
-/// columns next to this one. If all 32 points are in use, the points that change the shape least are removed.
-/// A `width` that is not above 0, an x that is not finite and a y that is NaN change nothing.
+/// Draws one point of a freehand curve. The curve can set the function at columns, values of x that are
+/// multiples of `width`. The column nearest to x gets the value y. The function stays as it was at all other
+/// columns and beyond, and becomes linear between columns next to this one. If all 32 points are in use, the
+/// points that change the shape least are removed. A `width` that is not above 0, an x that is not finite and
+/// a y that is NaN change nothing.
 void draw(TransferFunction& f, double x, double y, double width);
 
-/// Draws all columns between two positions of the mouse on the straight line between them. A position that is
-/// not finite draws nothing.
+/// Draws a piece of a freehand curve: sets the function at all columns (multiples of `width`) between two
+/// positions of the mouse, on the straight line between them. A position that is not finite draws nothing.
 void draw_stroke(TransferFunction& f, vec2 from, vec2 to, double width);
 
 }  // namespace thaum::field

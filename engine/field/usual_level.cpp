@@ -21,8 +21,9 @@ void for_each_value(const Volume& volume, Use use) {
     }
 }
 
-/// For each class (an interval of values), how well the samples would separate above it: the variance between
-/// the classes up to it and those above it, up to a constant factor. The value of a class is its index.
+/// For each class (an interval of values), how well a level at its upper end would separate the samples: the
+/// variance between the group of classes up to it and the group above it, times a constant factor. The value
+/// of a class is its index.
 std::array<double, classes> variances(const std::array<double, classes>& counts) {
     double all = 0, sum = 0;
     for (std::size_t i = 0; i < classes; ++i) {

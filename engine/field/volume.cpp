@@ -31,7 +31,7 @@ Volume empty_volume(std::array<int, 3> count, vec3 spacing, int components) {
     return volume;
 }
 
-/// Share of the box of `size` around `place` in which `depth` is above 0.
+/// Share, 0 to 1, of the box of `size` (m) around `place` in which the field `depth` is above 0.
 float share_inside(const ScalarField& depth, vec3 place, vec3 size) {
     const double here = depth(place).value, reach = 0.5 * glm::length(size);
     if (here > reach) return 1;

@@ -98,8 +98,8 @@ struct Volume {
     vec3 place(int i, int j, int k) const { return spacing * vec3(i, j, k) - 0.5 * extent(); }
 };
 
-/// Gives `volume` the placement, frame and file vectors of another volume with the same number of samples, so
-/// that its file also says the same place.
+/// Gives `volume` the placement, frame and file vectors of another volume with the same number of samples. A
+/// file written from it then says the same place in the same bits.
 void lie_as(Volume& volume, const Volume& other);
 
 /// Smallest and largest finite sample of a volume; (0, 0) if there is none.

@@ -25,7 +25,8 @@ struct RawDescription {
     std::size_t bytes{};  ///< size of the file of samples (bytes)
 };
 
-/// Reads the sizes and returns the product of sizes and components, or reports that the sizes are wrong.
+/// Reads the number of samples along each axis. Returns the product of these numbers and the components, or
+/// reports that they are wrong.
 std::size_t read_sizes(const ConfigTable& root, std::size_t limit, Volume& volume) {
     const vec3 sizes = root.vector("sizes", {1, 1e6});
     auto product = static_cast<std::size_t>(volume.components);

@@ -8,8 +8,8 @@
 
 namespace thaum::field {
 
-/// Counts of voxels by which two bodies are compared. They derive from the densities alone: recounting at any
-/// time gives the same result.
+/// Counts of voxels by which a body is compared with a wanted body. They derive from the densities alone:
+/// recounting at any time gives the same result.
 struct VoxelOverlap {
     std::array<int, 3> count{};  ///< voxels along each axis
     float threshold{};           ///< density from which on a voxel is inside

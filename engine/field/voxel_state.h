@@ -10,17 +10,18 @@
 
 namespace thaum::field {
 
-/// Hashes of the bricks, as a cache. With an empty cache the hash of the body is the same, but takes longer.
+/// Hash of each brick (block of 8 x 8 x 8 voxels), kept so that only changed bricks are hashed again. With an
+/// empty cache the hash of the body is the same, but takes longer.
 struct BrickHashes {
     std::vector<std::uint64_t> hash{};
-    std::uint32_t seen = 0;  ///< value of Bricks::newest when the hashes were made
+    std::uint32_t seen = 0;  ///< Bricks::newest (number of the body's last change) when the hashes were made
 };
 
 /// Hash of the body's density, colour and material, bit for bit. Reads the bricks
 /// that changed since the last call.
 std::uint64_t voxel_hash(const VoxelView& body, BrickHashes& hashes);
 
-/// Appends all voxels to `out`.
+/// Appends a snapshot of all voxels to `out`.
 void save(const VoxelView& body, Bytes& out);
 
 /// Restores saved voxels. The body must have the same number of voxels along each axis. Bricks that change

@@ -12,15 +12,16 @@ constexpr double min_weight = 1e-9;
 
 bool is_round(ExtentShape shape) { return shape == ExtentShape::sphere || shape == ExtentShape::gaussian; }
 
-/// Distance beyond each half edge within which a voxel may have a weight, in the extent's unit.
+/// Distance beyond each half edge of the shape within which a voxel may still have a weight above 0, in the
+/// extent's unit (voxels or m).
 vec3 margin_of(const Footprint& f) {
     if (f.shape == ExtentShape::gaussian) return vec3(0);
     if (f.shape != ExtentShape::stamp) return vec3(f.rim / 2);
     return f.half / vec3(f.stamp->cells[0], f.stamp->cells[1], f.stamp->cells[2]);
 }
 
-/// Voxels around the centre of the shape that lie within the body. Numbers are clamped before they become
-/// integers, because the conversion of one beyond the range of int is undefined.
+/// Box of those voxels of the body that the shape may reach. Numbers are clamped before they become integers,
+/// because the conversion of one beyond the range of int is undefined.
 VoxelBox box_of(const Footprint& f, const VoxelBox& all) {
     // The limit keeps `reach` finite, because an infinite one times a turn would give NaN.
     vec3 reach = glm::min(f.half + margin_of(f), vec3(1e300));
@@ -45,7 +46,8 @@ double clean(double weight) {
     return weight > 1 - min_weight ? 1 : weight;
 }
 
-/// Weight of a voxel at the depth `inside` behind an edge of the shape (the extent's unit; negative outside).
+/// Weight of a voxel at the depth `inside` behind an edge of the shape (the extent's unit; negative outside):
+/// it falls from 1 to 0 over the width `rim`.
 double coverage(double inside, double rim) { return clean(0.5 + inside / rim); }
 
 double box_weight(const Footprint& f, vec3 local) {
@@ -80,7 +82,8 @@ double stamp_weight(const Footprint& f, vec3 local) {
 
 using BrickAxis = std::array<double, brick_size>;
 
-/// For each voxel of a part and along each axis, `function` of the distance from the shape's centre.
+/// Values of `function` for the distance from the shape's centre along each axis, one for each row of voxels
+/// of a part.
 template <class Function>
 std::array<BrickAxis, 3> along_axes(const Footprint& f, const VoxelBox& part, Function function) {
     std::array<BrickAxis, 3> axes{};
@@ -92,8 +95,8 @@ std::array<BrickAxis, 3> along_axes(const Footprint& f, const VoxelBox& part, Fu
     return axes;
 }
 
-/// Sets the weight of each voxel of a part to weight(x, y, z), where x, y and z are its values in `axes`.
-/// Returns the number of weights.
+/// Sets the weight of each voxel of a part to weight(x, y, z), where x, y and z are the voxel's values in
+/// `axes`. Returns the number of weights.
 template <class Weight>
 std::size_t combine(const std::array<BrickAxis, 3>& axes, const VoxelBox& part, PartWeights& weights,
                     Weight weight) {

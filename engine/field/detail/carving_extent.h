@@ -23,7 +23,7 @@ struct Footprint {
     vec3 centre{};   ///< centre, counted in voxels from the first voxel
     vec3 step{1};    ///< distance between voxels, in the extent's unit
     vec3 half{};     ///< half edges along the tool's axes, in the extent's unit
-    double rim{};    ///< width of the rim, in the extent's unit
+    double rim{};    ///< width over which the weight falls from 1 to 0, in the extent's unit
     mat3 turn{1.0};  ///< rotation from the tool's frame to the body's
 };
 
@@ -38,7 +38,7 @@ Footprint plate_of(const VoxelView& body, const Extent& extent, vec3 place, vec3
 /// A number for each voxel of a part of at most 8 x 8 x 8 voxels, x fastest.
 using PartWeights = std::array<double, voxels_of_brick>;
 
-/// Computes the weights of the voxels of `part`, from 0 to 1. Returns their number.
+/// Computes the weights of the voxels of `part`, from 0 to 1. Returns the number of weights.
 std::size_t weigh(const Footprint& footprint, const VoxelBox& part, PartWeights& weights);
 
 /// Largest product of a filter's rate and time in one edit. exp(-max_amount) is close to the least normal

@@ -72,7 +72,7 @@ std::string_view written_name(std::string_view field) {
     return found == names_with_blanks.end() ? field : *found;
 }
 
-/// Advice that names the field which an unknown name probably means.
+/// Advice for a field of an unknown name: which field its author probably meant.
 std::string advice_for_field(std::string_view name) {
     std::array<std::string_view, known_fields.size()> names{};
     std::ranges::transform(known_fields, names.begin(), written_name);

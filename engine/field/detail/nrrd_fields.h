@@ -14,7 +14,8 @@ namespace thaum::field {
 /// Longest header that is read (bytes). Key/value pairs of segmentations take hundreds of kilobytes.
 inline constexpr std::size_t longest_header = std::size_t{4} << 20U;
 
-/// The only key/value pair that is read; NrrdFields gives its value under this name.
+/// Name of the only key/value pair that is read, which tells the files of one saved body; NrrdFields gives
+/// its value as that of a field.
 inline constexpr std::string_view key_of_save = "thaum save";
 
 /// Fields of a header by name. Keeps the first fault, so that a reader can ask for all values as if the
@@ -36,7 +37,8 @@ public:
     };
     /// Files named in the lines after "data file: LIST".
     const std::vector<ListedFile>& listed_files() const { return listed_files_; }
-    /// Line of each field, by the field's name as the format writes it, such as "space directions".
+    /// Number of the line of each field, by the field's name as the format writes it, such as "space
+    /// directions".
     std::map<std::string, std::size_t, std::less<>> lines() const;
     /// Number of the line that holds a field; 0 if the field is missing.
     std::size_t line_of(std::string_view field) const;

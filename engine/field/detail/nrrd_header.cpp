@@ -138,7 +138,7 @@ std::string kinds_with(std::string_view kind, std::size_t at, std::size_t axes) 
     return line + "'";
 }
 
-/// Treats an axis whose kind the header does not give as components. Three or four bytes are a colour,
+/// Takes an axis whose kind the header does not give for one of components. Three or four bytes are a colour,
 /// because bytes have no sign, which parts of a vector need.
 void take_unknown_axis(NrrdFields& fields, std::size_t at, Axes& axes, NrrdHeader& header) {
     auto& axis = axes.all[at];
@@ -249,8 +249,8 @@ constexpr std::array units_read{
     Unit{" in inch inches ", 1 / 0.0254},
 };
 
-/// Converts the lengths of a field to metres by its units. A word that is no unit of length, such as "pixel",
-/// counts as no unit, and the user gets a note.
+/// Converts lengths of the header to metres by the units that a field names. A word that is no unit of
+/// length, such as "pixel", counts as no unit, and the user gets a note.
 class Lengths {
 public:
     Lengths(NrrdHeader& header, std::vector<std::string> units) : header_(header), units_(std::move(units)) {}
@@ -274,8 +274,8 @@ private:
     std::vector<std::string> units_;
 };
 
-/// Reads the frame of space. Returns the sign of each axis that makes the frame right-handed and, for a
-/// patient, left-posterior-superior.
+/// Reads the frame of space. Returns the factor for each axis, 1 or -1, that makes the frame right-handed
+/// and, for a patient, left-posterior-superior.
 vec3 read_space(NrrdFields& fields, NrrdHeader& header) {
     if (fields.has("spacedimension")) (void)fields.integer("spacedimension", 3, 3, 3);
     header.is_in_space = fields.has("space") || fields.has("spacedimension");
@@ -298,8 +298,9 @@ std::vector<std::optional<double>> numbers_if_there(NrrdFields& fields, std::str
     return fields.numbers(field, axes.all.size());
 }
 
-/// Spacings from the ends of the axes. A node-centred axis has a sample at each end; otherwise the samples
-/// are the middles of cells between the ends, as the format says.
+/// Spacings that follow from the ends of the axes, the fields "axis mins" and "axis maxs". A node-centred
+/// axis has a sample at each end; otherwise the samples are the middles of cells between the ends, as the
+/// format says.
 std::vector<std::optional<double>> spacings_of_ends(NrrdFields& fields, const Axes& axes) {
     const auto low = numbers_if_there(fields, "axismins", axes),
                high = numbers_if_there(fields, "axismaxs", axes);
@@ -511,7 +512,7 @@ void read_place_of_data(NrrdFields& fields, NrrdHeader& header) {
         fields.report("byteskip", "numbers in text do not end the file at a known byte");
 }
 
-/// Adds a note for the user about the fields that have no effect.
+/// Adds a note for the user that names the fields of the header that have no effect.
 void note_unused(const NrrdFields& fields, NrrdHeader& header) {
     std::string unused;
     for (const auto& [field, written] : {std::pair{"labels", "labels"},

@@ -37,9 +37,9 @@ struct NrrdHeader {
     std::ptrdiff_t component_stride{1};
     NrrdColour colour{};
     bool is_colour_by_guess{};  ///< true: colours were assumed, since the header does not say so
-    int frames{1};              ///< number of moments of time
+    int frames{1};              ///< number of moments of time in the file
     std::ptrdiff_t frame_stride{};
-    std::size_t stored{1};            ///< number of samples times components in the file
+    std::size_t stored{1};            ///< number of samples times components in the file, for all moments
     std::array<vec3, 3> direction{};  ///< vector from one sample to the next along each axis of space (m)
     std::optional<vec3> first{};      ///< place of the first sample (m)
     /// Matrix that turns vector values from their own frame to the frame of space; 0: values are not turned.
@@ -60,8 +60,8 @@ struct NrrdHeader {
 /// line of the header.
 Expected<NrrdHeader> parse_nrrd_header(std::string_view file, const std::string& name, std::size_t limit);
 
-/// An error about a field that is found only when the samples are read. Path, line and field precede the
-/// message.
+/// Makes an error about a field of the header, for faults that show only when the samples are read. Path,
+/// line and field precede the message.
 Error fail_field(const NrrdHeader& header, std::string_view field, std::string_view message);
 
 }  // namespace thaum::field

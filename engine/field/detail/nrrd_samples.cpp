@@ -15,10 +15,10 @@
 namespace thaum::field {
 namespace {
 
-/// Largest ratio of unpacked to packed bytes that is believed. Deflate packs at most 1,032 bytes into one;
-/// this allows a little more.
+/// Largest ratio of unpacked to packed bytes that a header may promise. Deflate packs at most 1,032 bytes
+/// into one; this allows a little more.
 constexpr std::size_t max_packed = 1040;
-/// Most bytes that may precede samples at the end of gzip data.
+/// Largest number of unpacked bytes that may precede samples at the end of gzip data.
 constexpr std::size_t max_before_end = std::size_t{64} << 20U;
 
 using Path = std::filesystem::path;
@@ -114,7 +114,8 @@ std::string other_encoding(const NrrdHeader& header, const FileOfSamples& file) 
     return {};
 }
 
-/// Says how many bytes there are for each sample, if that is the size of another type; else empty.
+/// Says how many bytes there are for each sample, if that is the size of another type than the header's; else
+/// empty.
 std::string other_type(const NrrdHeader& header, std::size_t samples, std::size_t there) {
     const std::size_t own = size_of(header.type);
     for (const std::size_t size : {1U, 2U, 4U, 8U})
@@ -133,7 +134,8 @@ Error too_few(const NrrdHeader& header, const FileOfSamples& file, std::string_v
              "; correct ", type.empty() ? "the sizes" : "type or sizes", " or copy the file again"));
 }
 
-/// Advice about the header's end if the samples begin with a line break; empty if they do not.
+/// Says that the header seems to have an empty line too many, if the bytes after it begin with a line break;
+/// else empty.
 std::string_view line_too_many(const NrrdHeader& header, const FileOfSamples& file) {
     const auto bytes = characters_of(file.bytes);
     const bool begins_so = bytes.starts_with("\n") || bytes.starts_with("\r\n");

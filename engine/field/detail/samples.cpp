@@ -17,7 +17,7 @@ namespace {
 constexpr std::array<std::string_view, 10> type_names{"int8",   "uint8", "int16",  "uint16", "int32",
                                                       "uint32", "int64", "uint64", "float",  "double"};
 
-/// Calls use(T{}) with the number type of a sample type.
+/// Calls use(T{}), where T is the C++ type of a sample type.
 template <class Use>
 void with_type(SampleType type, Use use) {
     switch (type) {
@@ -115,8 +115,8 @@ bool is_number(T value) {
     return true;
 }
 
-/// True for values that hardly any quantity has, as when bytes are in the wrong order: floats of extreme
-/// size, and integers that end in zeros.
+/// True for values that hardly any quantity has, but that appear when bytes are read in the wrong order:
+/// floats of extreme size, and integers whose lowest byte is 0.
 template <class T>
 bool is_odd(T value) {
     if constexpr (std::floating_point<T>) {

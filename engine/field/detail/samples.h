@@ -24,15 +24,16 @@ std::span<const std::string_view> sample_type_names();  ///< Names of all types,
 /// Positions of a volume's samples in a file, counted in samples.
 struct StoredOrder {
     std::ptrdiff_t first{};  ///< index of component 0 of sample (0, 0, 0)
-    /// Step along each axis to the next sample; negative if the file runs the other way.
+    /// Distance in the file to the next sample along each axis of the volume; negative if the file runs the
+    /// other way.
     std::array<std::ptrdiff_t, 3> stride{};
     std::ptrdiff_t component_stride{1};
 };
 
-/// Order of the samples in Volume::samples.
+/// The order in which Volume::samples holds samples.
 StoredOrder plain_order(const std::array<int, 3>& count, int components);
 
-/// Samples as bytes of a file.
+/// Samples as bytes of a file, with their type and byte order.
 struct StoredSamples {
     std::span<const std::byte> bytes;
     SampleType type{};
