@@ -207,8 +207,8 @@ void feel_flow(const FluidTouch& fluid, FluidTouchState& state, const FluidTip& 
     if (!is_finite(force) || !is_finite(step)) return;
     damping.take(forces.slope, damping.left);
     state.force = force;
-    // If the flow moves farther than that in a tick, its velocity is taken for an error, and its work does
-    // not count.
+    // If the flow seems to move farther than `longest_step` in a tick, its velocity is taken for an error,
+    // and its work does not count.
     if (glm::length(step) <= longest_step) state.flow_work = glm::dot(forces.resistance, step);
     feel.passive += forces.viscosity + forces.resistance;
     feel.active += forces.flow;

@@ -10,9 +10,8 @@ namespace thaum::haptics {
 struct EnergyLimits {
     /// Damping force that takes out the energy which passive sources (springs, walls) gave in excess (N).
     vec3 brake{};
-    double reserve_force{
-        /// Largest force of the springs by the energy that they may still give (N); infinite: no limit.
-        HUGE_VAL};
+    /// Largest force of the springs by the energy that they may still give (N); infinite: no limit.
+    double reserve_force{HUGE_VAL};
     double fade_energy{};  ///< work that the fading offset after a jump of the force may do (J)
     double change{};       ///< largest change of the output while an offset fades (N, SafetyInput::change)
 };

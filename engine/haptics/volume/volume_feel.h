@@ -116,10 +116,8 @@ struct VolumeFeel {
     std::uint32_t wall_count{};
     OpacityFeel opacity{};
     DensityShell shell{};
-    double share{
-        /// Factor of the forces by opacity and shell, to fade them where a volume ends; walls end by
-        /// themselves.
-        1};
+    /// Factor of the forces by opacity and shell, to fade them where a volume ends; walls end by themselves.
+    double share{1};
 };
 
 /// What a volume gives the hand besides primitives, and what was found at the tip.
