@@ -17,7 +17,7 @@ constexpr double close_enough = 0x1.0p-20;
 // any operation its material.
 constexpr double half_covered = 0.5;
 
-/// One operation of a tool at one of its places in a body, with all that it needs there.
+/// One operation of a tool at one of the places along its motion, with all that it needs there.
 struct Cast {
     const Operation* operation;
     Footprint footprint;

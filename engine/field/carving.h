@@ -21,9 +21,9 @@ namespace thaum::field {
 /// One application of a tool, in the body's frame.
 struct Dab {
     vec3 place{};      ///< place of the tool (m)
-    vec3 motion{};     ///< motion of the tool since the last dab (m)
+    vec3 motion{};     ///< motion of the tool since its last application (m)
     mat3 turn{1.0};    ///< rotation from the tool's frame to the body's; boxes, plates and stamps use it
-    double seconds{};  ///< time since the last dab (s), by which a filter acts
+    double seconds{};  ///< time since the last application, for which a filter acts (s)
     /// Random seed for the rounding of colours. It differs from dab to dab, as the number of the tick does.
     std::uint64_t seed{};
 };
@@ -37,7 +37,7 @@ struct Edit {
     double added = 0;        ///< integral of the density brought in (density m^3)
 };
 
-/// Largest number of places at which one dab is applied along its motion.
+/// Largest number of places at which one dab (application of a tool) acts along the tool's motion.
 inline constexpr int max_places = 32;
 
 /// Voxels that the tool may change. A motion longer than half of the tool's smallest half edge is divided

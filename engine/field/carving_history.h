@@ -73,9 +73,9 @@ VoxelBox undo(CarvingHistory& history, const VoxelView& body);
 /// step.
 VoxelBox redo(CarvingHistory& history, const VoxelView& body);
 
-/// Whether there is a step to undo.
+/// Whether there is a stroke of carving to undo.
 inline bool can_undo(const CarvingHistory& history) { return history.done > 0; }
-/// Whether there is a step to do again.
+/// Whether there is a stroke of carving to do again.
 inline bool can_redo(const CarvingHistory& history) {
     return history.done + (history.open ? 1 : 0) < history.steps.size();
 }

@@ -19,7 +19,8 @@ Volume volume_for(const Voxels& body, std::string_view name, int components, Sam
 
 DensityRange usual_range(const Volume& volume) {
     const SampleRange range = range_of(volume);
-    // For a large number, adding 1 may give the same float, so the next larger float is used.
+    // If all samples are equal, the density of solid material is 1 larger. For a large number, adding 1 may
+    // give the same float, so the next larger float is used.
     const float above = std::max(range.low + 1, std::nextafter(range.low, HUGE_VALF));
     return {range.low, range.high > range.low ? range.high : above};
 }

@@ -31,7 +31,8 @@ Volume material_volume(const Voxels& body);
 /// Takes the colours from a volume of the same count. The samples must be whole numbers from 0 to
 /// 255. On an error the body is as before.
 Expected<void> set_colours(Voxels& body, const Volume& volume);
-/// Takes the materials from a volume as `set_colours` takes the colours.
+/// Takes the material indices from a volume of the same count. The samples must be whole numbers from 0 to
+/// 255. On an error the body is as before.
 Expected<void> set_materials(Voxels& body, const Volume& volume);
 
 }  // namespace thaum::field

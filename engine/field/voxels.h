@@ -31,7 +31,7 @@
 
 namespace thaum::field {
 
-/// Colour of a voxel.
+/// Colour of a voxel: red, green and blue, 0 to 255 each.
 struct Rgb8 {
     std::uint8_t r{}, g{}, b{};
 

@@ -137,7 +137,8 @@ bool pour(Fluid& fluid, std::size_t substance, vec3 place, double radius, double
 /// Result of one step.
 struct StepReport {
     int substeps{};  ///< number of Runge-Kutta sub-steps
-    /// true: `max_substeps` was not enough, so a semi-Lagrangian step covered the remaining time.
+    /// True: `max_substeps` sub-steps were not enough, so one semi-Lagrangian step (less exact) covered the
+    /// remaining time.
     bool fell_back{};
     /// Number of iterations of the pressure solve over all sub-steps; a direct solve counts as one.
     int pressure_iterations{};
@@ -164,8 +165,8 @@ void set_velocity(Fluid& fluid, const std::function<vec3(vec3)>& velocity);
 /// Sets the density of a substance from a function of the place (m), evaluated at cell centres.
 void set_substance(Fluid& fluid, std::size_t substance, const std::function<double(vec3)>& density);
 
-/// Must be called after samples were changed from outside. Restores the conditions at edges and solids
-/// and wakes the fluid.
+/// Must be called after the caller has changed samples. Restores the conditions at the box's sides and at
+/// solids, and wakes the fluid.
 void refresh_after_edit(Fluid& fluid);
 
 /// Total momentum per unit of density (m^4/s), summed in double in a fixed order.

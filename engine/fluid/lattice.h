@@ -48,8 +48,8 @@ struct Lattice {
 /// Makes a lattice; all `cells` must be >= 1.
 inline Lattice make_lattice(Cells cells, double h, Edges edges) {
     Lattice result{.cells = cells, .edges = edges, .h = h};
-    // Rows are padded to whole vectors. The array has one vector more, so that the last row may be read
-    // past its end.
+    // Rows are padded to whole vectors of eight. The array has one vector more, so that the last row may be
+    // read past its end.
     const std::ptrdiff_t row = round_up_to_8(cells[0] + 2 * ghosts);
     result.stride = {1, row, row * (cells[1] + 2 * ghosts)};
     result.first = ghosts * (result.stride[0] + result.stride[1] + result.stride[2]);

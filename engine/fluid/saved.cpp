@@ -17,8 +17,8 @@ constexpr std::size_t max_shape_name = 32;
 
 // Largest absolute value of a sample. No push can exceed it, and its square is still finite in float.
 constexpr double max_sample = 1e18;
-constexpr double max_height = 1e6;      // largest height of a node of the surface (m)
-constexpr double max_node_speed = 1e9;  // largest speed of a node of the surface (m/s)
+constexpr double max_height = 1e6;      // largest height of a node of the spring surface (m)
+constexpr double max_node_speed = 1e9;  // largest speed of a node of the spring surface (m/s)
 
 // ---- contents of the body, listed once for saving and restoring ------------------------------------------
 
@@ -55,7 +55,7 @@ void each_samples(S& state, F&& f) {
         f(state.substances[i], text("substance ", i + 1));
 }
 
-/// Calls `f` with the index of the first node of each row.
+/// Calls `f` with the array index of the first node of each row of the spring surface.
 template <class F>
 void each_node_row(const SpringSurfaceSettings& s, F&& f) {
     for (std::size_t z = 0; z < s.nodes; ++z) f(surface_node_index(s, 0, z));

@@ -55,7 +55,7 @@ struct Span {
     std::size_t begin, end;
 };
 
-/// Indices of the moving nodes of a row.
+/// Range of array indices of the moving nodes of row z.
 Span row(const SpringNetwork& net, std::size_t z) {
     const std::size_t at = (z + 1) * net.stride + 1;
     return {at + net.first, at + net.end};

@@ -52,11 +52,12 @@ struct SpringSurfaceSettings {
     double tension{600};      ///< total tension of the springs, >= 0 (N/m)
     double shear{1.0 / 3};    ///< share of the tension in the shear springs, 0 to 1
     double areal_mass{250};   ///< mass per area, > 0 (kg/m^2)
-    /// Stiffness by gravity for each unit of area: density times g, >= 0 (N/m^3).
+    /// Stiffness of the surface by gravity, which draws it level, for each unit of area: density times g, >=
+    /// 0 (N/m^3).
     double level{};
     double damping{1};        ///< decay rate: velocity falls to 1/e in 1 / damping, >= 0 (1/s)
     double contact{5000};     ///< stiffness of the spring to the probe, >= 0 (N/m)
-    double pop_through{200};  ///< force at which a probe breaks through, >= 0 (N)
+    double pop_through{200};  ///< force at which a probe breaks through the surface, >= 0 (N)
     double cling{40};         ///< pull that tears the surface off a leaving probe, >= 0 (N)
     /// Depth over which a push decays by a factor of e in the base fluid, see transmitted(), > 0 (m).
     double reach{0.3};
@@ -152,7 +153,7 @@ double stiffest_frequency(const SpringSurfaceSettings& settings);
 ///     free, p and q from 0 to nodes - 1      cos(p pi (x + 1/2) / nodes) cos(q pi (z + 1/2) / nodes)
 double mode_frequency(const SpringSurfaceSettings& settings, std::uint32_t p, std::uint32_t q);
 
-/// Height above level (m), linear between nodes; 0 beside the surface.
+/// Height of the surface above its level state (m), linear between nodes; 0 beside the square.
 double height_at(const SpringSurface& surface, vec2 place);
 
 /// Share of the surface's displacement that reaches `depth` (m) in a fluid with `density` relative to the

@@ -25,7 +25,7 @@ constexpr double margin_weight = 17;
 /// Distance that two strokes of the same figure often have. It is added to both distances before their ratio
 /// is taken, because the ratio of smaller distances tells little.
 constexpr double common_distance = 0.15;
-/// Share of the strokes drawn on purpose that mean nothing.
+/// Share of the strokes drawn on purpose that are meant as no gesture.
 constexpr double meant_nothing = 0.006;
 /// Share of the strokes that resemble no gesture but are meant as one, by users who draw the gesture
 /// differently from its templates.

@@ -244,7 +244,7 @@ void Spotter::sort_by_channels() {
     std::copy_n(flat.begin(), flat_count, pairs_.begin() + static_cast<std::ptrdiff_t>(solid_count));
 }
 
-/// Compares the next eight pairs elastically.
+/// Computes the elastic distances of the next eight pairs of window and template.
 void Spotter::verify() {
     if (verified_ == 0) std::fill_n(best_.begin(), recogniser_.gestures(), Best{});
     const auto channels_of = [&](std::size_t k) { return windows_[pairs_[k].window].shape.channels; };

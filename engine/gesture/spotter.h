@@ -170,7 +170,7 @@ private:
         RecogniserSpace::Survivor match{};
     };
     std::array<Best, max_gestures> best_{};
-    std::vector<Held> held_;  ///< the best window of each gesture that waits for a close look
+    std::vector<Held> held_;  ///< for each gesture, its best window, which waits for a close look
     std::vector<Candidate>
         seen_;  ///< for each gesture, the window that last had a close look, as it was before that look
     CloseLook look_;

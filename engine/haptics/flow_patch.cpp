@@ -35,7 +35,8 @@ AxisOfNodes axis_of(const field::Grid& grid, std::size_t axis, double first_node
     return nodes;
 }
 
-/// Adds the values of a grid at the patch's nodes, times `weight`. Linear between the grid's samples.
+/// Adds the values of a fluid's grid at the nodes of the patch, times `weight`, to `values`. They are linear
+/// between the grid's samples.
 void add_at_nodes(const field::Grid& grid, const FlowPatch& patch, double weight, NodeValues& values) {
     if (!has_samples(grid) || weight == 0) return;
     const AxisOfNodes x = axis_of(grid, 0, patch.origin.x, patch.spacing);
@@ -77,8 +78,8 @@ Mixture mixture_of(const FlowSource& source, const FlowPatch& patch) {
     return mix;
 }
 
-/// Position along one axis of the nodes: index of the node below, and fraction of the distance from there to
-/// the next node.
+/// Position of a place between the patch's nodes along one axis: index of the node below, and fraction of the
+/// distance from there to the next node.
 struct Along {
     std::size_t low;
     double t;

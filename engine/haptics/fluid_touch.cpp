@@ -14,8 +14,9 @@ namespace {
 
 /// Factors from quantities of the bowl's frame to those at the hand (HAPTICS.md, "Units, frames and state").
 struct HandScale {
-    double stiffness{};  ///< scale of stiffness, damping and mass: s_f s_x
-    double energy{};     ///< scale of energy: s_f / s_x
+    /// Factor from stiffness, damping and mass in the bowl to those at the hand: s_f s_x.
+    double stiffness{};
+    double energy{};     ///< factor from energy in the bowl to that at the hand: s_f / s_x
 };
 
 HandScale hand_scale(const BowlFrame& frame) {

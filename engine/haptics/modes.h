@@ -73,7 +73,7 @@ struct ModeSettings {
 /// Kind of field that a mode reads.
 enum class FieldKind : std::uint32_t { scalar, vector };
 
-/// Wraps a field for modes, which take either kind.
+/// Makes a scalar or vector field the one type that modes read.
 inline field::AnyField any_field(field::ScalarField field) { return {.scalar = field}; }
 inline field::AnyField any_field(field::VectorField field) { return {.vector = field}; }
 

@@ -66,7 +66,7 @@ SimulatedDevice simulated_device(const DeviceSpec& spec, const Hand& hand, doubl
 struct SimulatedState {
     vec3 position{};  ///< true position of the tip, not the measured one (m)
     vec3 velocity{};  ///< velocity of the tip (m/s); exactly zero on an axis that dry friction holds
-    vec3 target{};    ///< target of the hand (m)
+    vec3 target{};    ///< place to which the hand wants to move the tip (m)
     vec3 force{};     ///< force that acted on the tip in the last tick (N)
     /// Commanded forces that have not acted yet, the next one first (N).
     std::array<vec3, max_latency> commanded{};

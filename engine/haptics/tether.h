@@ -40,7 +40,7 @@ double detent_force(const Detents& detents, double along);
 
 /// Tether and its force in one tick.
 struct TetherForce {
-    Tether tether{};  ///< the tether, moved on to the present
+    Tether tether{};  ///< the tether, with its anchor moved on to the present
     vec3 force{};     ///< force on the hand (N)
     bool switched{};  ///< the tether appeared, ended or jumped
 };

@@ -45,9 +45,9 @@ std::size_t weigh(const Footprint& footprint, const VoxelBox& part, PartWeights&
 /// double.
 inline constexpr double max_amount = 700;
 
-/// Turns the first `count` weights w into 1 - exp(-amount w), the part by which a filter moves a property.
-/// The error is below 1e-13. Four voxels are computed at once: with one det::exp for each voxel an edit took
-/// twice as long.
+/// Turns the first `count` weights w into 1 - exp(-amount w), the part of the way to its constant by which a
+/// filter moves a property. The error is below 1e-13. Four voxels are computed at once: with one det::exp for
+/// each voxel an edit took twice as long.
 void to_shares(double amount, std::size_t count, PartWeights& weights);
 
 }  // namespace thaum::field

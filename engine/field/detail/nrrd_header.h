@@ -23,7 +23,8 @@ struct NrrdDataFile {
     std::size_t line{};  ///< line of the header that names the file
 };
 
-/// A header whose values agree with each other. Lengths are in m; the frame of space is right-handed.
+/// The values of an NRRD header, checked so that they agree with each other. Lengths are in m; the frame of
+/// space is right-handed.
 struct NrrdHeader {
     std::string path;                                       ///< path of the header, for messages
     std::map<std::string, std::size_t, std::less<>> lines;  ///< line of each field, by its name

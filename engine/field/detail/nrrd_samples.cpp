@@ -267,7 +267,7 @@ Expected<Bytes> read_part(const NrrdHeader& header, const Path& path, std::size_
                       static_cast<std::size_t>(header.skipped_bytes) + samples * size_of(header.type) + 1);
 }
 
-/// Number of bytes of a file after those that were read.
+/// Number of bytes of a file after the first `read` bytes.
 std::size_t rest_of(const Path& path, std::size_t read) {
     std::error_code error;
     const auto size = std::filesystem::file_size(path, error);

@@ -21,7 +21,8 @@ constexpr std::array<GaussPlace, 4> gauss_places{{{0.06943184420297371, 0.173927
                                                   {0.66999052179242813, 0.32607257743127307},
                                                   {0.93056815579702629, 0.17392742256872693}}};
 
-/// Position of the wall between an open place and a solid one, as a fraction of the distance.
+/// Position of the wall between an open place and one in a solid, as a fraction of the distance between them;
+/// found by bisection.
 double crossing(const SolidShare& solid, vec3 open_end, vec3 to_solid) {
     double open = 0, closed = 1;
     for (int i = 0; i < halvings; ++i) {

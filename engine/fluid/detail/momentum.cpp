@@ -83,7 +83,7 @@ inline Floats8 rate_at(const CarryingRows& a, const CarryingRows& b, const Carry
     return sum;
 }
 
-/// Input and output arrays of one row.
+/// Input and output arrays of a Runge-Kutta stage, at one row of samples.
 struct RowTargets {
     const float* start;
     const float* before;  ///< sum of the earlier stages; in the first stage, velocity at the start (m/s)

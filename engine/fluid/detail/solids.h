@@ -37,7 +37,8 @@ class Solids {
 public:
     Solids(const Lattice& lattice, const SolidShare& solid, double min_share = min_open);
 
-    /// Open shares of the faces of each component, 0 to 1, including ghost cells; 0 on walls.
+    /// Open share (part that no solid covers) of each face, 0 to 1, by the component of velocity sampled
+    /// there; including ghost cells; 0 on walls.
     const std::array<Samples, 3>& open() const { return open_; }
     /// Faces of a component that are partly open, sorted by index.
     const std::vector<CutFace>& cut_faces(std::size_t axis) const { return cut_faces_[axis]; }
@@ -47,7 +48,7 @@ public:
     /// Rows of the cells that hold fluid. They contain all open faces.
     const Rows& rows() const { return rows_; }
 
-    /// Sets velocities on closed faces to 0.
+    /// Sets velocities on faces that solids close off to 0.
     void clear_closed_faces(std::array<Samples, 3>& velocity) const;
 
     struct ProjectionResult {

@@ -457,7 +457,8 @@ void StaggeredSolver::come_to_rest(const Settings& settings, State& state, doubl
     state.asleep = true;
 }
 
-/// Reduces the divergence that remains in a box without solids (1/s).
+/// Reduces the divergence that rounding has left in a box without solids, by solving the pressure again if it
+/// is too large. The report gets the largest remaining divergence (1/s).
 void StaggeredSolver::clear_divergence(const Settings& settings, State& state, StepReport& report) {
     const double most = max_divergence_without_solids * report.speed / lattice_.h;
     for (int more = 0;; ++more) {

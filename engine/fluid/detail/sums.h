@@ -27,7 +27,7 @@ double segregation(const Rows& rows, double cells, const Samples& density);
 /// Largest components of a velocity, and half its square.
 struct VelocityNorms {
     double half_square{};     ///< half the sum of squares over all faces (m^2/s^2)
-    double largest{};         ///< largest component (m/s)
+    double largest{};         ///< largest absolute value of any component (m/s)
     double sum_of_largest{};  ///< sum over the axes of the largest component along each (m/s)
 };
 

@@ -82,7 +82,8 @@ struct TransportTerms {
 inline float above_zero(float x) { return 0.5F * (x + std::abs(x)); }
 inline float below_zero(float x) { return 0.5F * (x - std::abs(x)); }
 
-/// Flux of first order. `low` and `high` are the densities below and above the face.
+/// Flux of first order through a face: the flow carries the density of the cell from which it comes. `low`
+/// and `high` are the densities below and above the face.
 template <TransportTerms terms>
 inline float donor(float courant, float diffusion, float low, float high) {
     const float carried = above_zero(courant) * low + below_zero(courant) * high;
@@ -201,8 +202,8 @@ template <TransportTerms terms>
     }
 }
 
-/// The flux difference through a face, limited by the cells on both sides. `s` is the step from the cell
-/// below to the one above.
+/// The difference of the fluxes of fifth and first order through a face, times the share that the cells on
+/// both sides allow. `s` is the step from the cell below to the one above.
 inline float limited_difference(Floats difference, Floats part, Floats room, std::ptrdiff_t i,
                                 std::ptrdiff_t s) {
     return above_zero(difference[i]) * minimum(part[i - s], room[i]) +
@@ -225,7 +226,8 @@ inline float limited_difference(Floats difference, Floats part, Floats room, std
     }
 }
 
-/// What crosses one level (cells at one height) in one sub-step, as sums over its faces.
+/// What flows in one sub-step through the faces between two levels (layers of cells at one height), summed
+/// over the faces.
 struct LevelCrossing {
     double density{};  ///< amount of the substance that crossed the level upwards (densities times cells)
     double flow{};     ///< net flow of fluid (cells)
@@ -343,8 +345,8 @@ void each_layer(const SubstepContext& c, const Samples& value, Layer layer) {
     layer(nz - 1);
 }
 
-/// Computes the density of the next stage: that at the start, changed by `part` times the sum of the fluxes
-/// so far.
+/// Computes the density of the next Runge-Kutta stage: that at the start, changed by `part` times the sum of
+/// the fluxes of the stages so far.
 template <StageIndex stage, TransportTerms terms>
 void take_stage(const SubstepContext& c, const Samples& value, float part, Samples& next) {
     each_layer<stage, terms>(c, value, [&](int k) {

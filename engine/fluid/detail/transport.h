@@ -57,7 +57,7 @@ FaceApertures make_face_apertures(const Lattice& lattice, const std::array<Sampl
 struct FaceFlow {
     std::array<Samples, 3> courant{};
     const FaceApertures* face_apertures{};  ///< tables of the faces; null: all faces are open
-    Rows whole{};                           ///< rows of all cells; used if all faces are open
+    Rows whole{};                           ///< rows of all cells, which are used if all faces are open
     /// Largest part of a cell's content that flows out; above 1 if the content is replaced more than once.
     double outflow{};
     double dt{};       ///< time over which the flow acts (s)
@@ -114,8 +114,8 @@ struct TransportReport {
     std::int64_t cells{};  ///< number of cells that were processed, summed over all sub-steps
 };
 
-/// Transports a density by a flow. The density must be finite and >= 0. Fills the ghosts itself. Results
-/// below 1e-20 become 0.
+/// Transports the density of a substance by a flow. The density must be finite and >= 0. Fills the ghost
+/// cells itself. Results below 1e-20 become 0.
 TransportReport transport(const Lattice& lattice, const FaceFlow& face_flow,
                           const TransportSettings& settings, Samples& density, TransportScratch& scratch);
 

@@ -44,7 +44,8 @@ Slabs slabs_along(const Lattice& lattice, std::size_t across) {
 /// ends. Row r has the r-th velocity of every line, and begins `row` values after row r - 1.
 struct Lines {
     float* value;
-    /// dt nu / (passes h^2) at the places (samples of the velocity), from Viscosity::face_coefficients_
+    /// Viscous coefficient dt nu / (passes h^2) of each place (sample of the velocity), from
+    /// Viscosity::face_coefficients_; below 0 in a solid.
     const float* coefficient;
     std::ptrdiff_t row;
     std::ptrdiff_t count;  ///< number of places (velocity samples) along a line
@@ -75,7 +76,7 @@ inline Floats8 explicit_part(const Floats8& whole, const Floats8& a, const Float
     return explicit_part(whole, most);
 }
 
-/// Largest coefficient dt nu / (passes h^2) of a link.
+/// Largest coefficient dt nu / (passes h^2) that a link (coupling of two places by viscosity) may have.
 float max_coefficient(const Lattice& lattice, const ViscousStep& step) {
     return static_cast<float>(step.thickest * step.dt / (step.passes * lattice.h * lattice.h));
 }
@@ -120,8 +121,8 @@ struct EliminationFactors {
     float* corner;  ///< second solution, which closes periodic lines, preceded by a row of zeros
 };
 
-/// Coefficients of the links to the walls at the low and high end, as multiples of the coefficient of
-/// the nearest place.
+/// Viscous coefficients of the links between a line and the walls at its low and high end, as multiples of
+/// the coefficient of the place nearest to the wall.
 std::array<float, 2> links_to_walls(const Lines& lines) {
     const float wall = lines.edge == Edge::no_slip ? 2.0F : 0.0F;
     if (lines.edge == Edge::periodic) return {};
@@ -141,8 +142,8 @@ const float* coefficients_at(const Lines& lines, const RowBuffers& buffers, std:
     return wall ? buffers.closed : lines.coefficient + r * lines.row;
 }
 
-/// Coefficients of the places around the link from place r to the next place. After the last place of a
-/// periodic line comes the first.
+/// Viscous coefficients of the six places around the link from place r to the next place. After the last
+/// place of a periodic line comes the first.
 LinkRows rows_around(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r) {
     LinkRows rows{};
     for (std::size_t i = 0; i < rows.size(); ++i)
@@ -222,8 +223,8 @@ struct PlaceRows {
     float* value;
     const float* coefficient;
     const float* next_coefficient;  ///< coefficients of the next place; null at the last one
-    /// Factor on the coefficient for the link to the wall at the high end, from links_to_walls; 0 before the
-    /// last place.
+    /// Factor from this place's coefficient to that of its link to the wall at the high end of the line; 0
+    /// before the last place.
     float wall_multiple;
 };
 

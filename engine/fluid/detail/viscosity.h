@@ -66,7 +66,8 @@ struct ScaledFace {
 struct DraggedFace {
     std::size_t at{};
     float nearer{};  ///< h divided by the distance from the centre of the face's open part to the wall
-    std::array<std::size_t, 6> from{};  ///< indices of the neighbouring faces
+    /// Indices of the neighbouring faces whose velocities define the profile.
+    std::array<std::size_t, 6> from{};
     std::array<float, 6> share{};       ///< weights of the neighbours' velocities; 0 for an unused neighbour
 };
 
@@ -111,7 +112,7 @@ private:
     // Arrays of parallel lines, [place along a line][line]. Lines along x need all four; others only upper_
     // and corner_.
     std::vector<float> value_, coefficient_, upper_, corner_;
-    // Scratch rows with one value for each of the parallel lines.
+    // Scratch memory: rows with one value for each of the parallel lines that are solved together.
     std::array<std::vector<float>, 7> rows_of_lines_;
     std::vector<float> closed_;
 };

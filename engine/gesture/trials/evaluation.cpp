@@ -19,7 +19,7 @@ constexpr std::size_t max_fitted = 20'000;
 
 using Numbers = std::vector<std::vector<std::size_t>>;
 
-/// Moves `count` randomly drawn elements to the front and drops the others.
+/// Draws `count` elements at random, without repetition, and removes the others.
 void draw(std::vector<std::size_t>& from, std::size_t count, Random& random) {
     const std::size_t most = std::min(count, from.size());
     for (std::size_t i = 0; i < most; ++i) std::swap(from[i], from[i + random.below(from.size() - i)]);

@@ -24,8 +24,8 @@ constexpr double cap_falls_by = 0.4;     // largest fall of the output in a tick
 constexpr double energy_of_a_switch = 0.01;
 constexpr std::uint64_t calm_after = 100;  // time at low speed after which a force that was cut because of
                                            // speed returns (ticks)
-// Wanted forces that are far too large belong to one episode if at most `episodes_apart` ticks lie between
-// them. Three episodes that start within `episodes_within` ticks shut the device off.
+// Ticks in which the wanted force is far too large belong to one episode if at most `episodes_apart` ticks
+// lie between them. Three episodes that start within `episodes_within` ticks shut the device off.
 constexpr std::uint64_t episodes_apart = 20;
 constexpr std::uint64_t episodes_within = 10'000;
 

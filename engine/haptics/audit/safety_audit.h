@@ -112,7 +112,8 @@ private:
     // to the full force.
     bool unscaled_ = true;
     vec3 offset_{};   // offset from the wanted force that fades after a switch (N)
-    vec3 remnant_{};  // output before the switch, shortened by as much as time shortens the offset (N)
+    // Output before the jump of the wanted force, shortened by as much as time shortens the offset (N).
+    vec3 remnant_{};
     vec3 tip_{};      // position of the tip (m)
     double initial_length_{};  // length of the offset when the fade began (N)
     double fade_work_{};       // work of the offset on the hand since the fade began (J)
@@ -121,7 +122,7 @@ private:
 
     std::vector<double> squared_outputs_;  // squares of the output, a ring buffer (N^2)
     double window_sum_{};                  // sum of the squared outputs of the last 10 s (N^2)
-    // Sum of the squared outputs of the last 11 s, the longest time that the stage's bins may hold (N^2).
+    // Sum of the squared outputs of the last 11 s, the longest time over which the stage may sum them (N^2).
     double memory_sum_{};
 };
 

@@ -6,7 +6,7 @@
 
 namespace thaum::haptics {
 
-/// Forces of a stirred fluid in one tick.
+/// Forces of a stirred fluid on the hand in one tick.
 struct FeltFluid {
     FluidForces forces{};
     bool switched{};  ///< the fluid, or the viscosity of the space, appeared, ended or jumped

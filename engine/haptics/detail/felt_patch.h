@@ -19,7 +19,7 @@ struct SurfaceForces {
     bool switched{};
 };
 
-/// Computes the contact with the haptic model's patch, `age` ticks after the model was made.
+/// Computes the contact of the tip with the haptic model's patch, `age` ticks after the model was made.
 SurfaceForces feel_surfaces(ServoState& state, const HapticModel& model, std::uint32_t age, const Tip& tip);
 
 }  // namespace thaum::haptics

@@ -68,8 +68,8 @@ double try_active_sets(Problem& problem, vec3 x, double square, double accepted,
         Symmetric matrix;
         if (!minimise_near(problem, flat, x, matrix, steps)) break;
         const vec3 missing = balance_active(problem, x);
-        // The forces of inactive terms are those at x. The forces of active terms are right only if x is
-        // still on their kinks.
+        // Terms that are not assumed to hold x have the force that they exert at x. The forces of those that
+        // are (the active terms) are right only if x is still on their kinks.
         const bool stayed = spread_of_active(problem, x) == 0;
         keep_if_better(best, problem, x, stayed ? glm::length(missing) : residual_at(problem, x));
         if (best.residual <= accepted || !release(problem, matrix, missing, x)) break;
@@ -90,7 +90,7 @@ double length_of(Problem& problem) {
 /// smoothed problem, which next_smoothing() measures (m).
 struct Pace {
     double good;   ///< factor of the gap after a step as exact as on a quadratic problem
-    double poor;   ///< factor of the gap after any other step
+    double poor;   ///< factor of the gap after a step that is less exact
     double least;  ///< smallest ratio of the new smoothing to the last one
     int rounds;    ///< largest number of Newton steps
 };

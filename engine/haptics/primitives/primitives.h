@@ -50,12 +50,12 @@ PrimitiveFault fault_of(const Primitive& primitive) noexcept;
 /// Checked primitives. Trivially copyable and without allocation, so a servo loop can hold and fill it.
 class PrimitiveSet {
 public:
-    /// Adds a primitive without fault; otherwise leaves the set unchanged and returns the fault. A direction
-    /// within 1e-6 of unit length is normalised. A primitive of strength zero takes a place too.
+    /// Adds a primitive if it has no fault; otherwise leaves the set unchanged and returns the fault. A
+    /// direction within 1e-6 of unit length is normalised. A primitive of strength zero takes a place too.
     PrimitiveFault add(const Primitive& primitive) noexcept;
 
     void clear() noexcept { count_ = by_proxy_ = 0; }
-    /// Multiplies the strengths of the primitives from index `first` on by a share from 0 to 1.
+    /// Multiplies the strengths of the primitives from index `first` on by a share from 0 to 1, to fade them.
     void weaken(std::size_t first, double share) noexcept {
         for (std::size_t i = first; i < count_; ++i) items_[i].strength *= share;
     }
@@ -65,7 +65,7 @@ public:
     /// Whether some primitives depend on the place of the proxy in the last tick, as those of modes do. The
     /// servo then limits the proxy's motion in a tick (haptics/primitives/settling.h).
     bool by_proxy() const noexcept { return by_proxy_ != 0; }
-    /// Marks the set as depending on the place of the proxy.
+    /// Marks the set as one whose primitives depend on the place of the proxy in the last tick.
     void set_by_proxy() noexcept { by_proxy_ = 1; }
 
 private:

@@ -24,9 +24,10 @@ constexpr double straight_on = 0.5, straight_astray = 0.97;
 constexpr double at_turn = 0.5, after_turn = 1.2, later = 2;
 constexpr std::uint64_t few = 2;
 
-/// Whether the balance is astray: it has moved farther since the last tick than proxy, tip and fields
-/// together, where `moved` is the way of tip and fields (m). Then the proxy's last step was too large: a
-/// whole step to the balance would come no nearer to the place where all forces cancel.
+/// Whether the balance of spring and primitives is astray: since the last tick it has moved farther than
+/// proxy, tip and fields together, where `moved` is the way of tip and fields (m). This shows that the
+/// proxy's last step was too large. A whole step to the balance would come no nearer to the place where all
+/// forces cancel.
 bool is_astray(const Settling& state, const ProxyWay& way, double moved) {
     const double own = glm::length(state.step) + moved + min_pace / way.spring.stiffness;
     return glm::distance(way.balance, state.balance) > own;
@@ -63,7 +64,7 @@ void adapt_bound(Settling& state, const ProxyWay& way, double field_motion) {
     }
 }
 
-/// Force of the spring on the hand for a place of the proxy (N).
+/// Force of the spring on the hand if the proxy is at this place (N).
 vec3 force_at(const ProxyWay& way, vec3 proxy) { return way.spring.stiffness * (proxy - way.spring.centre); }
 
 /// Part of the spring's and damper's pull on the proxy that is due to the hand's place and velocity (N). The

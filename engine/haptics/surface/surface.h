@@ -175,7 +175,8 @@ struct SurfaceTip {
 struct ContactResult {
     vec3 force{};  ///< force on the hand, always finite (N)
     vec3 proxy{};  ///< position of the proxy (m); at the tip if nothing is touched
-    vec3 push{};   ///< displacement of the proxy from the tip by the surfaces, without friction (m)
+    /// Displacement of the proxy from the tip by the surfaces' normal push, without friction (m).
+    vec3 push{};
     std::uint32_t contacts{};  ///< number of touched surfaces, 0 to 3
 };
 

@@ -171,7 +171,8 @@ vec3 landing_of(const LevelContact& contact, vec3 target) noexcept {
         for (std::size_t j = i + 1; j < planes.size(); ++j) offer(onto_both(planes[i], planes[j], target));
     }
     if (planes.size() == 3) offer(onto_three(planes, target));
-    // The place of the first plane always remains: in_front() has moved the planes so that it is behind none.
+    // If rounding has excluded all others, the place of the first plane remains: in_front() has moved the
+    // planes so that it is behind none.
     if (nearest == HUGE_VAL) offer(planes[0].place);
     return best;
 }

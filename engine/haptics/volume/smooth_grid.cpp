@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t smooth_taps = 8;
 using SmoothRow = std::array<double, smooth_taps>;
 
-/// Samples along one axis with their weights for the value and the slope.
+/// The samples along one axis that the smoothing kernel uses, with their weights for value and slope.
 struct SmoothTaps {
     std::array<std::ptrdiff_t, smooth_taps> offset{};
     SmoothRow value{}, slope{};

@@ -129,10 +129,12 @@ struct VolumeFelt {
     std::uint32_t material{};  ///< material index at the tip
 };
 
-/// Number of primitives that a volume adds, always the same for the same counts of guides and walls.
+/// Number of primitives that a volume adds: it depends only on the numbers of guide planes and walls, because
+/// the servo takes a change of the number for a jump.
 std::size_t primitives_of(const VolumeFeel& feel) noexcept;
 
-/// Adds the primitives of a volume and returns the rest of its feel. Adds none if they do not fit.
+/// Adds the primitives (elementary forces) of a volume to the set, and returns the rest of its feel. Adds
+/// none if there is no room for all.
 VolumeFelt add_volume_feel(const VolumeFeel& feel, const ModeInput& input, PrimitiveSet& set) noexcept;
 
 }  // namespace thaum::haptics

@@ -42,7 +42,8 @@ void fix(Flat& flat, vec3& x, vec3 q, double height) {
     flat.normals[flat.count++] = normal;
 }
 
-/// Of the unit vectors normal to a kink, the one along which x is most free to move within the flat.
+/// Of the unit vectors normal to a kink (point, line or plane), the one along which x can still move best
+/// within the flat, the intersection of the kinks taken so far.
 vec3 freest_normal(const Flat& flat, const Term& term) {
     if (term.identity == 0) return term.q;
     if (flat.count == 0) return normals_to(term.q)[0];

@@ -20,7 +20,8 @@ struct Solution {
 /// Replaces `best` by x and the present forces of the terms if `residual` (N) is smaller than that of `best`.
 void keep_if_better(Solution& best, const Problem& problem, vec3 x, double residual);
 
-/// Largest distance between x and an active kink (m); 0 if x lies on all of them but for rounding.
+/// Largest distance between x and a kink of the active set, which is assumed to hold x (m); 0 if x lies on
+/// all of them but for rounding.
 double spread_of_active(Problem& problem, vec3 x);
 /// Distributes the force that is missing for balance over the active terms, by the strength that each has
 /// left, and repeats with the force that is still missing. Returns what they cannot exert (N).

@@ -14,7 +14,8 @@ namespace {
 /// Smooth part of a surface: a plane, or all places at one distance from a point or a line (its core).
 struct Piece {
     enum class Kind : std::uint8_t { plane, about_point, about_line } kind{};
-    /// Part of the solid: -1, 0 and 1 are the lower end, the side and the upper end of a capsule.
+    /// Number of the part of a solid: -1, 0 and 1 are the lower end, the side and the upper end of a capsule.
+    /// A sphere and the side of a cylinder are 0, anything else not_round.
     int zone{};
     vec3 centre{};    ///< a point of the core, which is the centre or the axis of a round piece (m)
     vec3 axis{};      ///< direction of the line, or normal of the plane (unit)
@@ -207,8 +208,8 @@ struct Track {
     std::array<double, 2> friction{};  ///< coefficient of friction of each wall while the proxy slides
     bool textured{};                   ///< a wall has a texture, which changes the depth that is felt
 
-    mutable double known_s{-1};  ///< parameter of the last place computed
-    /// The place at `known_s` (m), cached because loads, pieces and end need the same place.
+    mutable double known_s{-1};  ///< path parameter of the place that was computed last; -1: none yet
+    /// The place at `known_s` (m), kept because several functions ask for the same place.
     mutable vec3 known{};
 
     vec3 at(double s) const {
@@ -423,7 +424,7 @@ struct Tangents {
     double reach{};  ///< largest distance of a place of these lines from `from` (m)
 };
 
-/// Tangents between the places of a path at the parameters `from` and `to`. `a` is the place at `from`.
+/// The two tangents that stand for a path between the parameters `from` and `to`. `a` is the place at `from`.
 Tangents tangents_between(const Track& track, double from, vec3 a, double to) {
     constexpr double above_tangents = 1.2;
     const vec3 b = track.at(to), middle = track.at(0.5 * (from + to));

@@ -40,7 +40,8 @@ struct Facet {
     SurfaceKind kind;
 };
 
-/// Data that a tick computes once from a patch. Only entries below the counts are set.
+/// Data that a tick computes once from a patch (the surfaces near the tip). Only array entries below the
+/// counts are set.
 struct Scene {
     const SurfacePatch* patch;
     std::uint32_t flat_count;

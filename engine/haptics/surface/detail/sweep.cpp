@@ -8,8 +8,8 @@ namespace {
 constexpr int max_advances = 60;  // largest number of advances; on a path that grazes a round side, each one
                                   // halves the distance
 
-/// Whether a hit comes before another one. Of two simultaneous hits, the one at the steeper angle comes
-/// first.
+/// Whether a hit on the path comes before another one. Of two simultaneous hits, the one at the steeper angle
+/// to the surface comes first.
 bool sooner(double at, double drop, const Hit& than, double length) {
     const double lead = (than.at - at) * length;
     return lead > place_tolerance || (lead > -place_tolerance && drop > than.drop);

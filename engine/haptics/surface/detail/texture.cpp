@@ -18,7 +18,8 @@ Weights weights_at(double offset) {
     return {{before * before / 2, 0.75 - offset * offset, after * after / 2}, {-before, -2 * offset, after}};
 }
 
-/// Position on the bump map (cells), wrapped round at its end. `length` and `wavelength` are in m.
+/// Position on the bump map (cells), wrapped round at its end, for a place at `length` along one of its axes.
+/// `length` and `wavelength` are in m.
 double cells_of(double length, double wavelength) {
     const double turns = length / wavelength;
     return (turns - std::floor(turns)) * static_cast<double>(bump_cells);
