@@ -42,8 +42,8 @@ struct CarvingHistory {
     /// Steps that can be undone, then steps that can be redone, then an open
     /// step that has changed nothing yet.
     std::deque<CarvingStep> steps{};
-    std::size_t done{};                    ///< number of steps that can be undone
-    bool open = false;                     ///< true while new edits belong to the last step
+    std::size_t done{};    ///< number of steps that can be undone
+    bool open = false;     ///< true while new edits belong to the last step
     std::uint32_t mark{};  ///< number of the open step, by which kept_in tells the bricks that it has copied
     std::vector<std::uint32_t> kept_in{};  ///< for each brick: mark of the last step that has a copy of it
 };

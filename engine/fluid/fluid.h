@@ -142,11 +142,11 @@ struct StepReport {
     bool fell_back{};
     /// Number of iterations of the pressure solve over all sub-steps; a direct solve counts as one.
     int pressure_iterations{};
-    double divergence{};        ///< largest divergence times h, divided by the largest speed
-    double energy{};            ///< kinetic energy per unit of density (m^5/s^2)
-    double rescaled{};          ///< kinetic energy removed because no force had done that work (m^5/s^2)
-    double speed{};             ///< largest velocity component (m/s)
-    std::int64_t cells{};       ///< work of the step: number of cells times sub-steps
+    double divergence{};   ///< largest divergence times h, divided by the largest speed
+    double energy{};       ///< kinetic energy per unit of density (m^5/s^2)
+    double rescaled{};     ///< kinetic energy removed because no force had done that work (m^5/s^2)
+    double speed{};        ///< largest velocity component (m/s)
+    std::int64_t cells{};  ///< work of the step: number of cells times sub-steps
 };
 
 /// Advances the fluid by dt (s), 0 < dt <= 1. A fluid at rest without forces costs nothing.

@@ -47,10 +47,10 @@ struct UserStyle {
     double bulge{};             ///< turn of the hand's heading along a line that should be straight (rad)
     /// Overlap in time of two movements at a corner, which rounds it (share of a movement).
     double corner_overlap{};
-    double tremor{};            ///< amplitude of the tremor (m)
+    double tremor{};  ///< amplitude of the tremor (m)
     /// Standard deviation of a node's position from stroke to stroke (share of the size).
     double jitter{};
-    double circle_start{};     ///< angle at which a circle begins (rad)
+    double circle_start{};  ///< angle at which a circle begins (rad)
     double gap{};  ///< angle by which a circle is drawn beyond its start; negative: it is left open (rad)
     double gentle{}, harsh{};  ///< mean force of gentle and of harsh strokes (N)
     std::size_t star_start{};  ///< corner at which a star begins

@@ -29,12 +29,12 @@ struct SpotterSettings {
     /// Ratio between the arc lengths of a window (part of the motion that is compared) and the next shorter
     /// one.
     double window_ratio = 1.12;
-    double longest = 8;          ///< longest duration of a stroke (s)
+    double longest = 8;  ///< longest duration of a stroke (s)
     /// Time after which a window gets a close look (search for its exact ends) if no better one has come (s).
     double hold = 0.2;
     /// Time for which a candidate waits for a better one that overlaps it, before it is reported (s).
     double wait = 0.1;
-    float max_score = 0.14F;     ///< largest score of a stroke that is reported; the smaller, the surer
+    float max_score = 0.14F;  ///< largest score of a stroke that is reported; the smaller, the surer
     std::size_t windows_per_tick = 4;
 };
 

@@ -16,7 +16,7 @@ namespace {
 struct HandScale {
     /// Factor from stiffness, damping and mass in the bowl to those at the hand: s_f s_x.
     double stiffness{};
-    double energy{};     ///< factor from energy in the bowl to that at the hand: s_f / s_x
+    double energy{};  ///< factor from energy in the bowl to that at the hand: s_f / s_x
 };
 
 HandScale hand_scale(const BowlFrame& frame) {

@@ -180,7 +180,7 @@ struct FluidTouchState {
     vec3 force{};
     /// Place of the probe, kept inside the bowl even if the hand does not feel the wall (m, bowl frame).
     vec3 place{};
-    vec3 wall{};   ///< force of the wall on the hand, equation (5) (N)
+    vec3 wall{};                            ///< force of the wall on the hand, equation (5) (N)
     vec3 mass_position{}, mass_velocity{};  ///< position and velocity of the ladle's own mass (m, m/s)
     double surface_force{};   ///< upward force of the surface, equation (4), in the bowl frame (N)
     double surface_height{};  ///< height h of the surface that was used (m)

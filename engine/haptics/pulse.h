@@ -23,7 +23,7 @@ struct Pulse {
 /// A force that changes slowly and does not depend on the tip's position, such as the pull of a growing
 /// charge or a weight. An active source: it may push the hand.
 struct SteadyForce {
-    vec3 force{};            ///< force on the hand (N, device frame)
+    vec3 force{};  ///< force on the hand (N, device frame)
     /// Changes when the force jumps, which is a switch: the safety stage then fades it.
     std::uint64_t number{};
 };

@@ -60,7 +60,7 @@ struct FaceRow {
     Floats courant;
     /// Shares that no solid covers, and weights of terms of order 3 and 5; null if all faces are open.
     Floats aperture, third, fifth;
-    std::ptrdiff_t step;            ///< index distance between the cells on both sides of a face
+    std::ptrdiff_t step;  ///< index distance between the cells on both sides of a face
 };
 
 /// Factors of one sub-step, which covers a part of the whole time.

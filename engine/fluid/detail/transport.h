@@ -60,7 +60,7 @@ struct FaceFlow {
     Rows whole{};                           ///< rows of all cells, which are used if all faces are open
     /// Largest part of a cell's content that flows out; above 1 if the content is replaced more than once.
     double outflow{};
-    double dt{};       ///< time over which the flow acts (s)
+    double dt{};  ///< time over which the flow acts (s)
 
     const Rows& rows() const { return face_apertures != nullptr ? face_apertures->rows : whole; }
 };

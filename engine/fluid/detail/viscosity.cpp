@@ -14,17 +14,15 @@ namespace {
 /// three axes loses its velocity by the product of three factors. If that product were thousands, the
 /// pressure would take minutes to settle.
 constexpr double min_way = 0.2;
-/// Smallest ratio of the velocity at the centre of a face to that at the centre of its open part for which
-/// lines are solved through the centre of the face. Faces with a smaller ratio, whose centre is in the solid
-/// or nearly so, get a drag instead (DraggedFace).
+/// Smallest ratio of the velocity at the centre of a face to that at the centre of its open part. A face with
+/// a smaller ratio, whose centre is about in the solid, gets a drag instead of a link (DraggedFace).
 constexpr double min_factor = 0.25;
 /// Strength of the drag on such a face: this factor times nu dt / h^2, divided by the distance from the
 /// centre of the open part to the wall (cells).
 constexpr float drag_factor = 8;
-/// Limits of the coefficient with which the explicit half of the step uses a link (coupling of two
-/// neighbouring places by viscosity): for a link between open places, and for one to a wall. Even if both
-/// links of a place are at their limit, no wave grows in the explicit half, so energy only falls. Between
-/// open places all values stay within their previous range.
+/// Limits of the explicit half for a link (coupling of two places by viscosity) between open places, and for
+/// one to a wall. Even if both links of a place are at their limit, no wave grows in the explicit half, so
+/// energy only falls. Between open places all values stay within their previous range.
 constexpr float max_explicit_link = 0.25F;
 constexpr float max_explicit_wall_link = 0.5F;
 
@@ -44,8 +42,7 @@ Slabs slabs_along(const Lattice& lattice, std::size_t across) {
 /// ends. Row r has the r-th velocity of every line, and begins `row` values after row r - 1.
 struct Lines {
     float* value;
-    /// Viscous coefficient dt nu / (passes h^2) of each place (sample of the velocity), from
-    /// Viscosity::face_coefficients_; below 0 in a solid.
+    /// Viscous coefficients dt nu / (passes h^2) of the places (samples of the velocity); below 0 in solids.
     const float* coefficient;
     std::ptrdiff_t row;
     std::ptrdiff_t count;  ///< number of places (velocity samples) along a line
@@ -110,8 +107,7 @@ struct RowBuffers {
     float* below;    ///< implicit part of the link from the previous place
     float* flux;     ///< flux of momentum from the previous place, by the velocity before the step
     float* to_wall;  ///< implicit part of the link to the wall at the low end
-    /// Flux of momentum through the link between the ends of periodic lines, by the velocity before the step.
-    float* ring;
+    float* ring;     ///< flux of momentum between the ends of periodic lines, by the velocity before the step
 };
 
 /// Results of the elimination of the tridiagonal systems: for each place the factor of the next place's
@@ -268,8 +264,7 @@ template <bool ring, bool last>
     return {given, to_next, whole - part};
 }
 
-/// Computes the explicit half of the step at one place of each line, then eliminates the place from the
-/// tridiagonal system of the implicit half.
+/// Does the explicit half at one place of each line, and eliminates it from the system of the implicit half.
 template <bool ring, bool last>
 void eliminate_place(const Lines& lines, const RowBuffers& buffers, const EliminationFactors& left,
                      std::ptrdiff_t r) {
@@ -518,9 +513,8 @@ void Viscosity::component(const ViscousStep& step, std::size_t axis, Samples& u)
     });
 }
 
-/// Adds that part of a constant force's effect to eight places, times `sign`, on which the explicit half of
-/// the step would act if the force had acted before it. It is taken out before the step and put back after
-/// it, so that viscosity does not damp it.
+/// Adds to eight places, times `sign`, the part of a constant force on which the explicit half of the step
+/// acts. It is taken out before the step and put back after it, so that viscosity does not damp it.
 void Viscosity::add_force(const ViscousStep& step, std::size_t axis, float sign, const Floats8& coefficients,
                           std::ptrdiff_t at, Samples& u) {
     const auto half = 0.5F * sign * static_cast<float>(step.dt);

@@ -68,7 +68,7 @@ struct DraggedFace {
     float nearer{};  ///< h divided by the distance from the centre of the face's open part to the wall
     /// Indices of the neighbouring faces whose velocities define the profile.
     std::array<std::size_t, 6> from{};
-    std::array<float, 6> share{};       ///< weights of the neighbours' velocities; 0 for an unused neighbour
+    std::array<float, 6> share{};  ///< weights of the neighbours' velocities; 0 for an unused neighbour
 };
 
 /// Solver for implicit viscosity on one lattice.

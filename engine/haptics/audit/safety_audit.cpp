@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint64_t window_ticks = 10'000;  // time over which the thermal budget is averaged (ticks)
 // Longest time over which the stage may sum squared outputs: its sums leave old ticks out in groups (ticks).
 constexpr std::uint64_t memory_ticks = 11'000;
-constexpr double longest_hand_step = 0.05;      // longest plausible motion of the tip in a tick (m)
+constexpr double longest_hand_step = 0.05;  // longest plausible motion of the tip in a tick (m)
 // Share of the thermal budget below which the stage may not scale a force down.
 constexpr double surely_cool = 0.8 * (1 - 1e-9);
 constexpr std::uint64_t fresh_for = 20;  // largest age of a haptic model whose force is played in full

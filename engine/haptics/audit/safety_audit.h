@@ -111,10 +111,10 @@ private:
     // The stage does not scale the force down to keep the motors cool, and is not on its way back from that
     // to the full force.
     bool unscaled_ = true;
-    vec3 offset_{};   // offset from the wanted force that fades after a switch (N)
+    vec3 offset_{};  // offset from the wanted force that fades after a switch (N)
     // Output before the jump of the wanted force, shortened by as much as time shortens the offset (N).
     vec3 remnant_{};
-    vec3 tip_{};      // position of the tip (m)
+    vec3 tip_{};               // position of the tip (m)
     double initial_length_{};  // length of the offset when the fade began (N)
     double fade_work_{};       // work of the offset on the hand since the fade began (J)
     double fade_budget_{};     // largest work that the offset may do (J)

@@ -7,13 +7,13 @@
 namespace thaum::haptics {
 
 struct SurfaceForces {
-    vec3 force{};       ///< force on the hand (N)
+    vec3 force{};  ///< force on the hand (N)
     /// Motion of the touched body in the last tick, less that of the contact offset (m). The work of the
     /// force along it is the world's, not the hand's.
     vec3 world_step{};
-    double stored{};    ///< energy that a spring of `force` and `stretch` would hold (J)
-    double stretch{};   ///< distance from the tip to the proxy, its position outside of the surfaces (m)
-    bool active{};      ///< a texture of the patch is an active source: it may give more energy than it got
+    double stored{};   ///< energy that a spring of `force` and `stretch` would hold (J)
+    double stretch{};  ///< distance from the tip to the proxy, its position outside of the surfaces (m)
+    bool active{};     ///< a texture of the patch is an active source: it may give more energy than it got
     /// The force may have jumped: the patch is a new one, or a touched body appeared, went or has another
     /// stiffness.
     bool switched{};

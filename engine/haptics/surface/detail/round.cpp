@@ -17,8 +17,8 @@ struct Piece {
     /// Number of the part of a solid: -1, 0 and 1 are the lower end, the side and the upper end of a capsule.
     /// A sphere and the side of a cylinder are 0, anything else not_round.
     int zone{};
-    vec3 centre{};    ///< a point of the core, which is the centre or the axis of a round piece (m)
-    vec3 axis{};      ///< direction of the line, or normal of the plane (unit)
+    vec3 centre{};  ///< a point of the core, which is the centre or the axis of a round piece (m)
+    vec3 axis{};    ///< direction of the line, or normal of the plane (unit)
     /// Distance of a proxy on the piece from the core, with the gap that it keeps; for a plane its offset
     /// (m).
     double radius{};

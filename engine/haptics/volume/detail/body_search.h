@@ -100,7 +100,7 @@ private:
     vec3 samples_per_metre_{};
     /// Factor from lengths in the frame in which the field is read to those of the samples' frame.
     double per_scale_{};
-    double fine_{};       ///< smallest distance between samples (m)
+    double fine_{};  ///< smallest distance between samples (m)
 };
 
 }  // namespace thaum::haptics
