@@ -32,7 +32,7 @@ constexpr double max_carried = 2.0;
 /// implicitly. The shortest wave then decays at a rate of 16 times that per step, 2.4, which is still stable.
 constexpr double max_explicit = 0.15;
 /// Largest nu dt / h^2 of the base fluid for which implicit viscosity treats the step in one pass instead of
-/// several. At 0.66 one pass doubles the error beside a curved wall.
+/// two. At 0.66 one pass doubles the error beside a curved wall.
 constexpr double max_one_pass = 0.25;
 /// Limit of nu dt / h^2 where viscosity varies or there are solids. At this value the fluid already moves as
 /// a rigid body within a step. With a larger one, float could no longer represent its coupling to the fluid
