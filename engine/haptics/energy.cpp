@@ -276,8 +276,8 @@ double energy_of_output(const Servo& servo, const SafetyState& safety) {
 }
 
 /// Limits the springs, which pull with `pull` (N), to the largest force that their reserve allows. Returns
-/// this limit (N). Unless it `may_jump`, it moves slowly: by `fall` (N) down and by `reserve_step` up, besides
-/// the way of a spring while the tip moves by `moved` (m).
+/// this limit (N). Unless it `may_jump`, the limit moves slowly: in a tick by at most `fall` (N) down or
+/// `reserve_step` up, beyond what the force of a spring changes while the tip moves by `moved` (m).
 double limit_to_reserve(const Servo& servo, const ServoState& state, double pull, bool may_jump, double fall,
                         vec3 moved, Sources& sources) {
     const vec3 step = tip_motion(state, servo.quantum);

@@ -118,11 +118,11 @@ vec3 passivity_control(double energy, vec3 velocity, double most);
 /// `reserve_step` together stay below `steady_change`.
 inline constexpr double brake_step = 0.3, held_brake_step = 0.15;
 
-/// Moves the brake towards `wished`, the brake of the controller (N), by at most the step above, since a brake
-/// that began at once would be a jump. Against the force that it brakes, `braked` (N), the brake is at most as
-/// strong as that force. So it can cancel the force, but cannot pull a hand that leaves a wall back into the
-/// wall. In other directions a brake longer than `braked` ends by one step a tick. Without `braked`, the last
-/// output (N) tells against what the brake may not pull.
+/// Moves the brake towards `wished`, the brake of the controller (N), by at most the step above, since a
+/// brake that began at once would be a jump. Against the force that it brakes, `braked` (N), the brake is at
+/// most as strong as that force. So it can cancel the force, but cannot pull a hand that leaves a wall back
+/// into the wall. In other directions a brake longer than `braked` ends by one step a tick. Where `braked` is
+/// zero, the last output (N) takes its place.
 vec3 steady_brake(PassivityObserver& observer, vec3 wished, vec3 braked, vec3 last_output);
 
 /// Work of the passive forces that are commanded but have not acted yet (J), if the tip moves by `step` (m)

@@ -292,8 +292,9 @@ double part_that_hides(const SafetyState& state, vec3 goal) {
     return std::clamp(nearest + std::sqrt(std::max(0.0, room) / square), 0.0, 1.0);
 }
 
-/// Smallest share of the offset, 0 to 1, with which the output jumps no farther than `SafetyInput::change` and
-/// a spring of the device's stiffness explain. If every share jumps farther, the share with the smallest jump.
+/// Smallest share of the offset, 0 to 1, with which the output jumps no farther than `SafetyInput::change`
+/// and a spring of the device's stiffness explain. If every share jumps farther, it is the share with the
+/// smallest jump.
 double steady_part(const SafetyState& state, vec3 goal, const SafetyInput& input) {
     const double square = glm::dot(state.offset, state.offset);
     if (!(input.stiffness > 0 && square > 0)) return 0;
