@@ -28,7 +28,8 @@ struct Mistaken {
     /// Share of the variations that are nearest to the other gesture instead of their own, accepted or not.
     double nearer{};
 
-    /// Whether one of the shares is above its limit.
+    /// Whether too many variations are accepted as the other gesture (`max_taken`) or are nearer to it
+    /// (`max_nearer`).
     bool often() const { return taken > max_taken || nearer > max_nearer; }
 };
 
@@ -43,7 +44,8 @@ struct Pair {
 
     /// Whether one of the two gestures is mistaken for the other too often.
     bool collides() const { return a_as_b.often() || b_as_a.often(); }
-    /// The larger of the two shares `Mistaken::nearer`.
+    /// Share of the variations of one gesture that are nearer to the other gesture: that of a or that of b,
+    /// whichever is larger.
     double nearer() const { return std::max(a_as_b.nearer, b_as_a.nearer); }
 };
 

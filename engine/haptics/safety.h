@@ -158,8 +158,8 @@ struct SafetyInput {
     /// Largest stiffness of the device (N/m). A fading offset and the wanted force together change no faster
     /// than a spring of this stiffness and `change`. 0: no limit.
     double stiffness{};
-    /// Largest change of the output in a tick by a fading offset, beyond that of a spring of the device's
-    /// stiffness (N).
+    /// Largest change of the output in a tick while an offset fades (N). The change that a spring of
+    /// `stiffness` makes as the tip moves is allowed in addition.
     double change{steady_change};
     std::uint32_t model_age{};  ///< ticks since the model was made
     bool switched{};            ///< a source appeared or went, or the model jumped

@@ -71,7 +71,9 @@ struct MixerCounts {
     std::uint64_t delayed{};
     std::uint64_t replaced{};  ///< effects cut short by one of higher or equal priority
     std::uint64_t clipped{};   ///< values that were not finite or outside of their range
-    std::uint64_t held{};  ///< number of times that an actuator had to wait, because it had begun just before
+    /// Number of times that an actuator had to wait, because less than `gap` had passed since its last
+    /// beginning.
+    std::uint64_t held{};
     std::uint64_t limited{};  ///< frames scaled down by the limit of the sum
     /// Calls of `drive` that were ignored, because there was no room for one more effect.
     std::uint64_t not_driven{};

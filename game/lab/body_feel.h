@@ -25,8 +25,8 @@ enum class FeelKind : std::uint32_t { opacity, attract, shell, wall, gravity, pl
 
 inline constexpr std::size_t max_feel_numbers = 7;
 
-/// One part of a body's feel (the force law by which it is felt), such as a wall. Its kind uses the first
-/// `count` numbers of its FeelForm.
+/// One part of a body's feel (the force law by which it is felt), such as a wall. Only the first of its
+/// `numbers` are in use: as many as parts of its kind have (FeelForm::count).
 struct FeelPart {
     FeelKind kind{};
     std::array<double, max_feel_numbers> numbers{};

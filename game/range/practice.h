@@ -148,7 +148,7 @@ struct DrawGesture {
     void carry_out(Practice& practice) const { practice.draw_gesture(number); }
 };
 
-/// Request to give up the gesture that is being drawn anew.
+/// Request to cancel the recording of new strokes for a gesture (DrawGesture).
 struct StopDrawing {
     void carry_out(Practice& practice) const { practice.wall().give_up(practice.match()); }
 };

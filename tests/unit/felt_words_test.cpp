@@ -226,7 +226,7 @@ TEST(FeltWords, AForceThatTurnsIsOneLineThatChangesSideAtMostOnceASecond) {
     HandWords words;
     int changes = 0;
     HeardFrom before = HeardFrom::here;
-    for (int frame = 0; frame < 500; ++frame) {  // the view turns for 4 s, four times a second
+    for (int frame = 0; frame < 500; ++frame) {  // for 4 s the force goes round, four times a second
         const double angle = 2 * pi * frame / 31.25;
         rig.play(audio::frame_ticks);
         rig.hand().servo.fluid.force = {std::cos(angle), 0, std::sin(angle)};

@@ -32,7 +32,8 @@ struct Waves {
     int start{};                  ///< first cell or face whose value is not fixed by the side of the box
     int count{};                  ///< number of places (cells or faces), which is also the number of waves
     std::vector<double> angle{};  ///< phase per cell of each wave (rad)
-    /// Ranges to fold, in this order: first the whole axis, then halves of ranges that were folded before.
+    /// Ranges to fold (to replace mirrored places by their sums and differences), in this order: first the
+    /// whole axis, then halves of ranges that were folded before.
     std::vector<CellRange> folds{};
     std::vector<CellRange> dense{};  ///< ranges that remain after all folds
     std::vector<std::vector<float>>

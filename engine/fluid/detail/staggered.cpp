@@ -293,8 +293,9 @@ double StaggeredSolver::work_of_pushes(const State& state, const Velocity& veloc
 
 /// Slows the flow if the sub-step gave it more kinetic energy than was available. Available are the energy
 /// before the sub-step, whose velocity is in sum_, the energy that substances released by sinking, and the
-/// work of the pushes at the mean of old and new velocity. Excess energy has two sources: with solids, the
-/// pressure of the previous step; and differences between the force on a substance and its flux.
+/// work of the pushes at the mean of old and new velocity. Excess energy has two sources. With solids, the
+/// stages use the pressure of the previous sub-step, whose force may do work. And the work of buoyancy is not
+/// exactly the potential energy that the transport of the substances releases.
 ///
 /// `share` is this sub-step's share of the pushes. `sunk` is the released potential energy (m^2/s^2,
 /// summed over cells).

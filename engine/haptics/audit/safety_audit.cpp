@@ -285,10 +285,15 @@ double SafetyAudit::steady_share(vec3 goal, const SafetyInput& input) const {
     return steady;
 }
 
-/// Shortens the offset: by time; by the work that it has done; to the share that the remnant allows; each no
-/// more than keeps the output steady, except for the slowest fade in time; and until goal plus offset is
-/// within the cap. In the first tick of a fade, and while the springs have a
-/// reserve of energy (haptics/energy.h), the work of the offset counts as at most that of the whole output.
+/// Shortens the offset in one tick:
+/// - to the length that the work it has done on the hand still allows, less one step (fading_step),
+/// - to the share of this length that still hides the switch (share_that_hides),
+/// - by less than that if the output would jump (steady_share),
+/// - but at least by the step of the slowest fade (`limits.slew`), so that every fade ends,
+/// - and last until goal plus offset is within the cap.
+///
+/// In the first tick of a fade, and while the springs have a reserve of energy (haptics/energy.h), the work
+/// of the offset counts as at most that of the whole output.
 void SafetyAudit::fade_on(const SafetyLimits& limits, vec3 goal, const SafetyInput& input, bool begins,
                           bool goes_on) {
     const vec3 moved = begins && !goes_on ? vec3(0) : input.tip - tip_;

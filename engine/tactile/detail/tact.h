@@ -31,8 +31,9 @@ struct TactImport {
     std::size_t skipped{};  ///< number of parts for other devices, and of entries of unknown form
 };
 
-/// Reads a .tact file. The error is one line: too large, nested too deep, not JSON, longer than a minute, too
-/// much to draw, or nothing for the vest.
+/// Reads a .tact file. Its effects are drawn into the frames of a clip. The error is one line: too large,
+/// nested too deep, not JSON, longer than a minute, far more to draw than in any real file, or nothing for
+/// the vest.
 Expected<TactImport> import_tact(std::string_view json);
 
 }  // namespace thaum::tactile

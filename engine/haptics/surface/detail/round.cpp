@@ -85,8 +85,8 @@ double bend_along(const Piece& piece, vec3 y, vec3 tangent) {
 struct Path {
     std::array<Piece, 2> pieces{};
     std::size_t count{};
-    /// For two pieces: start and displacement of a straight line (m). Each place of the path is a place of
-    /// this line, moved onto both pieces.
+    /// For two pieces: start and displacement of a straight line (m). A place of the path is found by moving
+    /// a place of this line to the curve in which the two pieces of surface meet (onto_both).
     vec3 from{}, way{};
     bool has_end{};  ///< for two pieces: true if `end` is the place at parameter 1
     vec3 end{};      ///< for two pieces: last place (m)
