@@ -331,7 +331,7 @@ TEST(HapticsSwitches, AnOffsetThatYieldsWaitsForASpringThatYields) {
     AuditedStage stage{safety_limits(shipped_devices().back(), 1)};
     stage.limits.cap = stage.limits.continuous = 12;
     SafetyInput input{.wanted = {8, 0, 0}, .stiffness = stiffness};
-    stage.feel(input, 100);
+    stage.feel(input, 400);  // longer than the output takes to reach 8 N
     // The offset starts with 3 N and no energy. The hand moves out, so that the spring falls by 1 N a tick.
     input.wanted.x = 5;
     input.switched = true;
