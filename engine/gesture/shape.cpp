@@ -117,9 +117,7 @@ struct Copied {
 Copied copy(Points stroke, bool depth, ShapeSpace& space) {
     const std::size_t stride = stride_of(stroke.size());
     const std::size_t steps = (stroke.size() - 1) / stride, count = steps + 1;
-    const auto* from = &stroke[stroke.size() - 1 - steps * stride];  // first copied point, chosen so that the
-                                                                     // last point of the stroke is copied,
-                                                                     // too
+    const auto* from = &stroke[stroke.size() - 1 - steps * stride];  // so that the last point is copied, too
     const auto* const end = &stroke[stroke.size() - 1];
     const auto origin = load<Doubles4>(from);
     const Ints4 used{-1, -1, -1, depth ? -1 : 0};
