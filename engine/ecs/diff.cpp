@@ -179,8 +179,8 @@ BlobOf blob_of(const Parsed& side, const std::string& name) {
     return {&side.components.at(name), found->second};
 }
 
-std::string elements_of(const BlobOf& blob) {
-    return text(blob.type == nullptr ? 0 : blob.bytes.size() / blob.type->size, " elements");
+std::size_t elements_of(const BlobOf& blob) {
+    return blob.type == nullptr ? 0 : blob.bytes.size() / blob.type->size;
 }
 
 std::string element_text(const BlobOf& blob, std::size_t i) {
@@ -194,15 +194,16 @@ std::string element_text(const BlobOf& blob, std::size_t i) {
 void diff_blob(const Parsed& a, const Parsed& b, const std::string& name, std::size_t limit,
                std::vector<Difference>& out) {
     const auto x = blob_of(a, name), y = blob_of(b, name);
-    if (elements_of(x) != elements_of(y)) {
-        out.push_back({name, none, "", elements_of(x), elements_of(y)});
+    const auto elements = elements_of(x), others = elements_of(y);
+    if (elements != others) {
+        out.push_back({name, none, "", text(elements, " elements"), text(others, " elements")});
         return;
     }
-    if (x.bytes.empty()) return;
+    if (elements == 0) return;
     const auto size = x.type->size;
     const bool one_type =
         size == y.type->size && x.type->fields.front().scalar == y.type->fields.front().scalar;
-    for (std::size_t i = 0; i < x.bytes.size() / size && out.size() < limit; ++i) {
+    for (std::size_t i = 0; i < elements && out.size() < limit; ++i) {
         if (one_type && std::memcmp(x.bytes.data() + i * size, y.bytes.data() + i * size, size) == 0)
             continue;
         out.push_back({name, none, text("[", i, "]"), element_text(x, i), element_text(y, i)});

@@ -4,6 +4,7 @@
 
 #include "core/random.h"
 #include "core/text.h"
+#include "gesture/detail/path.h"
 #include "gesture/detail/speed_force.h"
 #include "gesture/detail/twins.h"
 #include "gesture/detail/vectors.h"
@@ -107,12 +108,6 @@ std::vector<StrokePoint> begun_at(Points stroke, std::size_t first) {
         turned.back().t += so_far;
     }
     return turned;
-}
-
-double path_length(Points stroke) {
-    double length = 0;
-    for (std::size_t i = 1; i < stroke.size(); ++i) length += glm::distance(stroke[i - 1].at, stroke[i].at);
-    return length;
 }
 
 }  // namespace

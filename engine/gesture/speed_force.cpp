@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "gesture/detail/path.h"
+
 namespace thaum::gesture {
 namespace {
 
@@ -12,12 +14,6 @@ constexpr double speed_parts = 12;
 /// viscous field have 0.01 at most, even with a mouse that jitters, and letters by a pen that feels pressure
 /// have 0.4 or more.
 constexpr double max_beside_speed = 0.01;
-
-double whole_length(Points stroke) {
-    double length = 0;
-    for (std::size_t i = 1; i < stroke.size(); ++i) length += glm::distance(stroke[i - 1].at, stroke[i].at);
-    return length;
-}
 
 /// Sums over the parts of a stroke, from which follows how well a multiple of the speed fits the force.
 class SpeedFit {
@@ -48,7 +44,7 @@ private:
 }  // namespace
 
 std::optional<double> force_beside_speed(Points stroke) {
-    const double part = whole_length(stroke) / speed_parts;
+    const double part = path_length(stroke) / speed_parts;
     double way = 0, end = part;
     SpeedFit fit;
     for (std::size_t i = 1; i < stroke.size(); ++i) {
