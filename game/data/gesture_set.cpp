@@ -36,9 +36,7 @@ const gesture::Recogniser& GestureSet::recogniser() const { return made_once(onc
 
 const gesture::Recogniser& GestureSet::motion_recogniser() const {
     const gesture::RecogniserSettings motion{.pace_counts = true};
-    const auto& made = made_once(once_motion_, motion_recogniser_, gestures_, motion);
-    motion_made_.store(true);
-    return made;
+    return made_once(once_motion_, motion_recogniser_, gestures_, motion);
 }
 
 const gesture::PrefixReader& GestureSet::prefixes() const {

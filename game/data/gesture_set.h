@@ -1,6 +1,5 @@
 // game/data/gesture_set.h: the gestures that strokes can be recognised as, with their recogniser.
 #pragma once
-#include <atomic>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -28,8 +27,8 @@ public:
     /// Recogniser of motion without a button: the pace of the hand counts. Made only for a match in which
     /// somebody casts freely.
     const gesture::Recogniser& motion_recogniser() const;
-    /// Whether the recogniser of motion has been made.
-    bool has_motion_recogniser() const { return motion_made_.load(); }
+    /// Whether the recogniser of motion has been made. Not to be asked while another thread may be making it.
+    bool has_motion_recogniser() const { return motion_recogniser_.has_value(); }
     /// Reader of unfinished strokes, made when it is first needed, in any thread.
     /// For pictures, never for a match.
     const gesture::PrefixReader& prefixes() const;
@@ -38,7 +37,6 @@ private:
     std::vector<gesture::Gesture> gestures_;
     mutable std::once_flag once_, once_motion_, once_prefixes_;
     mutable std::optional<gesture::Recogniser> recogniser_, motion_recogniser_;
-    mutable std::atomic<bool> motion_made_ = false;
     mutable std::optional<gesture::PrefixReader> prefixes_;
 };
 
