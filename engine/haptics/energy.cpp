@@ -88,8 +88,11 @@ vec3 passivity_control(double energy, vec3 velocity, double most) {
 }
 
 vec3 steady_brake(PassivityObserver& observer, vec3 wished, vec3 braked, vec3 last_output) {
+    constexpr double no_force =
+        1e-6;  // a force that is nothing but rounding (N): its direction means nothing
     const double step = observer.held_back != 0 ? held_brake_step : brake_step;
-    const double most = glm::length(braked), before = glm::length(observer.brake);
+    const double size_of_braked = glm::length(braked), before = glm::length(observer.brake);
+    const double most = size_of_braked > no_force ? size_of_braked : 0;
     vec3 brake = observer.brake + limited(wished - observer.brake, step);
     const vec3 along = most > 0 ? braked : last_output;
     const double size = glm::length(along);

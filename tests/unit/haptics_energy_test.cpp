@@ -295,5 +295,19 @@ TEST(HapticsEnergy, OfAWeakSpringItTakesWhatTheTickAddsAndNoMore) {
     EXPECT_GT(kept.farthest, 0.7 * continuous) << "hardly more damping than that";
 }
 
+TEST(SteadyBrake, EndsByStepsWhereTheForceItBrakedIsNothingButRounding) {
+    // A proxy in free space leaves a force of some femtonewtons, in any direction.
+    for (const vec3 rounding : {vec3(0), vec3(3e-15, 0, 0), vec3(-3e-15, 0, 0), vec3(0, 2e-12, -1e-13)}) {
+        PassivityObserver observer;
+        observer.brake = {2, -1, 0.5};
+        for (int t = 0; t < 12; ++t) {
+            const vec3 before = observer.brake;
+            steady_brake(observer, vec3(0), rounding, before);
+            EXPECT_LE(glm::distance(observer.brake, before), brake_step + 1e-12);
+        }
+        EXPECT_EQ(observer.brake, vec3(0));
+    }
+}
+
 }  // namespace
 }  // namespace thaum::haptics

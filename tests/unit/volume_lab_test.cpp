@@ -98,6 +98,24 @@ TEST(VolumeLab, ABallIsFeltWhereItIsDrawn) {
     }
 }
 
+TEST(VolumeLab, AHandAtRestBeyondAnEdgeFeelsNothing) {
+    // The surface meets a face of the box at a slant, and its plane goes on above the hand.
+    constexpr int n = 29;
+    field::Volume volume{.count = {n, n, n}, .spacing = vec3(1e-3)};
+    for (int i = 0; i < n * n * n; ++i) {
+        const vec3 a = 4.7911 / (0.5e-3 * (n - 1)) * volume.place(i % n, i / n % n, i / (n * n));
+        const double sum = std::sin(a.x + 2.6858) * std::cos(a.y) + std::sin(a.y) * std::cos(a.z) +
+                           std::sin(a.z) * std::cos(a.x);
+        volume.samples.push_back(static_cast<float>(std::clamp(0.5 + 0.5 * sum, 0.0, 1.0)));
+    }
+    auto lab = lab_of(std::move(volume), "omega3");
+    lab.settings.places = {{.scale = 0.7}};
+    choose(lab, "isosurface", lab.data.device.peak_force, 0.5);
+    const double h = lab.body.spacing.x * lab.placement.scale;
+    rest_hand(lab, h * (vec3(27.4201, -1.4349, 18.7889) - 0.5 * (n - 1)));
+    EXPECT_LT(glm::length(move(lab, lab.hand.target, 1, 300).force), 1e-9);
+}
+
 TEST(VolumeLab, MaterialThatGrowsAtTheHandDoesNotPushItAway) {
     for (const char* device : {"touch", "omega3"}) {
         for (const char* tool : {"construct", "stamp"}) {

@@ -458,6 +458,9 @@ std::optional<ContactPlane> BodySearch::first(vec3 proxy, vec3 target) {
     if (above > 0 && below > 0) {
         const vec3 meets = from + above / (above + below) * (to - from);
         if (glm::distance(meets, found->place) > fine_) found = between(from, to);
+    } else if (above <= 0 && below > 0 && !solid(from) && glm::distance(from, found->place) > fine_) {
+        // The proxy is in free space behind the plane, beyond an edge of the body.
+        found = between(from, to);
     }
     if (found) contact_.depth = glm::dot(found->place - to, found->way.out);
     return plane_of(found, from, to);
