@@ -8,11 +8,11 @@
 #include "core/hash.h"
 #include "render/detail/batches.h"
 #include "render/detail/gpu_mesh.h"
+#include "render/detail/overlay_pass.h"
 #include "render/detail/read_back.h"
 #include "render/detail/scans.h"
 #include "render/detail/shaders.h"
 #include "render/detail/shadow_map.h"
-#include "render/detail/shapes2d.h"
 #include "render/detail/simplify.h"
 #include "render/detail/sky_cells.h"
 #include "render/detail/targets.h"
@@ -23,30 +23,7 @@ namespace thaum::render {
 
 using namespace detail;
 
-struct OverlayBuffers {
-    VertexArray array;
-    Buffer vertices;
-    Texture atlas;
-    int atlas_height{};
-    std::vector<OverlayVertex> built;
-};
-
 namespace {
-
-OverlayBuffers make_overlay_buffers() {
-    OverlayBuffers out{make_vertex_array(), make_buffer(), make_texture(), 0, {}};
-    glBindVertexArray(out.array.get());
-    glBindBuffer(GL_ARRAY_BUFFER, out.vertices.get());
-    attribute(0, 2, sizeof(OverlayVertex), offsetof(OverlayVertex, position));
-    attribute(1, 2, sizeof(OverlayVertex), offsetof(OverlayVertex, texel));
-    glEnableVertexAttribArray(2);
-    glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(OverlayVertex),
-                          reinterpret_cast<const void*>(offsetof(OverlayVertex, colour)));
-    glBindTexture(GL_TEXTURE_2D, out.atlas.get());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    return out;
-}
 
 int scaled_length(int length, float scale) {
     return std::max(1, static_cast<int>(std::lround(static_cast<float>(length) * scale)));
@@ -103,8 +80,7 @@ struct ViewBatches {
 
 struct Renderer::State {
     Programs programs;
-    Font font;
-    Atlas atlas;
+    OverlayPass overlay;
     std::vector<GpuMesh> meshes;
     std::vector<Bounds> mesh_bounds;            // bounds of each mesh
     std::vector<Levels> mesh_levels;            // coarser copies of each mesh
@@ -114,7 +90,6 @@ struct Renderer::State {
     std::vector<std::uint64_t> mesh_versions;
     Buffer instance_buffer, patch_buffer;
     VertexArray no_attributes;
-    OverlayBuffers overlay;
     // Targets smaller than the window; `light` holds linear light for Quality::high.
     Target pixels, light;
     std::vector<Bloom> blooms;  // the bloom of each view
@@ -123,6 +98,7 @@ struct Renderer::State {
     Scans scans;
     Batches batches;
     DrawStatistics statistics;
+    PassClock clock;
     int drawn_width{}, drawn_height{};  // size that read_pixels reads (px)
     bool cleared_to_fog{};              // true: this frame was cleared to the fog's colour
     SkyCells sky;                       // scratch memory, kept between frames
@@ -130,6 +106,7 @@ struct Renderer::State {
     std::vector<Instance> dipped;       // instances that are partly inside the view's volume
 
     void draw_views(const Frame& frame);
+    const Target* begin_target(const Frame& frame, int width, int height);
     std::vector<ViewBatches> collect_views(const Frame& frame, float scale, int height);
     void collect_volume(const ViewScene& view, int height, Quality quality, ViewBatches& its);
     void march_volumes(const Frame& frame, std::span<const ViewBatches> of_views, int width, int height);
@@ -148,9 +125,6 @@ struct Renderer::State {
     void draw_stone(const ViewScene& view, const ViewBatches& its, Quality quality, const ShadowView& shadow);
     void draw_open_sky(const ViewScene& view);
     void draw_shades(const ViewBatches& its);
-    void draw_overlay(const Frame& frame);
-    void draw_overlay_runs();
-    void send_atlas();
 };
 
 Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -165,11 +139,10 @@ Expected<Renderer> Renderer::create(const std::filesystem::path& assets) {
     if (!volumes) return volumes.error();
     auto scans = Scans::load(assets / "shaders");
     if (!scans) return scans.error();
-    auto font = Font::load();
-    if (!font) return font.error();
+    auto overlay = OverlayPass::make();
+    if (!overlay) return overlay.error();
     auto state = std::make_unique<State>(State{.programs = std::move(*programs),
-                                               .font = std::move(*font),
-                                               .atlas = {},
+                                               .overlay = std::move(*overlay),
                                                .meshes = {},
                                                .mesh_bounds = {},
                                                .mesh_levels = {},
@@ -179,7 +152,6 @@ Expected<Renderer> Renderer::create(const std::filesystem::path& assets) {
                                                .instance_buffer = make_buffer(),
                                                .patch_buffer = make_buffer(),
                                                .no_attributes = make_vertex_array(),
-                                               .overlay = make_overlay_buffers(),
                                                .pixels = {},
                                                .light = {},
                                                .blooms = {},
@@ -188,6 +160,7 @@ Expected<Renderer> Renderer::create(const std::filesystem::path& assets) {
                                                .scans = std::move(*scans),
                                                .batches = {},
                                                .statistics = {},
+                                               .clock = {},
                                                .drawn_width = 0,
                                                .drawn_height = 0,
                                                .cleared_to_fog = false,
@@ -251,6 +224,7 @@ ScanId Renderer::make_scan() { return state_->scans.make(); }
 void Renderer::draw(const Frame& frame) {
     auto& s = *state_;
     s.statistics = {};
+    s.clock.start();
     s.drawn_width = frame.width;
     s.drawn_height = frame.height;
     if (frame.width <= 0 || frame.height <= 0) return;
@@ -261,26 +235,57 @@ void Renderer::draw(const Frame& frame) {
         ++s.statistics.meshes_sent;
     }
     s.draw_views(frame);
-    s.draw_overlay(frame);
+    s.statistics.draws += s.overlay.draw(frame, s.programs);
+    s.clock.end(Pass::overlay);
 }
 
 const DrawStatistics& Renderer::statistics() const { return state_->statistics; }
 
-fvec2 Renderer::measure(std::string_view text, float size) { return state_->font.measure(text, size); }
+void Renderer::measure_passes(bool on) { state_->clock.on = on; }
+
+const PassTimes& Renderer::pass_times() const { return state_->clock.times(); }
+
+fvec2 Renderer::measure(std::string_view text, float size) {
+    return state_->overlay.font().measure(text, size);
+}
 
 Image Renderer::read_pixels() { return read_back(state_->drawn_width, state_->drawn_height); }
 
 void Renderer::State::draw_views(const Frame& frame) {
     const float scale = std::clamp(frame.internal_scale, 0.25F, 1.0F);
-    const bool of_light = frame.quality == Quality::high, straight = scale == 1.0F && !of_light;
     const int width = scaled_length(frame.width, scale), height = scaled_length(frame.height, scale);
     const ShadowView shadow = update_shadow(frame);
+    clock.end(Pass::changes);
     const auto of_views = collect_views(frame, scale, height);
+    clock.end(Pass::selection);
     march_volumes(frame, of_views, width, height);
+    clock.end(Pass::volumes);
+    const Target* target = begin_target(frame, width, height);
+    const GLuint framebuffer = target == nullptr ? 0 : target->framebuffer.get();
+    for (std::size_t i = 0; i < frame.views.size(); ++i) {
+        draw_view(frame.views[i], of_views[i], frame.quality, shadow, height);
+        // After a flush, a software rasteriser fills this view on its threads while this thread processes the
+        // vertices of the next one.
+        glFlush();
+    }
+    clock.end(Pass::meshes);
+    show_volumes(of_views, height);
+    clock.end(Pass::volumes);
+    draw_scans(frame, of_views, framebuffer, height);
+    clock.end(Pass::scans);
+    draw_mists(of_views, frame.quality == Quality::high ? programs.mist_of_light : programs.mist, height);
+    clock.end(Pass::mists);
+    if (target != nullptr) show_views(frame, of_views, *target);
+    clock.end(Pass::window);
+}
+
+/// Clears what the views are drawn into, and makes it current. Returns null if that is the window itself.
+const Target* Renderer::State::begin_target(const Frame& frame, int width, int height) {
+    const bool of_light = frame.quality == Quality::high,
+               straight = width == frame.width && height == frame.height && !of_light;
     auto& target = of_light ? light : pixels;
     if (!straight) resize(target, of_light ? GL_RGBA16F : GL_RGBA8, true, width, height);
-    const GLuint framebuffer = straight ? 0 : target.framebuffer.get();
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, straight ? 0 : target.framebuffer.get());
     glViewport(0, 0, width, height);
     glDepthMask(GL_TRUE);
     cleared_to_fog = share_fog(frame);
@@ -288,18 +293,7 @@ void Renderer::State::draw_views(const Frame& frame) {
     const fvec3 behind = of_light ? fog : tone_mapped(fog);
     glClearColor(behind.r, behind.g, behind.b, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-
-    for (std::size_t i = 0; i < frame.views.size(); ++i) {
-        draw_view(frame.views[i], of_views[i], frame.quality, shadow, height);
-        // After a flush, a software rasteriser fills this view on its threads while this thread processes the
-        // vertices of the next one.
-        glFlush();
-    }
-    show_volumes(of_views, height);
-    draw_scans(frame, of_views, framebuffer, height);
-    draw_mists(of_views, of_light ? programs.mist_of_light : programs.mist, height);
-    if (straight) return;
-    show_views(frame, of_views, target);
+    return straight ? nullptr : &target;
 }
 
 /// Copies each view separately from the shared target to the window. Otherwise bright or stretched light
@@ -542,59 +536,6 @@ void Renderer::State::draw_open_sky(const ViewScene& view) {
     glMultiDrawArrays(GL_TRIANGLES, sky.firsts.data(), sky.counts.data(),
                       static_cast<GLsizei>(sky.firsts.size()));
     ++statistics.draws;
-}
-
-void Renderer::State::send_atlas() {
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, overlay.atlas.get());
-    if (!atlas.take_changed()) return;
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    if (overlay.atlas_height != atlas.height()) {
-        overlay.atlas_height = atlas.height();
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, Atlas::width, atlas.height(), 0, GL_RED, GL_UNSIGNED_BYTE,
-                     atlas.texels().data());
-    } else {
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, Atlas::width, atlas.height(), GL_RED, GL_UNSIGNED_BYTE,
-                        atlas.texels().data());
-    }
-}
-
-/// Draws the overlay's items in their order: a run of text, a run of other shapes, and so on.
-void Renderer::State::draw_overlay_runs() {
-    const auto is_text = [&](const OverlayVertex& v) { return v.texel != atlas.solid(); };
-    const auto& all = overlay.built;
-    for (auto first = all.begin(); first != all.end();) {
-        const bool text = is_text(*first);
-        const auto last =
-            std::find_if(first, all.end(), [&](const OverlayVertex& v) { return is_text(v) != text; });
-        glUseProgram((text ? programs.overlay : programs.shape).program.get());
-        glDrawArrays(GL_TRIANGLES, static_cast<GLint>(first - all.begin()),
-                     static_cast<GLsizei>(last - first));
-        ++statistics.draws;
-        first = last;
-    }
-}
-
-void Renderer::State::draw_overlay(const Frame& frame) {
-    overlay.built.clear();
-    atlas.start_frame();
-    build(frame.overlay, font, atlas, overlay.built);
-    if (overlay.built.empty()) return;
-    send_atlas();
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glViewport(0, 0, frame.width, frame.height);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    for (const auto* program : {&programs.overlay, &programs.shape}) {
-        glUseProgram(program->program.get());
-        glUniform2f(program->parameter, 2 / static_cast<float>(frame.width),
-                    2 / static_cast<float>(frame.height));
-    }
-    glBindVertexArray(overlay.array.get());
-    fill_buffer(GL_ARRAY_BUFFER, overlay.vertices, overlay.built, GL_STREAM_DRAW);
-    draw_overlay_runs();
 }
 
 }  // namespace thaum::render

@@ -14,6 +14,7 @@
 #include "render/font.h"
 #include "render/image.h"
 #include "render/mesh.h"
+#include "render/pass_times.h"
 #include "render/scene.h"
 
 namespace thaum::render {
@@ -73,6 +74,10 @@ public:
     void draw(const Frame& frame);
     /// Statistics of the last frame that was drawn.
     const DrawStatistics& statistics() const;
+    /// While on, each draw measures its passes. It then takes longer, since passes wait for each other.
+    void measure_passes(bool on);
+    /// Times of the passes of the last draw; zeros if they were not measured.
+    const PassTimes& pass_times() const;
     /// Name of the device that draws (GL_RENDERER), for first_quality.
     std::string device() const;
 

@@ -5,6 +5,7 @@
 
 #include "game/data/control_names.h"
 #include "game/data/teams.h"
+#include "game/hud/frame_times.h"
 #include "game/hud/prompts.h"
 #include "game/hud/replay_bar.h"
 #include "game/scene/arena_scene.h"
@@ -28,7 +29,8 @@ struct HudSettings {
     bool can_play_again = true;  ///< true: the result screen offers another match
     bool has_menu = true;  ///< true: leaving a match leads to the start screen; false: it ends the program
     bool forces = false;   ///< true: shows the force on the hand as a curve, and the brew's flow
-    bool menu = false;     ///< true: a menu will cover the views, so the HUD is left out
+    std::optional<FrameTimes> frame_times{};  ///< shown as a line if there are any
+    bool menu = false;                        ///< true: a menu will cover the views, so the HUD is left out
     /// Message about a fault of each player's device, in the words of its driver. The session sets it.
     std::array<std::string, players> device_messages{};
     PlayerNames names{};

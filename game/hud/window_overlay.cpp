@@ -84,6 +84,7 @@ std::vector<Notice> notices_of(const Picture& picture, const HudSettings& settin
                                                            : "Try low picture quality."),
              paints.light_red});
     }
+    if (settings.frame_times) all.push_back({words_of(*settings.frame_times), paints.soft});
     if (picture.mark != 0) all.push_back({text("bookmark ", picture.mark), paints.soft});
     return all;
 }

@@ -87,6 +87,7 @@ struct RenderState {
     /// number of the qualities, from the lowest on, whose shaders were used already
     std::size_t warm_qualities = 0;
     std::int64_t next_still_ns = 0;
+    FrameTimes frame_times{};  ///< times of the last pictures, while they are shown
 };
 
 /// Picture of the open menu. A menu without a note shows the match's caption, which has no other place then.
@@ -101,6 +102,7 @@ const render::Frame& frame_of(RenderState& state, const Screen& screen, render::
     const double speed = hud.replay ? hud.replay->speed : 1;
     hud.quality = state.quality.now(screen.quality, size);
     hud.prompt_uses = state.buffer.prompt_uses;
+    if (screen.frame_times) hud.frame_times = state.frame_times;
     if (screen.arena_scene)
         make_arena_frame(state.arena_scene, state.buffer.newest, camera_angle(), hud, size, state.memory);
     else
@@ -160,11 +162,13 @@ struct RenderTimes {
 };
 
 /// Counts a picture that was just shown. Its duration decides on the quality of the next one.
-void count_picture(std::int64_t begun_ns, LiveShared& shared, RenderState& state, RenderTimes& times) {
+void count_picture(std::int64_t begun_ns, bool measured, LiveShared& shared, RenderState& state,
+                   RenderTimes& times) {
     const auto shown_ns = monotonic_ns();
     const double frame_ms = static_cast<double>(shown_ns - begun_ns) * 1e-6;
     auto& quality = state.quality;
-    quality.found = render::after_frame(quality.found, frame_ms);
+    // A picture whose passes were measured took longer than usual.
+    if (!measured) quality.found = render::after_frame(quality.found, frame_ms);
     shared.report.quality = state.memory.frame.quality;
     times.frames.add(frame_ms);
     take_due(shared.stamps, state.buffer.shown_due_ns, [&](const InputStamp& stamp) {
@@ -172,6 +176,28 @@ void count_picture(std::int64_t begun_ns, LiveShared& shared, RenderState& state
         ++shared.report.inputs;
     });
     ++shared.report.frames;
+}
+
+/// Makes a picture and shows it.
+void show_picture(const Screen& screen, render::Size size, render::Window& window, render::Renderer& renderer,
+                  RenderState& state) {
+    const auto begun_ns = monotonic_ns();
+    renderer.measure_passes(screen.frame_times);
+    const auto& frame = frame_of(state, screen, size);
+    const auto built_ns = monotonic_ns();
+    renderer.draw(frame);
+    const auto drawn_ns = monotonic_ns();
+    window.present();
+    if (!screen.frame_times) return;
+    const auto ms = [](std::int64_t from, std::int64_t to) { return static_cast<double>(to - from) * 1e-6; };
+    constexpr double weight = 0.05;  // the mean is over about 20 pictures
+    approach(state.frame_times,
+             {.building_ms = ms(begun_ns, built_ns),
+              .passes = renderer.pass_times(),
+              .showing_ms = ms(drawn_ns, monotonic_ns()),
+              .quality = frame.quality,
+              .resolution = frame.internal_scale},
+             weight);
 }
 
 void draw_until_stopped(const LivePlan& plan, LiveShared& shared, render::Window& window,
@@ -200,9 +226,8 @@ void draw_until_stopped(const LivePlan& plan, LiveShared& shared, render::Window
         }
         if (!due(state, screen, changed)) continue;
         const auto begun_ns = monotonic_ns();
-        renderer.draw(frame_of(state, screen, size));
-        window.present();
-        count_picture(begun_ns, shared, state, times);
+        show_picture(screen, size, window, renderer, state);
+        count_picture(begun_ns, screen.frame_times, shared, state, times);
         warm_up_next(renderer, shared, state);
     }
     shared.report.frame_ms_median = times.frames.at(0.5);

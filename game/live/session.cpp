@@ -31,6 +31,15 @@ LiveMenu make_menu(const LivePlan& plan) {
     return {std::move(state), std::move(context), plan.settings_file};
 }
 
+Insight after(Insight insight) {
+    switch (insight) {
+        case Insight::none: return Insight::forces;
+        case Insight::forces: return Insight::frame_times;
+        case Insight::frame_times: break;
+    }
+    return Insight::none;
+}
+
 }  // namespace
 
 LiveSession::LiveSession(LiveShared& shared, const LivePlan& plan)
@@ -118,7 +127,7 @@ bool LiveSession::session_key(int key) {
     if (split) menu_.turn_split();
     if (fullscreen) menu_.toggle_fullscreen();
     if (mark) shared_.requests.ask(PressMark{});
-    if (forces) forces_ = !forces_;
+    if (forces) insight_ = after(insight_);
     return split || fullscreen || mark || forces;
 }
 
@@ -479,7 +488,7 @@ Screen LiveSession::screen() const {
                           .bloom = settings.bloom,
                           .can_play_again = plan_.replay == nullptr,
                           .has_menu = plan_.start_screen,
-                          .forces = forces_,
+                          .forces = insight_ == Insight::forces,
                           .menu = menu_.is_open(),
                           .names = names(),
                           .captions = {settings.players[0].captions, settings.players[1].captions},
@@ -490,7 +499,8 @@ Screen LiveSession::screen() const {
                   .quality = settings.quality,
                   .menu = menu_.picture(),
                   .arena_scene = menu_.on_start_screen(),
-                  .frames_per_second = settings.frames_per_second};
+                  .frames_per_second = settings.frames_per_second,
+                  .frame_times = insight_ == Insight::frame_times};
     if (menu_.on_mixer()) screen.menu.figure = trial_ ? trial_->figure() : BodyTrial::Figure{};
     auto& messages = screen.hud.device_messages;
     each_held_arm(shared_.arms,

@@ -21,6 +21,13 @@
 
 namespace thaum::game::inline live {
 
+/// What F3 shows beyond the game, one after another.
+enum class Insight : std::uint8_t {
+    none,
+    forces,       ///< the forces that hands feel, and the brew's flow
+    frame_times,  ///< the times of each part of a picture
+};
+
 class LiveSession {
 public:
     LiveSession(LiveShared& shared, const LivePlan& plan);
@@ -131,7 +138,7 @@ private:
     std::vector<input::ProfileData> profile_{};  ///< gestures that the persons at the seats recorded
     /// trials of effects for the mixer's page; std::nullopt: nothing is felt on the body
     std::optional<BodyTrial> trial_{};
-    bool forces_ = false;                     ///< true: the views show the forces that hands feel
+    Insight insight_ = Insight::none;         ///< what the views show of the inside of the program
     std::optional<Screen> published_{};       ///< the newest published screen
     std::optional<std::int64_t> began_ns_{};  ///< time when the start screen first opened (ns)
 };

@@ -38,6 +38,7 @@ struct Screen {
     MenuPicture menu{};
     bool arena_scene = false;  ///< true: there is no match, and the arena is shown alone, from above
     double frames_per_second = 60;
+    bool frame_times = false;  ///< true: the time of each part of the pictures is measured and shown
     bool operator==(const Screen&) const = default;
 };
 

@@ -208,7 +208,8 @@ std::string_view help_of(SessionKey key) {
         case SessionKey::split: return "Turns the split between the two views.";
         case SessionKey::fullscreen: return "Fills the whole screen, or plays in a window.";
         case SessionKey::mark: return "Puts a numbered bookmark into the recording.";
-        case SessionKey::forces: return "Draws the forces on the hands as curves.";
+        case SessionKey::forces:
+            return "Draws the forces on the hands as curves; again: times of the picture.";
     }
     return {};
 }

@@ -7,6 +7,7 @@
 #include "game/components/station.h"
 #include "game/context/hand_forces.h"
 #include "game/data/event_words.h"
+#include "game/hud/frame_times.h"
 #include "game/hud/layout.h"
 #include "game/senses/tactile/felt_source.h"
 #include "game/stations/cauldron/potions.h"
@@ -309,6 +310,33 @@ TEST(HudWords, NamesAndFeedStandOnAPlateSoThatNoGroundHidesThem) {
         }
         EXPECT_GE(named.size(), 4U) << "the name, a line of the feed, and their shadows";
     }
+}
+
+TEST(FrameTimesLine, TellsTheWholeAndItsPartsLongestFirst) {
+    FrameTimes times{
+        .building_ms = 1.26, .showing_ms = 0.04, .quality = render::Quality::low, .resolution = 0.67F};
+    times.passes.ms[static_cast<std::size_t>(render::Pass::meshes)] = 12.34;
+    times.passes.ms[static_cast<std::size_t>(render::Pass::overlay)] = 3;
+    EXPECT_EQ(words_of(times), "picture 16.6 ms, low, 67 %   meshes 12.3   overlay 3.0   building 1.3");
+}
+
+TEST(FrameTimesLine, TimesComeNearerToTheNewest) {
+    FrameTimes shown;
+    FrameTimes newest{.building_ms = 8, .showing_ms = 4, .resolution = 0.5F};
+    newest.passes.ms.fill(2);
+    approach(shown, newest, 0.25);
+    EXPECT_EQ(shown.building_ms, 2);
+    EXPECT_EQ(shown.showing_ms, 1);
+    EXPECT_EQ(shown.passes.ms.back(), 0.5);
+    EXPECT_EQ(shown.resolution, 0.5F);
+}
+
+TEST(FrameTimesLine, StandsOnTheScreenOnlyIfAskedFor) {
+    const auto picture = picture_of(*new_match());
+    EXPECT_FALSE(has_text(overlay_of(picture), "picture"));
+    HudSettings settings;
+    settings.frame_times = FrameTimes{.building_ms = 3};
+    EXPECT_TRUE(has_text(overlay_of(picture, settings), "picture 3.0 ms"));
 }
 
 }  // namespace

@@ -349,6 +349,17 @@ TEST_F(LiveSessionTest, SomeKeysActAtAnyTime) {
     EXPECT_TRUE(session_->menu().settings().fullscreen);
 }
 
+TEST_F(LiveSessionTest, AKeyShowsForcesThenTimesOfThePictureThenNeither) {
+    begin();
+    for (const auto& [forces, times] :
+         {std::pair(true, false), {false, true}, {false, false}, {true, false}}) {
+        press(rig::code_of(defaults_, SessionKey::forces));
+        session_->publish_screen();
+        EXPECT_EQ(screen().hud.forces, forces);
+        EXPECT_EQ(screen().frame_times, times);
+    }
+}
+
 TEST_F(LiveSessionTest, AReplayHasItsOwnKeysAndMouse) {
     auto replay = short_replay().value();
     const game::ReplayIndex index(replay);

@@ -111,6 +111,22 @@ TEST_F(Picture, LowIsPlainFromHalfAsFarAsMedium) {
     EXPECT_LT(triangles(Quality::low, beyond_half), triangles(Quality::medium, beyond_half));
 }
 
+TEST_F(Picture, MeasuringItsPassesChangesNoPixel) {
+    const std::vector<Instance> one{cube_at({0, 0, -1.5F}, red)};
+    for (const auto quality : {Quality::low, Quality::medium, Quality::high}) {
+        Frame frame{.width = width, .height = height, .views = {view(whole, one)}, .quality = quality};
+        frame.overlay.items.emplace_back(RectItem{.low = {0, 0}, .high = {4, 4}});
+        const auto usual = drawn(frame);
+        EXPECT_EQ(renderer->pass_times(), PassTimes{});
+        renderer->measure_passes(true);
+        const auto measured = drawn(frame);
+        const auto& times = renderer->pass_times();
+        renderer->measure_passes(false);
+        EXPECT_EQ(measured.rgb, usual.rgb);
+        for (const auto pass : {Pass::selection, Pass::meshes, Pass::overlay}) EXPECT_GT(times[pass], 0);
+    }
+}
+
 TEST_F(Picture, SplitViewsColourOnlyTheirOwnHalf) {
     for (const auto split : {Split::side_by_side, Split::top_bottom}) {
         for (const float scale : {1.0F, 0.5F}) {

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <thread>
 
+#include "core/text.h"
 #include "render/audit/perceptual.h"
 #include "render/priority.h"
 #include "tools/bench/areas.h"
@@ -37,6 +38,22 @@ struct RenderScene {
 render::Image picture_at(RenderScene& scene, Quality quality) {
     scene.draw(scene.picture, quality);
     return scene.renderer().read_pixels();
+}
+
+/// Adds the median time of each pass over some pictures. Each pass waits for the one before, so together they
+/// take longer than a picture whose passes overlap.
+void add_passes(RenderScene& scene, Quality quality, Row& row) {
+    constexpr int pictures = 9;
+    std::array<std::vector<double>, render::passes> ms;
+    scene.renderer().measure_passes(true);
+    for (int i = 0; i < pictures; ++i) {
+        scene.advance();
+        scene.draw(scene.picture, quality);
+        for (std::size_t p = 0; p < ms.size(); ++p) ms[p].push_back(scene.renderer().pass_times().ms[p]);
+    }
+    scene.renderer().measure_passes(false);
+    for (std::size_t p = 0; p < ms.size(); ++p)
+        row.metrics.emplace_back(text("pass_", render::pass_names[p], "_ms"), median(ms[p]));
 }
 
 Row row_of(RenderScene& scene, Quality quality, const std::vector<double>& samples,
@@ -186,7 +203,9 @@ void render(const Options& options, Report& report) {
     scene.advance();
     for (const auto quality : {Quality::low, Quality::medium, Quality::high}) {
         const auto best = picture_at(scene, Quality::high);
-        report.rows.push_back(row_of(scene, quality, samples[static_cast<std::size_t>(quality)], best));
+        auto row = row_of(scene, quality, samples[static_cast<std::size_t>(quality)], best);
+        add_passes(scene, quality, row);
+        report.rows.push_back(std::move(row));
     }
     tick_beside_pictures(scene, options, report);
     scene.drawn.reset();
