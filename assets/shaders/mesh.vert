@@ -72,7 +72,9 @@ void main() {
     surface = paint * matt;
     emitted = own;
     open_sky = baked.a;
+#ifdef SHADOW
     sunlight = sun;
+#endif
 #else
     vec3 radiance = own + paint * matt * light_at(world.xyz, n, baked.a);
     float clear = exp2(-fog_rate * dot(from_eye, from_eye));

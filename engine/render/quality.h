@@ -3,7 +3,7 @@
 //              resolution   point lights      sun's shadow             colours
 //   low        720 lines    4, each vertex    baked into the vertices  fog and tone curve at each vertex
 //   medium     720 lines    8, each vertex    map, one bilinear tap    the same, twice: in sun and in shade
-//   high       the window's 8, each pixel     map, nine taps           16-bit floats, tone mapped last, bloom
+//   high       the window's 8, each pixel     map, four taps           16-bit floats, tone mapped last, bloom
 //
 // At low, detail finer than two pixels is drawn plainly: joints of far stone, meshes with coarser copies. A
 // volume is ray-marched in 7, 10 and 28 steps, at low and medium with a third of the view's pixels along a

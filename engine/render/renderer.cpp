@@ -483,19 +483,20 @@ void Renderer::State::draw_patchworks(const MeshProgram& program, const ViewBatc
     }
 }
 
-/// Draws the patchworks (large fixed meshes in patches). At Quality::medium, patches without sun use a
-/// program like that of Quality::low, which has no shadow map, but with all lights.
+/// Draws the patchworks (large fixed meshes in patches). From Quality::medium on, patches that no sun reaches
+/// have a program of their own, without a shadow map.
 void Renderer::State::draw_stone(const ViewScene& view, const ViewBatches& its, Quality quality,
                                  const ShadowView& shadow) {
     const auto& program = programs.alone[static_cast<std::size_t>(quality)];
     use_mesh_program(program, view, its.sight, quality, shadow);
-    if (quality != Quality::medium) {
+    if (quality == Quality::low) {
         draw_patchworks(program, its, [](const ChosenPatches& p) { return p.all(); });
         return;
     }
     draw_patchworks(program, its, [](const ChosenPatches& p) { return p.sunlit; });
-    use_mesh_program(programs.sunless, view, its.sight, Quality::medium, {});
-    draw_patchworks(programs.sunless, its, [](const ChosenPatches& p) { return p.sunless; });
+    const auto& sunless = quality == Quality::high ? programs.sunless_of_light : programs.sunless;
+    use_mesh_program(sunless, view, its.sight, quality, {});
+    draw_patchworks(sunless, its, [](const ChosenPatches& p) { return p.sunless; });
 }
 
 void Renderer::State::draw_view(const ViewScene& view, const ViewBatches& its, Quality quality,

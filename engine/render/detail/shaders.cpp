@@ -148,8 +148,9 @@ Expected<Programs> load_programs(const Folder& shaders) {
         loading.take(load_mesh_program(shaders, quality, variant), out.mesh[q]);
         loading.take(load_mesh_program(shaders, quality, alone(variant)), out.alone[q]);
     }
-    // `sunless` is like the program for Quality::low, which has no shadow map, but with all lights.
+    // Like the program for Quality::low, which has no shadow map, but with all lights.
     loading.take(load_mesh_program(shaders, Quality::low, alone({})), out.sunless);
+    loading.take(load_mesh_program(shaders, Quality::high, alone({"PER_PIXEL"})), out.sunless_of_light);
     loading.take(load_sky_program(shaders, {}), out.sky);
     loading.take(load_sky_program(shaders, {"LINEAR"}), out.sky_of_light);
     loading.take(load_mist_program(shaders, {}), out.mist);

@@ -44,8 +44,8 @@ struct Programs {
     std::array<MeshProgram, qualities> mesh;  ///< programs for meshes, indexed by Quality
     /// Programs for a single instance of a mesh, indexed by Quality.
     std::array<MeshProgram, qualities> alone;
-    /// Program at Quality::medium, for a single instance that the sun never reaches.
-    MeshProgram sunless;
+    /// Programs for a single instance that the sun never reaches, at Quality::medium and at Quality::high.
+    MeshProgram sunless, sunless_of_light;
     /// Programs for the sky: one writes tone-mapped pixels, the other linear light, which the last pass
     /// converts.
     SkyProgram sky, sky_of_light;

@@ -17,6 +17,19 @@ void bind(GLint unit, const Texture& texture) {
     glActiveTexture(GL_TEXTURE0);
 }
 
+/// Sets the filter of the texture that the active unit holds.
+void filter_bound(GLint how) {
+    for (const GLenum filter : {GLenum{GL_TEXTURE_MIN_FILTER}, GLenum{GL_TEXTURE_MAG_FILTER}})
+        glTexParameteri(GL_TEXTURE_2D, filter, how);
+}
+
+/// Sets the filter of the texture that the unit of pictures holds.
+void filter_picture(GLint how) {
+    glActiveTexture(GL_TEXTURE0 + picture_unit);
+    filter_bound(how);
+    glActiveTexture(GL_TEXTURE0);
+}
+
 void fill(const Target& target) {
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.get());
     glViewport(0, 0, target.width, target.height);
@@ -62,8 +75,7 @@ void resize(Target& target, GLint format, bool with_depth, int width, int height
     glBindTexture(GL_TEXTURE_2D, target.colour.get());
     glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, GL_RGBA,
                  format == GL_RGBA16F ? GL_HALF_FLOAT : GL_UNSIGNED_BYTE, nullptr);
-    for (const GLenum filter : {GLenum{GL_TEXTURE_MIN_FILTER}, GLenum{GL_TEXTURE_MAG_FILTER}})
-        glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
+    filter_bound(GL_LINEAR);
     for (const GLenum wrap : {GLenum{GL_TEXTURE_WRAP_S}, GLenum{GL_TEXTURE_WRAP_T}})
         glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.colour.get(), 0);
@@ -89,9 +101,13 @@ std::size_t compose(const Target& light, const ViewPlace& view, Bloom* bloom, co
     set_part(programs.compose, light, view.drawn);
     glUniform1f(programs.compose.parameter, bloom != nullptr ? bloom_strength : 0);
     bind(picture_unit, light.colour);
+    // Where a pixel of the view is one of the window, each needs one texel instead of a mean of four.
+    const bool alike = view.drawn.width == view.shown.width && view.drawn.height == view.shown.height;
+    filter_picture(alike ? GL_NEAREST : GL_LINEAR);
     // Without bloom the program multiplies this texture by 0, but some texture must be bound.
     bind(bloom_unit, bloom != nullptr ? bloom->bright.colour : light.colour);
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    filter_picture(GL_LINEAR);
     return bloom != nullptr ? 4 : 1;
 }
 
