@@ -199,10 +199,29 @@ void add_steam(const ArenaScene& arena_scene, const Picture& picture, std::vecto
     }
 }
 
+namespace {
+
+/// False if the brew is surely outside of a player's view. A dead player's view is not the wizard's.
+bool may_see_brew(const BrewPlace& place, const PlayerPicture& p) {
+    // A bound for the angle between the middle of a view and its corners (rad): 74 degrees for the largest
+    // field of view, 130 degrees, in a flat half of a window of 21:9.
+    constexpr double corner = 80 * radians_per_degree;
+    const vec3 to = place.middle - p.vitals.eye;
+    const double distance = glm::length(to), radius = std::max(place.basin.radius, place.basin.depth);
+    if (p.vitals.dead || distance <= radius) return true;
+    const vec3 ahead = look_rotation(p.vitals.yaw, p.vitals.pitch) * vec3(0, 0, -1);
+    const double angle = std::acos(std::clamp(glm::dot(ahead, to) / distance, -1.0, 1.0));
+    return angle < corner + std::asin(radius / distance);
+}
+
+}  // namespace
+
 void show_brew_near(const ArenaScene& arena_scene, const Picture& picture, const BrewOverlay& overlay) {
-    const bool seen = std::any_of(
-        picture.wizards.begin(), picture.wizards.end(),
-        [&](const PlayerPicture& p) { return arena_scene.brew && is_near_brew(arena_scene, p.vitals.eye); });
+    const bool seen =
+        std::any_of(picture.wizards.begin(), picture.wizards.end(), [&](const PlayerPicture& p) {
+            return arena_scene.brew && is_near_brew(arena_scene, p.vitals.eye) &&
+                   may_see_brew(arena_scene.brew->place, p);
+        });
     if (seen && picture.cauldron.there) show_brew(picture.cauldron.brew, overlay, *arena_scene.brew);
 }
 

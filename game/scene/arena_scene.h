@@ -89,7 +89,8 @@ ArenaScene make_arena_scene(render::Renderer& renderer, const MatchData& data);
 void add_instances(const ArenaScene& arena_scene, const Picture& picture, std::uint32_t viewer,
                    std::vector<render::Instance>& out);
 
-/// Refreshes the look of the brew if it has moved and a player is near enough to see it.
+/// Refreshes the look of the brew if it has moved and a player is near enough to see it and may have it in
+/// view.
 void show_brew_near(const ArenaScene& arena_scene, const Picture& picture, const BrewOverlay& overlay);
 
 /// Refreshes the looks of the orb and the crystals, as far as a player is near enough to see a difference.

@@ -179,5 +179,25 @@ TEST_F(Stations, ClassicRulesKeepThePaintedOnes) {
     EXPECT_TRUE(classic.crystals.empty());
 }
 
+TEST_F(Stations, TheBrewsLookIsMadeOnlyForThoseWhoFaceIt) {
+    auto picture = picture_of(*new_match());
+    ASSERT_TRUE(picture.cauldron.there);
+    const auto& look = *arena_scene.brew;
+    const vec3 brew = look.place.middle, behind = brew + vec3(8, 0, 0);
+    const auto face = [&](vec3 to) {
+        for (std::uint32_t p = 0; p < players; ++p)
+            stand(picture, rules(), p, {brew.x + (p == 0 ? 3 : 4), 0, brew.z}, to);
+        ++picture.cauldron.brew.state;
+        drawn(picture, {});
+        return look.shown == picture.cauldron.brew.state;
+    };
+    EXPECT_TRUE(face(brew));
+    EXPECT_FALSE(face(behind));
+    EXPECT_TRUE(face(brew + vec3(0, 0, 4))) << "at the edge of the view";
+    EXPECT_FALSE(face(behind));
+    picture.wizards[1].vitals.dead = true;
+    EXPECT_TRUE(face(behind)) << "a dead player looks elsewhere";
+}
+
 }  // namespace
 }  // namespace thaum::game::hud_tests
