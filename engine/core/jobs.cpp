@@ -1,18 +1,22 @@
 #include "core/jobs.h"
 
 #include <atomic>
+#include <utility>
 
+#include "core/assert.h"
 #include "core/threads.h"
 
 namespace thaum {
 
 struct Jobs::Ticket::Job {
     std::function<void()> body;
+    bool repeats = false;  // true: made by prepare(), so the body is kept after it has run
     std::atomic<bool> done{false};
+    std::shared_ptr<Job> next{};  // the job that was submitted after this one, while both wait
 
     void execute() {
         body();
-        body = nullptr;
+        if (!repeats) body = nullptr;
         done.store(true, std::memory_order_release);
         done.notify_all();
     }
@@ -45,16 +49,34 @@ Jobs::~Jobs() {
 Jobs::Ticket Jobs::run(std::function<void()> body) {
     auto job = std::make_shared<Ticket::Job>();
     job->body = std::move(body);
-    if (threads_.empty()) {
-        job->execute();
-        return Ticket(std::move(job));
-    }
+    submit(job);
+    return Ticket(std::move(job));
+}
+
+Jobs::Ticket Jobs::prepare(std::function<void()> body) {
+    auto job = std::make_shared<Ticket::Job>();
+    job->body = std::move(body);
+    job->repeats = true;
+    job->done.store(true, std::memory_order_relaxed);
+    return Ticket(std::move(job));
+}
+
+void Jobs::run(const Ticket& prepared) {
+    THAUM_ASSERT(prepared.job_ && prepared.job_->repeats && prepared.ended(),
+                 "a job was submitted again that was not prepared or has not ended");
+    prepared.job_->done.store(false, std::memory_order_relaxed);
+    submit(prepared.job_);
+}
+
+void Jobs::submit(std::shared_ptr<Ticket::Job> job) {
+    if (threads_.empty()) return job->execute();
     {
         const std::lock_guard lock(mutex_);
-        queue_.push_back(job);
+        auto& place = first_ ? last_->next : first_;
+        last_ = job.get();
+        place = std::move(job);
     }
     wake_.notify_one();
-    return Ticket(std::move(job));
 }
 
 void Jobs::work() {
@@ -62,10 +84,10 @@ void Jobs::work() {
         std::shared_ptr<Ticket::Job> job;
         {
             std::unique_lock lock(mutex_);
-            wake_.wait(lock, [this] { return stopping_ || !queue_.empty(); });
-            if (queue_.empty()) return;
-            job = std::move(queue_.front());
-            queue_.pop_front();
+            wake_.wait(lock, [this] { return stopping_ || first_; });
+            if (!first_) return;
+            job = std::move(first_);
+            first_ = std::move(job->next);
         }
         job->execute();
     }

@@ -5,7 +5,6 @@
 // submitted.
 #pragma once
 #include <condition_variable>
-#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -42,13 +41,21 @@ public:
 
     /// Submits a job. The job must not throw. It may wait for jobs submitted before it.
     Ticket run(std::function<void()> job);
+    /// Makes a job that can be submitted many times, and does not submit it yet. It counts as ended until
+    /// then.
+    static Ticket prepare(std::function<void()> job);
+    /// Submits a job made by prepare(), which must have ended. Unlike the other `run`, it allocates nothing.
+    void run(const Ticket& prepared);
 
 private:
+    void submit(std::shared_ptr<Ticket::Job> job);
     void work();
 
     std::mutex mutex_;
     std::condition_variable wake_;
-    std::deque<std::shared_ptr<Ticket::Job>> queue_;
+    // The jobs that no thread has begun. Each refers to the next one, so that waiting needs no memory.
+    std::shared_ptr<Ticket::Job> first_;
+    Ticket::Job* last_ = nullptr;
     bool stopping_ = false;
     /// Last member, so that the threads end while the other members still exist.
     std::vector<std::jthread> threads_;

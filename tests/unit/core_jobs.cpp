@@ -78,6 +78,19 @@ TEST_P(JobsByThreads, AJobsCapturesAreFreedAfterItsRun) {
     EXPECT_EQ(held.use_count(), 1);
 }
 
+TEST_P(JobsByThreads, APreparedJobRunsEachTimeItIsSubmitted) {
+    Jobs jobs(GetParam());
+    int runs = 0;
+    const auto ticket = Jobs::prepare([&runs] { ++runs; });
+    EXPECT_TRUE(ticket.ended());
+    EXPECT_EQ(runs, 0);
+    for (int i = 1; i <= 300; ++i) {
+        jobs.run(ticket);
+        ticket.wait();
+        EXPECT_EQ(runs, i);
+    }
+}
+
 TEST_P(JobsByThreads, ManyMayWaitForOne) {
     Jobs jobs(GetParam());
     const auto ticket = jobs.run([] { std::this_thread::sleep_for(5ms); });

@@ -45,7 +45,7 @@ double reached_share(const BrewWork& work, const fluid::Samples& samples) {
     return static_cast<double>(count) / static_cast<double>(work.wet.size());
 }
 
-BrewFigures figures_of(const BrewWork& work, double base_viscosity, double base_density) {
+BrewFigures figures_of(const BrewWork& work) {
     BrewFigures figures;
     const auto& fluid = work.brew.fluid;
     double viscosity = fluid.settings.viscosity;
@@ -61,8 +61,8 @@ BrewFigures figures_of(const BrewWork& work, double base_viscosity, double base_
         figures.mixing = fluid::mixing(fluid, *newest);
         figures.reached = reached_share(work, fluid.state.substances[*newest]);
     }
-    figures.viscosity = base_viscosity > 0 ? viscosity / base_viscosity : 1;
-    figures.density *= base_density;
+    figures.viscosity = work.viscosity > 0 ? viscosity / work.viscosity : 1;
+    figures.density *= work.density;
     figures.speed = mean_speed(work);
     return figures;
 }
@@ -99,10 +99,9 @@ void begin_step(const MatchData& data, BrewSolver& solver, Cauldron& cauldron) {
     apply(rules, changes, cauldron.current, work.brew);
     cauldron.contents = work.brew.contents;
     cauldron.step_running = 1;
-    work.step = solver.jobs.run([&work, viscosity = rules.viscosity, density = changes.density] {
-        work.report = fluid::advance(work.brew.fluid, fluid_dt);
-        work.figures = figures_of(work, viscosity, density);
-    });
+    work.viscosity = rules.viscosity;
+    work.density = changes.density;
+    solver.jobs.run(work.step);
 }
 
 void end_step(ecs::World& world, BrewWork& work, Cauldron& cauldron, Tick tick) {
@@ -170,6 +169,10 @@ std::unique_ptr<BrewWork> make_work(const MatchData& data) {
     auto work =
         std::make_unique<BrewWork>(BrewWork{.brew = std::move(*brew), .basin = std::move(basin), .wet = {}});
     work->wet = wet_cells(work->brew, work->basin);
+    work->step = Jobs::prepare([&brew_work = *work] {
+        brew_work.report = fluid::advance(brew_work.brew.fluid, fluid_dt);
+        brew_work.figures = figures_of(brew_work);
+    });
     return work;
 }
 

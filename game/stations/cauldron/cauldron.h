@@ -35,9 +35,11 @@ struct BrewWork {
     Brew brew;
     Basin basin;
     std::vector<std::uint32_t> wet;  ///< indices of the cells inside the basin, from Lattice::at
+    /// Viscosity (m^2/s) of the brew's rules, and density of the pure brew relative to them, in this step.
+    double viscosity{}, density{1};
     fluid::StepReport report{};
     BrewFigures figures{};
-    Jobs::Ticket step{};
+    Jobs::Ticket step{};  ///< the fluid step, prepared once and submitted for each step
 };
 
 /// Solver of a match's brew. The simulation owns it.
