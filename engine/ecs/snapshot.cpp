@@ -106,6 +106,7 @@ struct SnapshotAccess {
         world.records_.clear();
         world.last_edge_ = &world.no_edge_;
         world.tables_.clear();
+        for (auto& query : world.queries_) query.reset();
         world.memory_.release();
         world.tables_.push_back(make_pooled<Table>(world.memory_));
         world.free_ = none;
@@ -113,7 +114,6 @@ struct SnapshotAccess {
         // them in the array and are kept.
         std::fill_n(world.counts_.begin(), world.infos_.size(), 0);
         for (auto& blob : world.blobs_) blob.clear();
-        for (auto& query : world.queries_) query.reset();
         world.forget_packs();
     }
 

@@ -188,7 +188,7 @@ template <class... Terms>
 View<Terms...> World::view() const {
     const auto type = detail::type_number<View<Terms...>>;
     if (!queries_[type]) [[unlikely]] {
-        auto made = std::make_unique<Query>();
+        auto made = make_pooled<Query>(memory_);
         made->tables.reserve(usual_tables);
         const auto note = [&]<class T>(std::type_identity<T>) {
             using Term = detail::Term<T>;

@@ -76,6 +76,19 @@ void World::fail_access(std::uint32_t number, bool write) const {
                           " without having declared it"));
 }
 
+namespace {
+
+/// Number of rows for which a new table has room. Few entities have large components, such as the points of a
+/// stroke, so a table with such a column begins small. It then needs no memory beyond TableMemory.
+std::uint32_t first_rows(const Table& table) {
+    constexpr std::uint32_t usual_bytes = 16U << 10U, most = 16, least = 2;
+    std::uint32_t largest = 1;
+    for (const auto& column : table.columns) largest = std::max(largest, column.size);
+    return std::clamp(usual_bytes / largest, least, most);
+}
+
+}  // namespace
+
 std::uint32_t World::table_with(const Mask& mask) {
     for (std::uint32_t t = 0; t < tables_.size(); ++t) {
         if (tables_[t]->mask == mask) return t;
@@ -86,7 +99,7 @@ std::uint32_t World::table_with(const Mask& mask) {
     for (std::uint32_t c = 0; c < infos_.size(); ++c) {
         if (mask.test(c)) table.add_column(c, infos_[c].size);
     }
-    table.reserve(16);
+    table.reserve(first_rows(table));
     tables_.push_back(std::move(made));
     return static_cast<std::uint32_t>(tables_.size() - 1);
 }

@@ -68,6 +68,11 @@ public:
     void declare();
     /// Reserves memory for `count` entities. The main loop then need not allocate.
     void reserve_entities(std::uint32_t count) { records_.reserve(count); }
+    /// Reserves memory for `elements` elements of a blob (an array of numbers that no entity owns).
+    template <Blob B>
+    void reserve_blob(std::size_t elements) {
+        blobs_[id<B>()].reserve(elements * sizeof(typename B::Element));
+    }
     /// Reserves memory for `rows` entities that have exactly this set of components.
     template <Component... Cs>
     void reserve(std::uint32_t rows) {
@@ -217,11 +222,13 @@ private:
         std::byte* array;
         std::uint32_t row, filler;
     };
-    /// The tables that match one kind of view, updated when new tables appear.
+    /// The tables that match one kind of view, updated when new tables appear; kept in TableMemory.
     struct Query {
         Mask required, excluded;
         std::uint32_t tables_seen = 0;
-        std::vector<std::uint32_t> tables;
+        std::pmr::vector<std::uint32_t> tables;
+
+        explicit Query(TableMemory& memory) : tables(&memory) {}
     };
 
     const Record& record(Entity entity, std::uint32_t component) const {
@@ -328,7 +335,7 @@ private:
     bool has_remove_hooks_ = false;
     std::array<std::uint32_t, max_components> counts_{};
     std::vector<Bytes> blobs_;  // bytes of each blob, by component number; empty for components
-    TableMemory memory_{table_memory_bytes};
+    mutable TableMemory memory_{table_memory_bytes};
     std::vector<Pooled<Table>> tables_;  // tables; the first one has no components
     const TableEdge no_edge_{memory_};
     // The table edge (ecs/table.h) that was used last. Entities that are spawned together get the same
@@ -340,7 +347,7 @@ private:
     Commands commands_;
     // Cache of queries (the tables that match one kind of view), by the type number of the view. Each query
     // keeps its address, since views refer to it.
-    mutable std::vector<std::unique_ptr<Query>> queries_;
+    mutable std::vector<Pooled<Query>> queries_;
     std::vector<Pack> packs_;  // cached data of `create`, by the type number of the list of components
     mutable std::uint32_t locks_ = 0;
     const Access* access_ = nullptr;

@@ -5,15 +5,23 @@
 namespace thaum::field {
 
 VoxelOverlap overlap_with(const VoxelView& body, std::span<const float> wanted, float threshold) {
+    VoxelOverlap overlap;
+    measure_overlap(body, wanted, threshold, overlap);
+    return overlap;
+}
+
+void measure_overlap(const VoxelView& body, std::span<const float> wanted, float threshold,
+                     VoxelOverlap& overlap) {
     THAUM_ASSERT(wanted.size() == body.density.size(), "the wanted body has another number of voxels");
-    VoxelOverlap overlap{.count = body.count, .threshold = threshold};
-    overlap.inside.reserve(wanted.size());
-    for (const float density : wanted) {
-        overlap.inside.push_back(density >= threshold ? 2 : 0);
-        overlap.either += density >= threshold ? 1 : 0;
+    overlap.count = body.count;
+    overlap.threshold = threshold;
+    overlap.both = overlap.either = 0;
+    overlap.inside.resize(wanted.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        overlap.inside[i] = wanted[i] >= threshold ? 2 : 0;
+        overlap.either += wanted[i] >= threshold ? 1 : 0;
     }
     recount(overlap, body, body.all());
-    return overlap;
 }
 
 void recount(VoxelOverlap& overlap, const VoxelView& body, const VoxelBox& changed) {

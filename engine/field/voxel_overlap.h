@@ -26,6 +26,9 @@ struct VoxelOverlap {
 
 /// Counts all voxels. `wanted` is a density for each voxel of the body.
 VoxelOverlap overlap_with(const VoxelView& body, std::span<const float> wanted, float threshold);
+/// Does the same in `overlap`, whose memory is used again: it allocates only if the body has grown.
+void measure_overlap(const VoxelView& body, std::span<const float> wanted, float threshold,
+                     VoxelOverlap& overlap);
 
 /// Recounts the voxels of a box, after an edit, an undo or a redo there.
 void recount(VoxelOverlap& overlap, const VoxelView& body, const VoxelBox& changed);

@@ -33,16 +33,16 @@ void mark_all_changed(field::Bricks& bricks) {
 void note_voxels(ecs::World& world, CrystalBodies& bodies, const Crystal& crystal) {
     auto& body = body_of(bodies, crystal);
     mark_all_changed(body.bricks);
-    body.overlap = field::overlap_with(voxels_of(world, bodies, crystal), body.key, crystal_surface);
+    field::measure_overlap(voxels_of(world, bodies, crystal), body.key, crystal_surface, body.overlap);
 }
 
 /// Fills the crystal's voxels with its uncarved shape (the rough body of its seed).
 void make_rough(MatchContext& context, CrystalBodies& bodies, Crystal& crystal) {
     auto& body = body_of(bodies, crystal);
-    body.key = key_density(crystal.seed, crystal_side);
-    const auto rough = rough_density(crystal.seed, body.key, crystal_side);
+    body.key.resize(crystal_voxels);
+    write_key_density(crystal.seed, crystal_side, body.key);
     const auto view = voxels_of(context.world, bodies, crystal);
-    std::copy(rough.begin(), rough.end(), view.density.begin());
+    write_rough_density(crystal.seed, body.key, crystal_side, view.density);
     std::fill(view.colour.begin(), view.colour.end(), clear_colour);
     note_voxels(context.world, bodies, crystal);
     crystal.overlap = body.overlap.ratio();
@@ -52,13 +52,28 @@ void make_rough(MatchContext& context, CrystalBodies& bodies, Crystal& crystal) 
 /// (rad).
 double yaw_of(vec3 middle) { return middle.x == 0 && middle.z == 0 ? 0 : det::atan2(-middle.x, -middle.z); }
 
+/// Fits the cached data to a World whose crystals are untouched, and reserves their memory, so that the first
+/// hit on a crystal need not allocate. Reserved memory that is never used takes none of the machine's.
 void fit_bodies(const ecs::World& world, CrystalBodies& bodies) {
     bodies.list.resize(crystals_in(world));
     for (auto& body : bodies.list) {
+        auto inside = std::move(body.overlap.inside);
+        inside.clear();
+        inside.reserve(crystal_voxels);
+        body.overlap = {.inside = std::move(inside)};
         body.key.clear();
-        body.overlap = {};
+        body.key.reserve(crystal_voxels);
+        body.old.reserve(crystal_voxels);
         mark_all_changed(body.bricks);
     }
+}
+
+void reserve_voxels(ecs::World& world) {
+    const auto crystals = std::size_t{crystals_in(world)};
+    if (crystals == 0) return;
+    world.reserve<CrystalStrike>(usual_strikes);
+    world.reserve_blob<CrystalDensity>(crystals * crystal_voxels);
+    world.reserve_blob<CrystalColour>(crystals * crystal_voxels * sizeof(field::Rgb8));
 }
 
 /// Point with the surface's density on the line from `from`, which is outside, to `to`, which is inside.
@@ -114,7 +129,7 @@ void spawn_crystals(MatchContext& context, CrystalBodies& bodies, const CrystalS
             });
     }
     for (const auto& [e, crystal] : found) world.add(e, crystal);
-    if (!found.empty()) world.reserve<CrystalStrike>(usual_strikes);
+    reserve_voxels(world);
     fit_bodies(world, bodies);
 }
 

@@ -31,7 +31,7 @@ double length_of(double x, double y) { return std::sqrt(x * x + y * y); }
 /// visited.
 class Sculptor {
 public:
-    Sculptor(std::vector<float>& density, int voxels)
+    Sculptor(std::span<float> density, int voxels)
         : density_(density), count_(voxels), scale_(usual_voxels / voxels) {}
 
     /// Calls change(density, share) for each voxel near a part. The share is 0 outside of the part and 1
@@ -69,7 +69,7 @@ private:
         return voxel;
     }
 
-    std::vector<float>& density_;
+    std::span<float> density_;
     int count_;
     /// edge length of this body's voxels, in voxels of a body with `usual_voxels` on each edge
     double scale_;
@@ -137,8 +137,10 @@ Ball ball_at(const KeyShape& key, Random& random, double off) {
 /// key.
 class RoughBody {
 public:
-    RoughBody(const std::vector<float>& key, int voxels)
-        : key_(key), density_(key), sculptor_(density_, voxels) {
+    /// `density` gets the body's densities.
+    RoughBody(std::span<const float> key, int voxels, std::span<float> density)
+        : key_(key), sculptor_(density, voxels) {
+        std::copy(key.begin(), key.end(), density.begin());
         for (const float d : key) either_ += d >= solid ? 1 : 0;
         both_ = volume_ = either_;
     }
@@ -152,7 +154,6 @@ public:
     double overlap() const { return static_cast<double>(both_) / static_cast<double>(either_); }
     /// Share of the key's volume that is still solid.
     double left() const { return static_cast<double>(both_) / static_cast<double>(volume_); }
-    std::vector<float> take() { return std::move(density_); }
 
 private:
     template <class Change>
@@ -170,8 +171,7 @@ private:
                         });
     }
 
-    const std::vector<float>& key_;
-    std::vector<float> density_;
+    std::span<const float> key_;
     Sculptor sculptor_;
     std::size_t both_{}, either_{}, volume_{};
 };
@@ -200,28 +200,39 @@ KeyShape key_shape(std::uint64_t seed) {
     return key;
 }
 
-std::vector<float> key_density(std::uint64_t seed, int voxels) {
-    const auto n = static_cast<std::size_t>(voxels);
-    std::vector<float> density(n * n * n);
+void write_key_density(std::uint64_t seed, int voxels, std::span<float> density) {
+    std::fill(density.begin(), density.end(), 0.0F);
     Sculptor sculptor(density, voxels);
     const auto key = key_shape(seed);
     add_ring(key, sculptor);
     add_shaft(key, sculptor);
     for (std::size_t i = 0; i < key.bit_count; ++i) add_bit(key, key.bits[i], sculptor);
+}
+
+std::vector<float> key_density(std::uint64_t seed, int voxels) {
+    const auto n = static_cast<std::size_t>(voxels);
+    std::vector<float> density(n * n * n);
+    write_key_density(seed, voxels, density);
     return density;
 }
 
-std::vector<float> rough_density(std::uint64_t seed, const std::vector<float>& key, int voxels) {
+void write_rough_density(std::uint64_t seed, std::span<const float> key, int voxels,
+                         std::span<float> density) {
     constexpr double bite_off = 3.2, lump_off = 4.2;
     constexpr int max_balls = 200;
     auto random = random_stream(seed, 2);
     const auto shape = key_shape(seed);
-    RoughBody rough(key, voxels);
+    RoughBody rough(key, voxels, density);
     for (int i = 0; i < max_balls && rough.left() > 1 - bitten; ++i)
         rough.bite(ball_at(shape, random, bite_off));
     for (int i = 0; i < max_balls && rough.overlap() > rough_overlap; ++i)
         rough.grow(ball_at(shape, random, lump_off));
-    return rough.take();
+}
+
+std::vector<float> rough_density(std::uint64_t seed, std::span<const float> key, int voxels) {
+    std::vector<float> density(key.size());
+    write_rough_density(seed, key, voxels, density);
+    return density;
 }
 
 }  // namespace thaum::game::inline stations

@@ -11,6 +11,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/maths.h"
@@ -45,9 +46,14 @@ KeyShape key_shape(std::uint64_t seed);
 
 /// Density of the key in each voxel, x fastest, for a body with `voxels` along each axis.
 std::vector<float> key_density(std::uint64_t seed, int voxels);
+/// Writes key_density to `density`, which has one element for each voxel. Does not allocate.
+void write_key_density(std::uint64_t seed, int voxels, std::span<float> density);
 
 /// Density of the crystal before anyone carves it (the rough body). Its overlap with the key is between 0.4
 /// and 0.65.
-std::vector<float> rough_density(std::uint64_t seed, const std::vector<float>& key, int voxels);
+std::vector<float> rough_density(std::uint64_t seed, std::span<const float> key, int voxels);
+/// Writes rough_density to `density`, which has one element for each voxel. Does not allocate.
+void write_rough_density(std::uint64_t seed, std::span<const float> key, int voxels,
+                         std::span<float> density);
 
 }  // namespace thaum::game::inline stations
