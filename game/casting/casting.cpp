@@ -240,12 +240,10 @@ void add_casting_systems(MatchContext& context, ecs::Schedule& schedule) {
                   .reads = access.reads,
                   .writes = access.writes,
                   .needs = context.world.mask<DrawnStroke>(),
-                  .run = [&context, space = std::make_shared<std::optional<ReadingSpace>>()](ecs::World& w,
-                                                                                             Tick tick) {
-                      if (!*space) space->emplace();
+                  .run = [&context, space = std::make_shared<ReadingSpace>()](ecs::World& w, Tick tick) {
                       w.view<const Wizard, DrawnStroke>().each(
                           [&](ecs::Entity e, const Wizard& wizard, DrawnStroke& trace) {
-                              follow(context, **space, {e, wizard.player, tick}, trace);
+                              follow(context, *space, {e, wizard.player, tick}, trace);
                           });
                   }});
     for (const auto& spell : context.data.spells) spell.rules->add_systems({context, schedule});

@@ -138,12 +138,10 @@ void add_free_casting_systems(MatchContext& context, ecs::Schedule& schedule) {
                   .reads = access.reads,
                   .writes = access.writes,
                   .needs = world.mask<FreeHand>(),
-                  .run = [&context, space = std::make_shared<std::optional<ReadingSpace>>()](ecs::World& w,
-                                                                                             Tick tick) {
-                      if (!*space) space->emplace();
+                  .run = [&context, space = std::make_shared<ReadingSpace>()](ecs::World& w, Tick tick) {
                       w.view<const Wizard, FreeHand>().each(
                           [&](ecs::Entity e, const Wizard& wizard, FreeHand& hand) {
-                              follow(context, **space, {e, wizard.player, tick}, hand);
+                              follow(context, *space, {e, wizard.player, tick}, hand);
                           });
                   }});
 }
