@@ -47,15 +47,14 @@ struct Choice {
 
 Choice best_to_fetch(const BotTurn& turn, bool fights) {
     Choice best;
-    bool ways_known = false;
     const auto& grid = turn.grid;
+    const int here = grid.cell_at(turn.self.centre);
     auto& from_here = turn.ways.from_here;
     const auto& power_ups = turn.match.data().arena.power_ups;
     for (std::size_t i = 0; i < std::min(power_ups.size(), max_power_ups); ++i) {
         const double wanted = worth(turn, power_ups[i].kind) * (fights ? in_a_fight : 1.0);
         if (wanted / time_lost <= best.worth) continue;
-        if (!ways_known) grid.find_ways(grid.cell_at(turn.self.centre), from_here);
-        ways_known = true;
+        if (from_here.goal != here) grid.find_ways(here, from_here);
         const auto steps = from_here.steps[static_cast<std::size_t>(grid.cell_at(power_ups[i].position))];
         if (steps == WalkGrid::unreachable) continue;
         const double way = steps / walk_speed;

@@ -173,6 +173,7 @@ struct CastPlan {
 struct Self {
     vec3 centre{}, eye{}, velocity{};
     double yaw{}, pitch{};
+    vec3 ahead{};                ///< direction of view (unit, world)
     double health{};             ///< health left (HP)
     Tick hit_at{};               ///< tick at which the foe last hurt the bot; 0: never
     vec3 tip{};                  ///< position of the wand's tip (m, world)

@@ -1,6 +1,8 @@
 #include "game/bots/nav.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -20,6 +22,13 @@ constexpr double highest_step = 0.75;
 /// Least size of a large region, as a share of the largest region's size.
 constexpr double large_share = 0.25;
 
+/// A step to a neighbouring cell, in columns and rows.
+struct Step {
+    int columns, rows;
+};
+/// The steps to all neighbours, in the order in which a search tries them: straight ones, then diagonals.
+constexpr std::array<Step, 8> steps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}}};
+
 }  // namespace
 
 WalkGrid::WalkGrid(const physics::Physics& physics, const GroundBounds& ground)
@@ -38,6 +47,7 @@ WalkGrid::WalkGrid(const physics::Physics& physics, const GroundBounds& ground)
             height_[static_cast<std::size_t>(cell)] = above + (below - above) * hit->fraction - body_radius;
         }
     }
+    for (int cell = 0; cell < cells(); ++cell) open_steps_.push_back(open_steps_from(cell));
     find_large_regions();
 }
 
@@ -65,8 +75,7 @@ bool WalkGrid::passable(int from, int to) const {
                highest_step;
 }
 
-template <class Visit>
-void WalkGrid::neighbours(int cell, Visit&& visit) const {
+std::uint8_t WalkGrid::open_steps_from(int cell) const {
     const int x = cell % columns_;
     const int z = cell / columns_;
     const auto open = [&](int dx, int dz) {
@@ -74,16 +83,27 @@ void WalkGrid::neighbours(int cell, Visit&& visit) const {
         const int nz = z + dz;
         return nx >= 0 && nx < columns_ && nz >= 0 && nz < rows_ && passable(cell, nz * columns_ + nx);
     };
-    for (const auto& [dx, dz] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-        if (open(dx, dz)) visit(cell + dz * columns_ + dx);
-    }
     // A diagonal step is open only if both ways round its corner can be walked to the end, so that the way
     // back is open, too.
-    for (const auto& [dx, dz] : {std::pair{1, 1}, {-1, 1}, {1, -1}, {-1, -1}}) {
+    const auto open_diagonally = [&](int dx, int dz) {
         const int there = cell + dz * columns_ + dx;
-        if (open(dx, dz) && open(dx, 0) && open(0, dz) && passable(cell + dx, there) &&
-            passable(cell + dz * columns_, there))
-            visit(there);
+        return open(dx, dz) && open(dx, 0) && open(0, dz) && passable(cell + dx, there) &&
+               passable(cell + dz * columns_, there);
+    };
+    unsigned found = 0;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const auto [dx, dz] = steps[i];
+        const bool straight_step = dx == 0 || dz == 0;
+        if (straight_step ? open(dx, dz) : open_diagonally(dx, dz)) found |= 1U << i;
+    }
+    return static_cast<std::uint8_t>(found);
+}
+
+template <class Visit>
+void WalkGrid::neighbours(int cell, Visit&& visit) const {
+    for (unsigned left = open_steps_[static_cast<std::size_t>(cell)]; left != 0; left &= left - 1) {
+        const auto& step = steps[static_cast<std::size_t>(std::countr_zero(left))];
+        visit(cell + step.rows * columns_ + step.columns);
     }
 }
 

@@ -59,14 +59,18 @@ private:
     /// Whether a step from a cell to a neighbour is possible. A drop is not, because there would be no way
     /// back.
     bool passable(int from, int to) const;
+    /// Calls visit(number of the neighbour) for each neighbour to which a step is open.
     template <class Visit>
     void neighbours(int cell, Visit&& visit) const;
+    std::uint8_t open_steps_from(int cell) const;
+    void find_large_regions();
 
     double west_{}, north_{};  ///< the least x and z of the grid (m, world)
     int columns_{}, rows_{};
-    void find_large_regions();
-
     std::vector<double> height_;
+    /// Open steps from each cell, one bit for each direction. Every search for ways needs all of them, so
+    /// they are found once.
+    std::vector<std::uint8_t> open_steps_;
     std::vector<std::uint8_t> in_large_region_;  ///< 1: the cell is in one of the large connected regions
 };
 

@@ -23,8 +23,7 @@ constexpr double bolt_soon = 0.7;  ///< time until the impact beyond which a bol
 bool in_view(const Simulation& match, const Self& self, const Seat& seat, vec3 place) {
     const vec3 to = place - self.eye;
     const double distance = glm::length(to);
-    const vec3 ahead = look_rotation(self.yaw, self.pitch) * vec3(0, 0, -1);
-    return distance > 1e-6 && glm::dot(to / distance, ahead) >= seat.skill.view_cos &&
+    return distance > 1e-6 && glm::dot(to / distance, self.ahead) >= seat.skill.view_cos &&
            !hidden_by_fog(match.world(), self.eye, place);
 }
 
@@ -60,9 +59,7 @@ void judge(const Missile& missile, Threat& threat) {
     if (missile.player == threat.seat.player || speed < 1) return;
     // A bot reacts only to a missile that has been in the air for its reaction time.
     const double flown = glm::distance(missile.position, threat.mind.foe) / speed;
-    if (flown < seconds(threat.seat.skill.reaction) ||
-        !in_view(threat.match, threat.self, threat.seat, missile.position))
-        return;
+    if (flown < seconds(threat.seat.skill.reaction)) return;
     const vec3 way = missile.velocity / speed;
     const vec3 to_self = threat.self.centre - missile.position;
     const double ahead = glm::dot(to_self, way);
@@ -70,6 +67,8 @@ void judge(const Missile& missile, Threat& threat) {
     if (when <= 0 || when >= threat.soonest) return;
     const vec3 off = to_self - way * ahead;
     if (glm::length(off) > bolt_reach) return;
+    // Few missiles come so near, so the dearest test is the last one.
+    if (!in_view(threat.match, threat.self, threat.seat, missile.position)) return;
     const vec3 right = look_rotation(threat.self.yaw, 0) * vec3(1, 0, 0);
     threat.soonest = when;
     threat.step = glm::dot(off, right) >= 0 ? 1 : -1;
@@ -93,7 +92,9 @@ Self self_of(const Simulation& match, std::uint32_t player, double readiness) {
               .key = wizard.index,
               .alive = !world.has<Dead>(wizard)};
     const vec3 tip = wand_tip_of(match.haptic_setup().wand_per_hand[player], world.get<HandState>(wizard));
-    self.tip = self.eye + look_rotation(gaze.yaw, gaze.pitch) * tip;
+    const quat look = look_rotation(gaze.yaw, gaze.pitch);
+    self.tip = self.eye + look * tip;
+    self.ahead = look * vec3(0, 0, -1);
     if (const auto* wand = wand_in_hand(match.data(), belt)) {
         const auto& stats = wand->stats;
         self.wand = stats.slot;
@@ -155,8 +156,8 @@ void see_things(const Simulation& match, const Self& self, const Seat& seat, Eye
 }
 
 bool crosshair_on(const Simulation& match, const Self& self, ecs::Entity thing, double reach) {
-    const vec3 ahead = look_rotation(self.yaw, self.pitch) * vec3(0, 0, -1);
-    const auto hit = match.physics().ray(self.eye, self.eye + ahead * reach, physics::all_layers, self.key);
+    const vec3 end = self.eye + self.ahead * reach;
+    const auto hit = match.physics().ray(self.eye, end, physics::all_layers, self.key);
     return hit && hit->key == thing.index;
 }
 
@@ -165,11 +166,10 @@ bool sees_a_shot_come(const Simulation& match, const Self& self, const Seat& sea
     const auto note = [&](const Missile& missile) {
         const vec3 to = self.centre - missile.position;
         const double ahead = glm::dot(to, missile.velocity);
+        if (comes || missile.player == seat.player || ahead <= 0) return;
         const double speed = glm::length(missile.velocity);
-        if (missile.player == seat.player || ahead <= 0 || !in_view(match, self, seat, missile.position))
-            return;
         const double off = glm::length(to - missile.velocity * (ahead / (speed * speed)));
-        comes = comes || off < shot_near;
+        comes = off < shot_near && in_view(match, self, seat, missile.position);
     };
     for (const auto& wand : match.data().wands) {
         // A lambda with one reference fits into std::function without an allocation.
