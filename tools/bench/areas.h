@@ -7,7 +7,10 @@ namespace thaum::bench {
 void audio(const Options& options, Report& report);
 void ecs(const Options& options, Report& report);
 void tick(const Options& options, Report& report);
-/// Part of the area (group of benchmarks) `tick`: a duel with sound and tactile output.
+/// The next three are parts of the area (group of benchmarks) `tick`: memory that ticks allocate, time of the
+/// bots, and a duel with sound and tactile output.
+void tick_allocations(const Options& options, Report& report);
+void tick_bots(const Options& options, Report& report);
 void tick_duel_felt(const Options& options, Report& report);
 void physics(const Options& options, Report& report);
 void primitives(const Options& options, Report& report);

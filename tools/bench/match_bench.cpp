@@ -55,38 +55,6 @@ void tick_duel(const Options& options, Report& report) {
          .hash = hex(match.state_hash())});
 }
 
-void tick_alloc(const Options& options, Report& report) {
-    auto scene = heaviest_duel();
-    if (!there(scene, "tick")) return;
-    constexpr Tick warm_up = 10'000;
-    const Tick counted = options.quick ? 20'000 : 60'000;
-    // The first death in a match creates the tables for dead wizards, so it is made to happen before the
-    // measurement.
-    scene->match->world_to_change().view<game::Health>().each([](game::Health& h) { h.points = 0; });
-    // The first hit on a crystal creates its voxels, so it is made to happen before the measurement too.
-    scene->match->world_to_change().view<game::Crystal>().each([&](game::Crystal& crystal) {
-        game::touch_crystal(scene->match->context_to_change(), scene->match->crystals_to_change(), crystal);
-    });
-    // The first stroke creates the recogniser, so this too is done before the measurement.
-    if (const auto& gestures = scene->match->data().gestures) (void)gestures->recogniser();
-    scene->run(warm_up);
-    const auto before = allocation_count();
-    scene->run(counted);
-    const auto after = allocation_count();
-    std::uint32_t shots = 0;
-    scene->match->world().view<const game::WandBelt>().each(
-        [&](const game::WandBelt& b) { shots += b.fired; });
-    report.rows.push_back({.area = "tick",
-                           .name = "alloc",
-                           .setting = {{"after_s", std::int64_t{10}}},
-                           .metrics = {{"allocations_per_tick",
-                                        static_cast<double>(after - before) / static_cast<double>(counted)},
-                                       {"allocations", static_cast<double>(after - before)},
-                                       {"counted", allocations_are_counted() ? 1.0 : 0.0},
-                                       {"ticks", static_cast<double>(counted)},
-                                       {"shots", static_cast<double>(shots)}}});
-}
-
 // ---- hands that hold --------------------------------------------------------------------------------------
 
 /// Places each wizard in front of a pile of crates.
@@ -366,7 +334,8 @@ void skip_features(const Options& options, Report& report) {
 
 void tick(const Options& options, Report& report) {
     tick_duel(options, report);
-    tick_alloc(options, report);
+    tick_allocations(options, report);
+    tick_bots(options, report);
     tick_duel_haptic(options, report);
     tick_duel_cauldron(options, report);
     tick_duel_felt(options, report);

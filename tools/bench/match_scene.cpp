@@ -25,9 +25,11 @@ void say_why_not(std::string_view what, const Error& error) {
     std::fprintf(stderr, "bench: %s: %s\n", std::string(what).c_str(), error.message.c_str());
 }
 
-std::shared_ptr<const game::MatchData> duel_data(std::vector<std::string> overrides) {
+std::shared_ptr<const game::MatchData> duel_data(std::vector<std::string> overrides,
+                                                 const std::string& arena) {
     overrides.insert(overrides.end(), {"quick.kills=1000", "quick.seconds=36000"});
-    auto data = game::load_match_data(game::find_assets(), {.overrides = std::move(overrides)});
+    auto data =
+        game::load_match_data(game::find_assets(), {.arena = arena, .overrides = std::move(overrides)});
     return there(data, "duel") ? std::make_shared<const game::MatchData>(std::move(*data)) : nullptr;
 }
 

@@ -25,7 +25,8 @@ bool there(const Expected<T>& value, std::string_view what) {
 
 /// Data for a match that cannot end while it is measured. Null if they could not be loaded; the reason was
 /// then printed.
-std::shared_ptr<const game::MatchData> duel_data(std::vector<std::string> overrides = {});
+std::shared_ptr<const game::MatchData> duel_data(std::vector<std::string> overrides = {},
+                                                 const std::string& arena = game::DataChoice{}.arena);
 
 /// A duel of those bots that need the most work in each tick, with duel_data().
 Expected<game::BotDuel> heaviest_duel();
