@@ -7,13 +7,15 @@
 namespace thaum::fluid {
 namespace {
 
-/// Highest density of a row. Densities are >= 0 or negative zero, so their bits compare like integers. They
-/// are compared as such because GCC 12 vectorises only that comparison.
-[[gnu::noinline]] float highest_of_row(const float* __restrict value, std::ptrdiff_t count) {
-    std::uint32_t most = 0;
-    for (std::ptrdiff_t i = 0; i < count; ++i)
-        most = std::max(most, std::bit_cast<std::uint32_t>(value[i]) & 0x7fffffffU);
-    return std::bit_cast<float>(most);
+/// Highest density of a row. Densities are >= 0 or negative zero, so their bits compare like integers.
+float highest_of_row(const float* value, std::ptrdiff_t count) {
+    Magnitudes8 most{};
+    const std::ptrdiff_t whole = count / 8 * 8;
+    for (std::ptrdiff_t i = 0; i < whole; i += 8)
+        most = larger_magnitudes(most, magnitudes_of(load(value + i)));
+    float last = 0;
+    for (std::ptrdiff_t i = whole; i < count; ++i) last = std::max(last, std::abs(value[i]));
+    return std::max(last, static_cast<float>(max_of(most)));
 }
 
 /// Densities along one axis: a cell and three cells on each side, mirrored at walls and solids.

@@ -3,42 +3,20 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <optional>
 
 #include "fluid/detail/ceiling.h"
-#include "fluid/detail/independent_iterations.h"
 #include "fluid/detail/sums.h"
+#include "fluid/detail/transport_rows.h"
 #include "fluid/floats8.h"
 #include "fluid/ghosts.h"
 
-// F is the flux of fifth order, and q, q1, q2 are the fields of the three Runge-Kutta stages:
-//
-//     q1 = q - div F(q)     q2 = q - 1/4 div (F(q) + F(q1))     high = 1/6 (F(q) + F(q1)) + 2/3 F(q2)
-//
 // One array for each axis is enough for all fluxes. The lattice is processed layer by layer: first the
 // fluxes through the faces of a layer, then, when those above it are ready, the new values of the
 // layer.
-//
-// The flux of fifth order through a face with cells a b c | d e f around it and Courant number u is
-//
-//     u/60 (37 (d + c) - 8 (e + b) + (f + a)) - |u|/60 bias (10 (d - c) - 5 (e - b) + (f - a))
-//
-// The first bracket is of sixth order and does not diffuse. The second damps waves that are too short
-// for the grid. Upwind differences have a bias of 1. A tenth of it is enough, because the limiter removes
-// the rest. A Gaussian of 64^3 then returns from one revolution with an error of 3.7e-4, and from
-// LeVeque's flow with 0.226; with a quarter they are 1.8e-4 and 0.249. With no bias at all short waves lag
-// behind, and the first is 1.0e-3.
-//
-// A body with sharp edges, which the flow of high order would round off, gets
-// one flux more, against its slope:
-//
-//     |u| sharpness minmod(c - b, d - c, e - d)
-//
-// A mirror image exchanges the terms in each bracket and the sign of u. It therefore changes the sign
-// of the flux and nothing else.
 namespace thaum::fluid {
 namespace {
 
-constexpr float bias = 0.1F;
 /// Largest sharpness of the flux above. With it, a sphere of 64^3 returns from LeVeque's flow with an error
 /// of 0.31. A sharpness of 0.15 gives 0.35, and a sharpness of 0 gives 0.60. A larger one deforms slots and
 /// corners that are a few cells wide.
@@ -47,237 +25,6 @@ constexpr double max_sharpness = 0.25;
 /// at most 0.41 in a flow that stretches it. At 0.5 and above, more of a body lies in its inside than on its
 /// edge.
 constexpr double segregation_of_blurred = 0.5, segregation_of_sharp = 0.6;
-// Densities below this become 0. Smaller ones would soon be subnormal floats (below 1e-38), which are slow.
-constexpr float min_density = 1e-20F;
-
-using Floats = const float* __restrict;
-
-// The loops over rows are functions that are not inlined and have no branches, so that GCC 12 vectorises all
-// of them.
-
-/// A row of faces of cells, with what the flux of a substance through each of them depends on.
-struct FaceRow {
-    Floats courant;
-    /// Shares that no solid covers, and weights of terms of order 3 and 5; null if all faces are open.
-    Floats aperture, third, fifth;
-    std::ptrdiff_t step;  ///< index distance between the cells on both sides of a face
-};
-
-/// Factors of one sub-step, which covers a part of the whole time.
-struct SubstepScale {
-    float courant;    ///< share of the whole time: factor on the Courant numbers, which are for all of it
-    float diffusion;  ///< diffusion coefficient times dt / h^2
-    float sharpness;  ///< factor of the flux against the slope (see the top of this file)
-};
-
-enum class StageIndex { first, second, third };
-
-/// Terms that a sub-step needs; loops are compiled separately for each combination.
-struct TransportTerms {
-    bool solids, diffuses, sharpens;
-};
-
-// Larger and smaller of x and 0. They are exact and have no branch, as GCC does not vectorise loops with
-// several branches.
-inline float above_zero(float x) { return 0.5F * (x + std::abs(x)); }
-inline float below_zero(float x) { return 0.5F * (x - std::abs(x)); }
-
-/// Flux of first order through a face: the flow carries the density of the cell from which it comes. `low`
-/// and `high` are the densities below and above the face.
-template <TransportTerms terms>
-inline float donor(float courant, float diffusion, float low, float high) {
-    const float carried = above_zero(courant) * low + below_zero(courant) * high;
-    if constexpr (terms.diffuses) return carried - diffusion * (high - low);
-    return carried;
-}
-
-/// Minimum and maximum without a branch.
-inline float minimum(float a, float b) { return a < b ? a : b; }
-inline float maximum(float a, float b) { return a > b ? a : b; }
-
-/// The smallest of three slopes if they have one sign, else 0.
-inline float minmod(float a, float b, float c) {
-    return above_zero(minimum(minimum(a, c), b)) + below_zero(maximum(maximum(a, c), b));
-}
-
-/// Adds the fluxes of a Runge-Kutta stage to the sum. In the last stage, completes the sum to the flux of
-/// high order and subtracts the flux of first order, which is computed from `start`.
-template <StageIndex stage, TransportTerms terms>
-[[gnu::noinline]] void flux_row(SubstepScale scale, const FaceRow& face, Floats value, Floats start,
-                                std::ptrdiff_t count, float* __restrict sum) {
-    const std::ptrdiff_t s = face.step;
-    const float sixtieth = scale.courant * (1.0F / 60), upwind = bias * sixtieth;
-    const float back = scale.courant * scale.sharpness * (terms.solids ? 0.2F : 1.0F);
-    for (std::ptrdiff_t i = 0; i < count; ++i) {
-        const float u = sixtieth * face.courant[i];
-        const float p0 = value[i] + value[i - s], p1 = value[i + s] + value[i - 2 * s];
-        const float p2 = value[i + 2 * s] + value[i - 3 * s];
-        const float d0 = value[i] - value[i - s], d1 = value[i + s] - value[i - 2 * s];
-        const float d2 = value[i + 2 * s] - value[i - 3 * s];
-        float mean = 0, jump = 0, diffusion = scale.diffusion;
-        if constexpr (terms.solids) {
-            mean = (30 * p0 + face.third[i] * (p0 - p1)) + face.fifth[i] * ((2 * p0 - 3 * p1) + p2);
-            jump = (30 * d0 - face.third[i] * (3 * d0 + d1)) + face.fifth[i] * (d2 - 5 * d0);
-        } else {
-            mean = (37 * p0 - 8 * p1) + p2;
-            jump = (10 * d0 - 5 * d1) + d2;
-        }
-        float flux = u * mean - upwind * std::abs(face.courant[i]) * jump;
-        if constexpr (terms.diffuses) {
-            if constexpr (terms.solids) diffusion *= face.aperture[i];
-            flux -= diffusion * d0;
-        }
-        if constexpr (terms.sharpens) {
-            const float least = minmod(value[i - s] - value[i - 2 * s], d0, value[i + s] - value[i]);
-            flux += back * std::abs(face.courant[i]) * (terms.solids ? face.third[i] * least : least);
-        }
-        if constexpr (stage == StageIndex::first) sum[i] = flux;
-        if constexpr (stage == StageIndex::second) sum[i] += flux;
-        if constexpr (stage == StageIndex::third)
-            sum[i] = (sum[i] * (1.0F / 6) + flux * (2.0F / 3)) -
-                     donor<terms>(scale.courant * face.courant[i], diffusion, start[i - s], start[i]);
-    }
-}
-
-/// Fluxes through the lower faces of a row of cells, one row for each axis. The fluxes of the upper faces are
-/// one step farther in memory.
-struct Fluxes {
-    std::array<const float*, 3> low;
-    std::array<std::ptrdiff_t, 3> step;
-};
-
-[[gnu::noinline]] void stage_row(const Fluxes& flux, Floats start, float part, std::ptrdiff_t count,
-                                 float* __restrict value) {
-    const Floats x = flux.low[0], y = flux.low[1], z = flux.low[2];
-    const std::ptrdiff_t sy = flux.step[1], sz = flux.step[2];
-    for (std::ptrdiff_t i = 0; i < count; ++i)
-        value[i] = start[i] - part * (((x[i + 1] - x[i]) + (y[i + sy] - y[i])) + (z[i + sz] - z[i]));
-}
-
-/// Net outflow of a cell across one axis by fluxes of first order.
-template <TransportTerms terms>
-inline float donors(float part, float diffusion, Floats courant, Floats aperture, Floats value,
-                    std::ptrdiff_t i, std::ptrdiff_t s) {
-    float below = diffusion, above = diffusion;
-    if constexpr (terms.solids && terms.diffuses) {
-        below *= aperture[i];
-        above *= aperture[i + s];
-    }
-    return donor<terms>(part * courant[i + s], above, value[i], value[i + s]) -
-           donor<terms>(part * courant[i], below, value[i - s], value[i]);
-}
-
-/// Applies the first-order fluxes to a row of cells. Then computes for each cell which share of the flux
-/// differences (fifth order minus first) may be applied. `part` is the share for differences that leave a
-/// cell, with which its density stays above zero. `room` is the share for those that enter it, with which its
-/// density stays below `ceiling`.
-template <TransportTerms terms>
-[[gnu::noinline]] void limit_row(SubstepScale scale, const std::array<FaceRow, 3>& faces,
-                                 const Fluxes& difference, Floats start, float ceiling, std::ptrdiff_t count,
-                                 float* __restrict value, float* __restrict part, float* __restrict room) {
-    const Floats x = difference.low[0], y = difference.low[1], z = difference.low[2];
-    const Floats cx = faces[0].courant, cy = faces[1].courant, cz = faces[2].courant;
-    const Floats ax = faces[0].aperture, ay = faces[1].aperture, az = faces[2].aperture;
-    const std::ptrdiff_t sy = faces[1].step, sz = faces[2].step;
-    const float u = scale.courant, k = scale.diffusion;
-    THAUM_INDEPENDENT_ITERATIONS
-    for (std::ptrdiff_t i = 0; i < count; ++i) {
-        const float left =
-            start[i] -
-            ((donors<terms>(u, k, cx, ax, start, i, 1) + donors<terms>(u, k, cy, ay, start, i, sy)) +
-             donors<terms>(u, k, cz, az, start, i, sz));
-        const float taken =
-            ((above_zero(x[i + 1]) - below_zero(x[i])) + (above_zero(y[i + sy]) - below_zero(y[i]))) +
-            (above_zero(z[i + sz]) - below_zero(z[i]));
-        const float given =
-            ((above_zero(x[i]) - below_zero(x[i + 1])) + (above_zero(y[i]) - below_zero(y[i + sy]))) +
-            (above_zero(z[i]) - below_zero(z[i + sz]));
-        // The factor keeps the shares slightly below the exact ones, so that rounding cannot exceed the
-        // limit.
-        const float most = left * 0.999999F / (taken + 1e-30F);
-        const float free = above_zero(ceiling - left) * 0.999999F / (given + 1e-30F);
-        value[i] = left;
-        part[i] = most < 1 ? most : 1;
-        room[i] = free < 1 ? free : 1;
-    }
-}
-
-/// The difference of the fluxes of fifth and first order through a face, times the share that the cells on
-/// both sides allow. `s` is the step from the cell below to the one above.
-inline float limited_difference(Floats difference, Floats part, Floats room, std::ptrdiff_t i,
-                                std::ptrdiff_t s) {
-    return above_zero(difference[i]) * minimum(part[i - s], room[i]) +
-           below_zero(difference[i]) * minimum(part[i], room[i - s]);
-}
-
-/// Applies the limited flux differences to a row of cells.
-[[gnu::noinline]] void apply_limited_row(const Fluxes& difference, Floats value, Floats part, Floats room,
-                                         std::ptrdiff_t count, float* __restrict result) {
-    const Floats x = difference.low[0], y = difference.low[1], z = difference.low[2];
-    const std::ptrdiff_t sy = difference.step[1], sz = difference.step[2];
-    THAUM_INDEPENDENT_ITERATIONS
-    for (std::ptrdiff_t i = 0; i < count; ++i) {
-        const float current =
-            value[i] -
-            (((limited_difference(x, part, room, i + 1, 1) - limited_difference(x, part, room, i, 1)) +
-              (limited_difference(y, part, room, i + sy, sy) - limited_difference(y, part, room, i, sy))) +
-             (limited_difference(z, part, room, i + sz, sz) - limited_difference(z, part, room, i, sz)));
-        result[i] = current < min_density ? 0 : current;
-    }
-}
-
-/// What flows in one sub-step through the faces between two levels (layers of cells at one height), summed
-/// over the faces.
-struct LevelCrossing {
-    double density{};  ///< amount of the substance that crossed the level upwards (densities times cells)
-    double flow{};     ///< net flow of fluid (cells)
-    double either{};   ///< sum of the absolute flows of fluid (cells)
-    double carried{};  ///< sum of absolute flow times the mean density of the two cells beside the face
-
-    /// Density that crossed, minus what the mean density would have carried. The net flow through a level is
-    /// zero except for the error of the pressure solve.
-    double beyond_mean() const { return either > 0 ? density - flow * carried / either : density; }
-};
-
-/// Adds the fluxes through the low faces of a row of cells to `levels`. The level of each cell is `across`
-/// higher than that of the previous cell.
-template <TransportTerms terms>
-[[gnu::noinline]] void add_crossed(SubstepScale scale, const FaceRow& face, Floats difference, Floats start,
-                                   Floats part, Floats room, std::ptrdiff_t count, std::ptrdiff_t across,
-                                   LevelCrossing* levels) {
-    constexpr std::ptrdiff_t lanes = 8;
-    const std::ptrdiff_t s = face.step;
-    std::array<std::array<float, lanes>, 4> sums{};
-    const auto add = [&](std::ptrdiff_t i, std::size_t lane) {
-        float diffusion = scale.diffusion;
-        if constexpr (terms.solids && terms.diffuses) diffusion *= face.aperture[i];
-        const float flow = scale.courant * face.courant[i];
-        sums[0][lane] += donor<terms>(flow, diffusion, start[i - s], start[i]) +
-                         limited_difference(difference, part, room, i, s);
-        sums[1][lane] += flow;
-        sums[2][lane] += std::abs(flow);
-        sums[3][lane] += std::abs(flow) * (0.5F * (start[i - s] + start[i]));
-    };
-    const auto flush = [&](std::size_t lane, LevelCrossing& level) {
-        level.density += static_cast<double>(sums[0][lane]);
-        level.flow += static_cast<double>(sums[1][lane]);
-        level.either += static_cast<double>(sums[2][lane]);
-        level.carried += static_cast<double>(sums[3][lane]);
-        for (auto& sum : sums) sum[lane] = 0;
-    };
-    if (across != 0) {
-        for (std::ptrdiff_t i = 0; i < count; ++i) {
-            add(i, 0);
-            flush(0, levels[i * across]);
-        }
-        return;
-    }
-    const std::ptrdiff_t whole = count / lanes * lanes;
-    for (std::ptrdiff_t i = 0; i < whole; i += lanes)
-        for (std::ptrdiff_t lane = 0; lane < lanes; ++lane) add(i + lane, static_cast<std::size_t>(lane));
-    for (std::ptrdiff_t i = whole; i < count; ++i) add(i, 0);
-    for (std::size_t lane = 0; lane < lanes; ++lane) flush(lane, *levels);
-}
 
 // ---- fluxes over the whole lattice -----------------------------------------------------------------------
 
@@ -300,8 +47,7 @@ struct SubstepContext {
         }
         return row;
     }
-    Fluxes fluxes(std::ptrdiff_t at) const {
-        const auto& f = scratch.flux;
+    Fluxes at(const std::array<Samples, 3>& f, std::ptrdiff_t at) const {
         return {{f[0].data() + at, f[1].data() + at, f[2].data() + at}, lattice.stride};
     }
 };
@@ -309,73 +55,115 @@ struct SubstepContext {
 template <StageIndex stage, TransportTerms terms>
 [[gnu::noinline]] void flux_rows(const SubstepContext& c, const Samples& value, std::size_t axis, int k) {
     each_row(c.rows(), k, [&](Row row) {
-        flux_row<stage, terms>(c.scale, c.face(axis, row.at), value.data() + row.at, c.start.data() + row.at,
-                               round_up_to_8(row.count), c.scratch.flux[axis].data() + row.at);
+        flux_row<stage, terms>(c.scale, c.face(axis, row.at), row.count,
+                               {.value = value.data() + row.at,
+                                .start = c.start.data() + row.at,
+                                .sum = c.scratch.flux[axis].data() + row.at,
+                                .donors = c.scratch.donors[axis].data() + row.at});
     });
 }
 
-/// Copies the first faces to the last ones at periodic sides. The last faces at walls and after the last cell
-/// before a solid are closed: their flux is never written and stays 0.
-void copy_last_faces(const SubstepContext& c, int k) {
-    const auto [nx, ny, nz] = c.lattice.cells;
-    auto& flux = c.scratch.flux;
-    if (c.lattice.edges[0] == Edge::periodic)
-        each_row(c.lattice, k,
-                 [begin = flux[0].data(), nx = nx](std::ptrdiff_t at) { begin[at + nx] = begin[at]; });
-    const auto first = [&](std::size_t axis, int j, int layer) {
-        return flux[axis].data() + c.lattice.at(0, j, layer);
-    };
-    if (c.lattice.edges[1] == Edge::periodic) std::copy_n(first(1, 0, k), nx, first(1, ny, k));
-    if (k == 0 && c.lattice.edges[2] == Edge::periodic)
-        for (int j = 0; j < ny; ++j) std::copy_n(first(2, j, 0), nx, first(2, j, nz));
+/// Copies the first faces across an axis to the last ones at periodic sides. The last faces at walls and
+/// after the last cell before a solid are closed: their flux is never written and stays 0.
+void copy_last_faces(const Lattice& lattice, std::size_t axis, int k, Samples& flux) {
+    if (lattice.edges[axis] != Edge::periodic) return;
+    const auto [nx, ny, nz] = lattice.cells;
+    const auto first = [&](int j, int layer) { return flux.data() + lattice.at(0, j, layer); };
+    for (int j = 0; axis == 0 && j < ny; ++j) first(j, k)[nx] = *first(j, k);
+    if (axis == 1) std::copy_n(first(0, k), nx, first(ny, k));
+    for (int j = 0; axis == 2 && k == 0 && j < ny; ++j) std::copy_n(first(j, 0), nx, first(j, nz));
 }
 
-/// Computes all fluxes of a stage and calls `layer(k)` when those of layer k are ready. Rows are
-/// extended to whole vectors; the extra values are never read.
-template <StageIndex stage, TransportTerms terms, class Layer>
-void each_layer(const SubstepContext& c, const Samples& value, Layer layer) {
-    const int nz = c.lattice.cells[2];
+/// Calls `faces(axis, k)` for the faces of all layers, and `cells(k)` when those of layer k and the ones
+/// above it are ready.
+template <class Faces, class CellsOfLayer>
+void each_layer(const Lattice& lattice, Faces faces, CellsOfLayer cells) {
+    const int nz = lattice.cells[2];
     for (int k = 0; k < nz; ++k) {
-        flux_rows<stage, terms>(c, value, 2, k);
-        if (k > 0) layer(k - 1);
-        flux_rows<stage, terms>(c, value, 0, k);
-        flux_rows<stage, terms>(c, value, 1, k);
-        copy_last_faces(c, k);
+        faces(2, k);
+        if (k > 0) cells(k - 1);
+        faces(0, k);
+        faces(1, k);
     }
-    layer(nz - 1);
+    cells(nz - 1);
+}
+
+/// Computes all fluxes of a stage and calls `cells(k)` when those of layer k are ready. Rows are extended to
+/// whole vectors; the extra values are never read.
+template <StageIndex stage, TransportTerms terms, class CellsOfLayer>
+void each_layer_of_stage(const SubstepContext& c, const Samples& value, CellsOfLayer cells) {
+    const auto faces = [&](std::size_t axis, int k) {
+        flux_rows<stage, terms>(c, value, axis, k);
+        copy_last_faces(c.lattice, axis, k, c.scratch.flux[axis]);
+        if (stage == StageIndex::third) copy_last_faces(c.lattice, axis, k, c.scratch.donors[axis]);
+    };
+    each_layer(c.lattice, faces, cells);
 }
 
 /// Computes the density of the next Runge-Kutta stage: that at the start, changed by `part` times the sum of
 /// the fluxes of the stages so far.
 template <StageIndex stage, TransportTerms terms>
 void take_stage(const SubstepContext& c, const Samples& value, float part, Samples& next) {
-    each_layer<stage, terms>(c, value, [&](int k) {
+    each_layer_of_stage<stage, terms>(c, value, [&](int k) {
         each_row(c.rows(), k, [&](Row row) {
-            stage_row(c.fluxes(row.at), c.start.data() + row.at, part, round_up_to_8(row.count),
-                      next.data() + row.at);
+            const Fluxes fluxes = c.at(c.scratch.flux, row.at);
+            for (std::ptrdiff_t i = 0; i < row.count; i += 8)
+                store(next.data() + row.at + i,
+                      load(c.start.data() + row.at + i) - part * net_outflow(fluxes, i));
         });
     });
     fill_ghosts(c.rows(), all_even, next);
 }
 
-/// Density that crossed all faces along an axis, positive in the direction of the axis.
-template <TransportTerms terms>
-double moved_across(const SubstepContext& c, std::size_t axis, const Samples& part, const Samples& room) {
-    std::array<LevelCrossing, max_cells> levels{};
-    for (int k = 0; k < c.lattice.cells[2]; ++k) {
-        for (int j = 0; j < c.lattice.cells[1]; ++j) {
-            const Row row = c.rows().at(j, k);
-            if (row.count == 0) continue;
-            const auto first = row.at - c.lattice.at(0, j, k);
-            const auto level = static_cast<std::size_t>(axis == 0 ? first : axis == 1 ? j : k);
-            add_crossed<terms>(c.scale, c.face(axis, row.at), c.scratch.flux[axis].data() + row.at,
-                               c.start.data() + row.at, part.data() + row.at, room.data() + row.at, row.count,
-                               axis == 0 ? 1 : 0, levels.data() + level);
-        }
+/// Limits the flux differences through the faces of a layer. Adds what crosses them to `levels`, if it is not
+/// null.
+void limit_layer(const SubstepContext& c, std::size_t axis, int k, Levels* levels) {
+    const std::ptrdiff_t s = c.lattice.stride[axis];
+    float* difference = c.scratch.flux[axis].data();
+    for (int j = 0; j < c.lattice.cells[1]; ++j) {
+        const Row row = c.rows().at(j, k);
+        if (row.count == 0) continue;
+        limit_fluxes(c.scratch.part.data() + row.at, c.scratch.room.data() + row.at, s, row.count,
+                     difference + row.at);
+        if (levels == nullptr) continue;
+        const auto first = row.at - c.lattice.at(0, j, k);
+        const auto level = static_cast<std::size_t>(axis == 0 ? first : axis == 1 ? j : k);
+        add_crossed(c.scale.courant,
+                    {.donors = c.scratch.donors[axis].data() + row.at,
+                     .limited = difference + row.at,
+                     .courant = c.face_flow.courant[axis].data() + row.at,
+                     .start = c.start.data() + row.at,
+                     .step = s},
+                    row.count, axis == 0 ? 1 : 0, levels->data() + level);
     }
-    double sum = 0;
-    for (const LevelCrossing& level : levels) sum += level.beyond_mean();
-    return sum;
+    copy_last_faces(c.lattice, axis, k, c.scratch.flux[axis]);
+}
+
+/// Applies the flux differences, limited, to the density after the fluxes of first order, which is in `left`.
+/// Returns the density that crossed all faces along each axis with a component of `along`, positive in the
+/// direction of the axis.
+vec3 apply_limited(const SubstepContext& c, const Samples& left, const vec3& along, Samples& density) {
+    std::array<std::optional<Levels>, 3> levels;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (along[static_cast<int>(axis)] != 0) levels[axis].emplace();
+    const auto faces = [&](std::size_t axis, int k) {
+        limit_layer(c, axis, k, levels[axis] ? &*levels[axis] : nullptr);
+    };
+    each_layer(c.lattice, faces, [&](int k) {
+        each_row(c.rows(), k, [&](Row row) {
+            const Fluxes limited = c.at(c.scratch.flux, row.at);
+            for (std::ptrdiff_t i = 0; i < row.count; i += 8) {
+                const Floats8 current = load(left.data() + row.at + i) - net_outflow(limited, i);
+                store(density.data() + row.at + i, current < min_density ? zero8 : current);
+            }
+        });
+    });
+    vec3 moved(0);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (!levels[axis]) continue;
+        for (const LevelCrossing& level : *levels[axis]) moved[static_cast<int>(axis)] += level.beyond_mean();
+    }
+    return moved;
 }
 
 template <TransportTerms terms>
@@ -387,34 +175,23 @@ vec3 substep(const Lattice& lattice, const FaceFlow& face_flow, SubstepScale sca
     take_stage<StageIndex::first, terms>(c, density, 1, first);
     take_stage<StageIndex::second, terms>(c, first, 0.25F, second);
     Samples& left = first;  // uses the memory of the first stage, which is no longer needed
-    Samples& part = scratch.part;
-    Samples& room = scratch.room;
     const float ceiling = density_ceiling(
         face_flow.rows(), face_flow.face_apertures != nullptr ? &face_flow.face_apertures->aperture : nullptr,
         density);
-    each_layer<StageIndex::third, terms>(c, second, [&](int k) {
+    each_layer_of_stage<StageIndex::third, terms>(c, second, [&](int k) {
         each_row(c.rows(), k, [&](Row row) {
             const std::ptrdiff_t at = row.at;
-            limit_row<terms>(scale, {c.face(0, at), c.face(1, at), c.face(2, at)}, c.fluxes(at),
-                             density.data() + at, ceiling, round_up_to_8(row.count), left.data() + at,
-                             part.data() + at, room.data() + at);
+            limit_row(c.at(scratch.donors, at), c.at(scratch.flux, at), density.data() + at, ceiling,
+                      row.count, {left.data() + at, scratch.part.data() + at, scratch.room.data() + at});
         });
     });
     // Values beyond walls are never used, because the flux difference through a wall is 0.
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (lattice.edges[axis] != Edge::periodic) continue;
-        fill_ghosts_across(c.rows(), axis, GhostRule::even, part);
-        fill_ghosts_across(c.rows(), axis, GhostRule::even, room);
+        fill_ghosts_across(c.rows(), axis, GhostRule::even, scratch.part);
+        fill_ghosts_across(c.rows(), axis, GhostRule::even, scratch.room);
     }
-    vec3 moved(0);
-    for (int axis = 0; axis < 3; ++axis)
-        if (along[axis] != 0)
-            moved[axis] = moved_across<terms>(c, static_cast<std::size_t>(axis), part, room);
-    each_row(c.rows(), [&](Row row) {
-        const std::ptrdiff_t at = row.at;
-        apply_limited_row(c.fluxes(at), left.data() + at, part.data() + at, room.data() + at, row.count,
-                          density.data() + at);
-    });
+    const vec3 moved = apply_limited(c, left, along, density);
     fill_ghosts(c.rows(), all_even, density);
     return moved;
 }
@@ -451,10 +228,10 @@ Schedule schedule(double outflow, double diffusion, int most) {
 
 bool is_empty(const Rows& rows, const Samples& density) {
     return std::ranges::all_of(rows.rows, [&](Row row) {
-        const float* value = density.data() + row.at;
-        std::uint32_t bits = 0;
-        for (std::ptrdiff_t i = 0; i < row.count; ++i) bits |= std::bit_cast<std::uint32_t>(value[i]);
-        return bits == 0;
+        Magnitudes8 bits{};
+        for (std::ptrdiff_t i = 0; i < row.count; i += 8)
+            bits |= std::bit_cast<Magnitudes8>(load(density.data() + row.at + i));
+        return !any_of(bits);
     });
 }
 
@@ -472,17 +249,23 @@ float sharpness_of(const FaceFlow& face_flow, double diffusion, const Samples& d
     return static_cast<float>(max_sharpness * std::round(16 * std::clamp(share, 0.0, 1.0)) / 16);
 }
 
-/// Outflow of each cell of a row; `most` keeps the largest value so far.
-[[gnu::noinline]] void outflow_row(const Fluxes& courant, std::ptrdiff_t count, float* __restrict most) {
-    const Floats x = courant.low[0], y = courant.low[1], z = courant.low[2];
-    const std::ptrdiff_t sy = courant.step[1], sz = courant.step[2];
-    THAUM_INDEPENDENT_ITERATIONS
-    for (std::ptrdiff_t i = 0; i < count; ++i) {
-        const float out =
-            ((above_zero(x[i + 1]) - below_zero(x[i])) + (above_zero(y[i + sy]) - below_zero(y[i]))) +
-            (above_zero(z[i + sz]) - below_zero(z[i]));
-        most[i] = out > most[i] ? out : most[i];
-    }
+/// The largest outflow of a cell.
+float largest_outflow(const Lattice& lattice, const FaceFlow& face_flow) {
+    Floats8 most{};
+    const auto& c = face_flow.courant;
+    each_row(face_flow.rows(), [&](Row row) {
+        const Fluxes courant{{c[0].data() + row.at, c[1].data() + row.at, c[2].data() + row.at},
+                             lattice.stride};
+        const std::ptrdiff_t whole = row.count / 8 * 8;
+        for (std::ptrdiff_t i = 0; i < whole; i += 8) most = larger(outflow(courant, i), most);
+        if (whole == row.count) return;
+        const Floats8 last = outflow(courant, whole);
+        for (std::ptrdiff_t lane = 0; lane < row.count - whole; ++lane)
+            most[lane] = last[lane] > most[lane] ? last[lane] : most[lane];
+    });
+    float result = 0;
+    for (std::ptrdiff_t lane = 0; lane < 8; ++lane) result = std::max(result, float{most[lane]});
+    return result;
 }
 
 }  // namespace
@@ -534,7 +317,7 @@ TransportScratch make_transport_scratch(const Lattice& lattice) {
                              .second = make_samples(lattice),
                              .part = make_samples(lattice),
                              .room = make_samples(lattice)};
-    for (Samples& samples : scratch.flux) samples = make_samples(lattice);
+    for (auto* fluxes : {&scratch.flux, &scratch.donors}) fluxes->fill(make_samples(lattice));
     return scratch;
 }
 
@@ -543,19 +326,18 @@ void set_face_flow(const Lattice& lattice, const std::array<Samples, 3>& before,
                    FaceFlow& face_flow, int order) {
     const auto factor = static_cast<float>(dt / lattice.h);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const Floats first = before[axis].data(), second = after[axis].data();
-        float* const __restrict to = face_flow.courant[axis].data();
+        const float *const first = before[axis].data(), *const second = after[axis].data();
+        float* const to = face_flow.courant[axis].data();
         const auto mean = [=](std::size_t i) { return 0.5F * (first[i] + second[i]); };
         if (order == 4) {
             const auto s = static_cast<std::size_t>(lattice.stride[axis]);
             for (std::size_t i = s; i < lattice.size - s; ++i)
                 to[i] = factor * (mean(i) * (26.0F / 24) - (mean(i - s) + mean(i + s)) * (1.0F / 24));
         } else if (face_apertures != nullptr) {
-            const Floats aperture = face_apertures->aperture[axis].data();
+            const float* const aperture = face_apertures->aperture[axis].data();
             each_row(face_apertures->rows, [&](Row row) {
-                const auto end = static_cast<std::size_t>(row.at + row.count);
-                for (auto i = static_cast<std::size_t>(row.at); i < end; ++i)
-                    to[i] = mean(i) * factor * aperture[i];
+                for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8)
+                    store(to + i, 0.5F * (load(first + i) + load(second + i)) * factor * load(aperture + i));
             });
             // The last faces of a periodic lattice are copies of the first.
             if (lattice.edges[axis] == Edge::periodic)
@@ -566,13 +348,7 @@ void set_face_flow(const Lattice& lattice, const std::array<Samples, 3>& before,
     }
     face_flow.face_apertures = face_apertures;
     face_flow.dt = dt;
-    std::array<float, max_cells> most{};
-    each_row(face_flow.rows(), [&](Row row) {
-        const auto& c = face_flow.courant;
-        outflow_row({{c[0].data() + row.at, c[1].data() + row.at, c[2].data() + row.at}, lattice.stride},
-                    row.count, most.data());
-    });
-    face_flow.outflow = *std::ranges::max_element(most);
+    face_flow.outflow = largest_outflow(lattice, face_flow);
 }
 
 TransportReport transport(const Lattice& lattice, const FaceFlow& face_flow,

@@ -81,7 +81,8 @@ void set_face_flow(const Lattice& lattice, const std::array<Samples, 3>& before,
 /// faces stay zero.
 struct TransportScratch {
     Samples first{}, second{}, part{}, room{};
-    std::array<Samples, 3> flux{};
+    /// Fluxes of the stages, then of fifth order minus first, then limited; and those of first order.
+    std::array<Samples, 3> flux{}, donors{};
 };
 
 TransportScratch make_transport_scratch(const Lattice& lattice);
