@@ -1,22 +1,19 @@
 #include "fluid/detail/momentum.h"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "fluid/floats8.h"
 
 namespace thaum::fluid {
 namespace {
 
-/// Interpolates the advecting velocity half-way between a sample and the previous one, `step` away. The
-/// result is multiplied by 16 / 9 at order 4 and by 2 at order 2, which saves multiplications here; later
-/// factors take it out.
-template <bool fourth>
+/// Interpolates the advecting velocity half-way between a sample and the previous one, `step` away, at order
+/// 4. The result is multiplied by 16 / 9, which saves multiplications here; later factors take it out.
 void interpolate_row(const float* u, std::ptrdiff_t step, std::ptrdiff_t count, float* out) {
-    for (std::ptrdiff_t i = 0; i < count; i += 8) {
-        Floats8 sum = load(u + i - step) + load(u + i);
-        if constexpr (fourth) sum -= (1.0F / 9) * (load(u + i - 2 * step) + load(u + i + step));
-        store(out + i, sum);
-    }
+    for (std::ptrdiff_t i = 0; i < count; i += 8)
+        store(out + i, (load(u + i - step) + load(u + i)) -
+                           (1.0F / 9) * (load(u + i - 2 * step) + load(u + i + step)));
 }
 
 /// Four neighbouring rows of the advecting velocity across a row of advected values: one beyond its low side,
@@ -27,23 +24,33 @@ struct CarryingRows {
     const float* high;
     const float* after;
     std::ptrdiff_t step;  ///< index distance between advected neighbours along this axis
+
+    /// Flux out of eight samples to the next ones minus flux into them from the previous ones, at order 4, by
+    /// the formula in momentum.h, multiplied by a common factor. q are the advected values. The sum of 30 T
+    /// (the advecting velocity) and its two neighbours is 32 times T + delta2(T) / 32.
+    Floats8 flux(const float* q, std::ptrdiff_t i) const {
+        const Floats8 b = load(before + i), l = load(low + i), h = load(high + i), a = load(after + i);
+        const Floats8 near = (30.0F * h + (a + l)) * load(q + step) - (30.0F * l + (h + b)) * load(q - step);
+        const Floats8 far = (h + a) * load(q + 2 * step) - (l + b) * load(q - 2 * step);
+        return near - (far + far);
+    }
 };
 
-/// Flux out of eight samples to the next ones minus flux into them from the previous ones. `by` is the
-/// advecting velocity, q the advected values.
-inline Floats8 flux(const CarryingRows& by, const float* q, std::ptrdiff_t i) {
-    return load(by.high + i) * load(q + by.step) - load(by.low + i) * load(q - by.step);
-}
-/// Flux difference at order 4, by the formula in momentum.h, multiplied by a common factor. The sum of 30 T
-/// (the advecting velocity) and its two neighbours is 32 times T + delta2(T) / 32.
-inline Floats8 flux_of_fourth(const CarryingRows& by, const float* q, std::ptrdiff_t i) {
-    const Floats8 before = load(by.before + i), low = load(by.low + i);
-    const Floats8 high = load(by.high + i), after = load(by.after + i);
-    const Floats8 near = (30.0F * high + (after + low)) * load(q + by.step) -
-                         (30.0F * low + (high + before)) * load(q - by.step);
-    const Floats8 far = (high + after) * load(q + 2 * by.step) - (low + before) * load(q - 2 * by.step);
-    return near - (far + far);
-}
+/// A row of the advecting velocity at order 2, which needs so few of its samples that they are interpolated
+/// where they are used.
+struct CarryingSamples {
+    const float* velocity;
+    std::ptrdiff_t back;  ///< index distance between the two samples that are interpolated
+    std::ptrdiff_t step;  ///< index distance between advected neighbours along this axis
+
+    /// Advecting velocity between the advected values and the previous ones, times 2.
+    Floats8 twice(std::ptrdiff_t i) const { return load(velocity + i - back) + load(velocity + i); }
+    /// Flux out of eight samples to the next ones minus flux into them, times 4.
+    Floats8 flux(const float* q, std::ptrdiff_t i) const {
+        return twice(i + step) * load(q + step) - twice(i) * load(q - step);
+    }
+};
+
 inline Floats8 sum_of_both_sides(const float* q, std::ptrdiff_t step) {
     return load(q - step) + load(q + step);
 }
@@ -59,14 +66,11 @@ FluxFactors flux_factors(float h, float viscosity) {
 
 /// Rate of change of eight samples of q by advection along the axes a, b and c, and by viscosity. The first
 /// axis is added to the sum of the other two, so exchanging those two changes no bit of the result.
-template <bool fourth, bool viscous>
-inline Floats8 rate_at(const CarryingRows& a, const CarryingRows& b, const CarryingRows& c, const float* q,
+template <bool viscous, class Carrying>
+inline Floats8 rate_at(const Carrying& a, const Carrying& b, const Carrying& c, const float* q,
                        std::ptrdiff_t i, const FluxFactors& factors) {
-    Floats8 sum;
-    if constexpr (fourth)
-        sum = factors.flux * (flux_of_fourth(a, q, i) + (flux_of_fourth(b, q, i) + flux_of_fourth(c, q, i)));
-    else
-        sum = factors.flux * (flux(a, q, i) + (flux(b, q, i) + flux(c, q, i)));
+    constexpr bool fourth = std::is_same_v<Carrying, CarryingRows>;
+    Floats8 sum = factors.flux * (a.flux(q, i) + (b.flux(q, i) + c.flux(q, i)));
     if constexpr (viscous) {
         const Floats8 ones =
             sum_of_both_sides(q, a.step) + (sum_of_both_sides(q, b.step) + sum_of_both_sides(q, c.step));
@@ -93,13 +97,12 @@ struct RowTargets {
     float* next;  ///< velocity for the next stage; null in the last stage
 };
 
-template <bool fourth, bool viscous>
-[[gnu::always_inline]] inline void take_row(const CarryingRows& a, const CarryingRows& b,
-                                            const CarryingRows& c, const float* q, std::ptrdiff_t count,
-                                            const FluxFactors& factors, const RowTargets& row, float sum_part,
-                                            float next_part) {
+template <bool viscous, class Carrying>
+[[gnu::always_inline]] inline void take_row(const Carrying& a, const Carrying& b, const Carrying& c,
+                                            const float* q, std::ptrdiff_t count, const FluxFactors& factors,
+                                            const RowTargets& row, float sum_part, float next_part) {
     for (std::ptrdiff_t i = 0; i < count; i += 8) {
-        Floats8 rate = rate_at<fourth, viscous>(a, b, c, q + i, i, factors);
+        Floats8 rate = rate_at<viscous>(a, b, c, q + i, i, factors);
         if (row.force != nullptr) rate += load(row.force + i);
         const auto keep = [&](const Floats8& value) {
             return row.open == nullptr ? value : load(row.open + i) > zero8 ? value : zero8;
@@ -169,54 +172,72 @@ Momentum::LayerBounds Momentum::bounds_of_layer(int k) const {
 }
 
 /// Interpolates the advecting velocity along z on the low faces of layer k, for all its rows.
-template <bool fourth>
 void Momentum::interpolate_between_layers(const Samples& velocity_z, std::ptrdiff_t step, int k) {
     float* plane = planes_[plane_along_z(k)].data();
     for (int j = 0; j < lattice_.cells[1]; ++j)
-        interpolate_row<fourth>(velocity_z.data() + lattice_.at(0, j, k), step, lattice_.cells[0],
-                                plane + place_in_plane(lattice_, 0, j));
+        interpolate_row(velocity_z.data() + lattice_.at(0, j, k), step, lattice_.cells[0],
+                        plane + place_in_plane(lattice_, 0, j));
 }
 
 /// Interpolates the advecting velocities along x and y within the bounds of layer k.
-template <bool fourth>
 void Momentum::interpolate_in_layer(const std::array<Samples, 3>& velocity, std::ptrdiff_t step, int k) {
     const LayerBounds& bounds = layer_bounds_[static_cast<std::size_t>(k)];
     const auto start = static_cast<int>(bounds.start);
     for (int j = bounds.first; j < bounds.end; ++j)
-        interpolate_row<fourth>(velocity[0].data() + lattice_.at(start - 1, j, k), step,
-                                round_up_to_8(bounds.count + 3),
-                                planes_[0].data() + place_in_plane(lattice_, start - 1, j));
+        interpolate_row(velocity[0].data() + lattice_.at(start - 1, j, k), step,
+                        round_up_to_8(bounds.count + 3),
+                        planes_[0].data() + place_in_plane(lattice_, start - 1, j));
     for (int j = bounds.first - 1; j < bounds.end + 2; ++j)
-        interpolate_row<fourth>(velocity[1].data() + lattice_.at(start, j, k), step, bounds.count,
-                                planes_[1].data() + place_in_plane(lattice_, start, j));
+        interpolate_row(velocity[1].data() + lattice_.at(start, j, k), step, bounds.count,
+                        planes_[1].data() + place_in_plane(lattice_, start, j));
 }
 
-template <bool fourth, bool viscous, std::size_t axis>
-void Momentum::component(const RungeKuttaStage& stage, float viscosity) {
+template <bool viscous, std::size_t axis>
+void Momentum::component_of_fourth(const RungeKuttaStage& stage, float viscosity) {
     const auto step = lattice_.stride[axis];
-    const auto factors = flux_factors<fourth>(static_cast<float>(lattice_.h), viscosity);
-    for (int k = -1; k < 2; ++k) interpolate_between_layers<fourth>(stage.from[2], step, k);
+    const auto factors = flux_factors<true>(static_cast<float>(lattice_.h), viscosity);
+    for (int k = -1; k < 2; ++k) interpolate_between_layers(stage.from[2], step, k);
     for (int k = 0; k < lattice_.cells[2]; ++k) {
-        interpolate_between_layers<fourth>(stage.from[2], step, k + 2);
+        interpolate_between_layers(stage.from[2], step, k + 2);
         const LayerBounds& bounds = layer_bounds_[static_cast<std::size_t>(k)];
         if (bounds.count == 0) continue;
-        interpolate_in_layer<fourth>(stage.from, step, k);
+        interpolate_in_layer(stage.from, step, k);
         for (int j = bounds.first; j < bounds.end; ++j) {
             const Row row = rows_.at(j, k);
             const auto i = static_cast<int>(row.at - lattice_.at(0, j, k));
             const auto by = carrying_rows(planes_, lattice_, place_in_plane(lattice_, i, j), k);
-            take_row<fourth, viscous>(
-                by[axis], by[(axis + 1) % 3], by[(axis + 2) % 3], stage.from[axis].data() + row.at, row.count,
-                factors, row_targets(stage, solids_, axis, row.at), stage.sum_part, stage.next_part);
+            take_row<viscous>(by[axis], by[(axis + 1) % 3], by[(axis + 2) % 3],
+                              stage.from[axis].data() + row.at, row.count, factors,
+                              row_targets(stage, solids_, axis, row.at), stage.sum_part, stage.next_part);
         }
     }
 }
 
+template <bool viscous, std::size_t axis>
+void Momentum::component_of_second(const RungeKuttaStage& stage, float viscosity) {
+    const auto factors = flux_factors<false>(static_cast<float>(lattice_.h), viscosity);
+    each_row(rows_, [&](Row row) {
+        const auto by = [&](std::size_t along) {
+            return CarryingSamples{stage.from[along].data() + row.at, lattice_.stride[axis],
+                                   lattice_.stride[along]};
+        };
+        take_row<viscous>(by(axis), by((axis + 1) % 3), by((axis + 2) % 3), stage.from[axis].data() + row.at,
+                          row.count, factors, row_targets(stage, solids_, axis, row.at), stage.sum_part,
+                          stage.next_part);
+    });
+}
+
 template <bool fourth, bool viscous>
 void Momentum::components(const RungeKuttaStage& stage, float viscosity) {
-    component<fourth, viscous, 0>(stage, viscosity);
-    component<fourth, viscous, 1>(stage, viscosity);
-    component<fourth, viscous, 2>(stage, viscosity);
+    if constexpr (fourth) {
+        component_of_fourth<viscous, 0>(stage, viscosity);
+        component_of_fourth<viscous, 1>(stage, viscosity);
+        component_of_fourth<viscous, 2>(stage, viscosity);
+    } else {
+        component_of_second<viscous, 0>(stage, viscosity);
+        component_of_second<viscous, 1>(stage, viscosity);
+        component_of_second<viscous, 2>(stage, viscosity);
+    }
 }
 
 void Momentum::run_stage(const RungeKuttaStage& stage, double viscosity) {

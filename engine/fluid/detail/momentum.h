@@ -49,11 +49,11 @@ public:
 private:
     template <bool fourth, bool viscous>
     void components(const RungeKuttaStage& stage, float viscosity);
-    template <bool fourth, bool viscous, std::size_t axis>
-    void component(const RungeKuttaStage& stage, float viscosity);
-    template <bool fourth>
+    template <bool viscous, std::size_t axis>
+    void component_of_fourth(const RungeKuttaStage& stage, float viscosity);
+    template <bool viscous, std::size_t axis>
+    void component_of_second(const RungeKuttaStage& stage, float viscosity);
     void interpolate_between_layers(const Samples& velocity_z, std::ptrdiff_t step, int k);
-    template <bool fourth>
     void interpolate_in_layer(const std::array<Samples, 3>& velocity, std::ptrdiff_t step, int k);
 
     /// Rectangle of a layer that contains all its fluid: rows first to end - 1, `count` cells from `start`.
@@ -68,7 +68,8 @@ private:
     const Solids* solids_;
     Rows rows_;
     std::vector<LayerBounds> layer_bounds_;  ///< bounds of each layer
-    /// Interpolated advecting velocity: one plane along x, one along y, and a ring buffer of four along z.
+    /// Interpolated advecting velocity, at order 4: one plane along x, one along y, and a ring buffer of four
+    /// along z.
     std::array<Samples, 6> planes_;
 };
 
