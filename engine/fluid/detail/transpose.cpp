@@ -1,5 +1,7 @@
 #include "fluid/detail/transpose.h"
 
+#include <algorithm>
+
 #include "fluid/floats8.h"
 
 namespace thaum::fluid {
@@ -48,15 +50,22 @@ void transpose_tile(const float* from, std::ptrdiff_t from_pitch, float* to, std
 
 void transpose(const Matrix<const float>& from, const Matrix<float>& to, std::ptrdiff_t rows,
                std::ptrdiff_t columns) {
-    const auto whole_rows = rows / 8 * 8;
-    const auto whole_columns = columns / 8 * 8;
-    for (std::ptrdiff_t r = 0; r < whole_rows; r += 8)
-        for (std::ptrdiff_t c = 0; c < whole_columns; c += 8)
+    if (rows < 8 || columns < 8) {
+        for (std::ptrdiff_t r = 0; r < rows; ++r)
+            for (std::ptrdiff_t c = 0; c < columns; ++c)
+                to.first[c * to.pitch + r] = from.first[r * from.pitch + c];
+        return;
+    }
+    // The last tiles begin as far before the end as they are wide. What they share with the tiles before them
+    // is written twice.
+    for (std::ptrdiff_t next_r = 0; next_r < rows; next_r += 8) {
+        const std::ptrdiff_t r = std::min(next_r, rows - 8);
+        for (std::ptrdiff_t next_c = 0; next_c < columns; next_c += 8) {
+            const std::ptrdiff_t c = std::min(next_c, columns - 8);
             transpose_tile(from.first + r * from.pitch + c, from.pitch, to.first + c * to.pitch + r,
                            to.pitch);
-    for (std::ptrdiff_t r = 0; r < rows; ++r)
-        for (std::ptrdiff_t c = r < whole_rows ? whole_columns : 0; c < columns; ++c)
-            to.first[c * to.pitch + r] = from.first[r * from.pitch + c];
+        }
+    }
 }
 
 }  // namespace thaum::fluid

@@ -5,38 +5,18 @@
 #include "fluid/detail/transpose.h"
 #include "fluid/detail/viscous_links.h"
 #include "fluid/floats8.h"
-#include "fluid/sample.h"
 
 namespace thaum::fluid {
 namespace {
 
-/// Smallest distance to a wall that is used (cells). A place (a sample of the velocity) with walls along
-/// three axes loses its velocity by the product of three factors. If that product were thousands, the
-/// pressure would take minutes to settle.
-constexpr double min_way = 0.2;
-/// Smallest ratio of the velocity at the centre of a face to that at the centre of its open part. A face with
-/// a smaller ratio, whose centre is about in the solid, gets a drag instead of a link (DraggedFace).
-constexpr double min_factor = 0.25;
-/// Strength of the drag on such a face: this factor times nu dt / h^2, divided by the distance from the
-/// centre of the open part to the wall (cells).
+/// Strength of the drag on a dragged face (DraggedFace): this factor times nu dt / h^2, divided by the
+/// distance from the centre of the open part to the wall (cells).
 constexpr float drag_factor = 8;
 /// Limits of the explicit half for a link (coupling of two places by viscosity) between open places, and for
 /// one to a wall. Even if both links of a place are at their limit, no wave grows in the explicit half, so
 /// energy only falls. Between open places all values stay within their previous range.
 constexpr float max_explicit_link = 0.25F;
 constexpr float max_explicit_wall_link = 0.5F;
-
-/// Layout of slabs. A slab is a layer of parallel lines side by side along x, or along y if the lines run
-/// along x.
-struct Slabs {
-    std::size_t beside, outer;  ///< axis along which lines are adjacent, and axis across the slabs
-    std::ptrdiff_t pitch;       ///< number of lines in a slab, rounded up to a multiple of eight
-};
-
-Slabs slabs_along(const Lattice& lattice, std::size_t across) {
-    const std::size_t beside = across == 0 ? 1 : 0;
-    return {beside, 3 - across - beside, round_up_to_8(lattice.cells[beside])};
-}
 
 /// Parallel lines of velocities, which are solved together: where they lie in memory, and what is at their
 /// ends. Row r has the r-th velocity of every line, and begins `row` values after row r - 1.
@@ -54,8 +34,10 @@ struct Lines {
     /// Largest coefficient of a link (coupling of two places), not counting links that a wall shortens.
     float max_link;
     float lid;  ///< speed of the wall at the high end (m/s)
-    std::span<const CutLink> cuts;
-    std::ptrdiff_t skipped;  ///< number of closed places (in a solid) left out before the first place
+    /// Factors of the links to the next places, [place][line], above 1 where a wall cuts a link; null: all
+    /// are 1.
+    const float* nearer;
+    std::ptrdiff_t nearer_row;  ///< index distance from the factors of one place to those of the next
 };
 
 /// Part of a link's coefficient that uses the velocity before the step: half of it, for second order in time,
@@ -95,15 +77,14 @@ Lines lines_along(const Lattice& lattice, const ViscousStep& step, std::size_t a
             .varies = step.varies,
             .max_link = max_coefficient(lattice, step),
             .lid = axis == 0 && across == 1 ? static_cast<float>(step.lid) : 0.0F,
-            .cuts = {},
-            .skipped = 0};
+            .nearer = nullptr,
+            .nearer_row = slabs.pitch};
 }
 
 /// Scratch rows with one value for each of the parallel lines that are solved together.
 struct RowBuffers {
     float* closed;   ///< coefficients below 0, which mark closed places (in a solid)
     float* zeros;    ///< a row of zeros
-    float* link;     ///< coefficient of the link (coupling by viscosity) to the next place
     float* below;    ///< implicit part of the link from the previous place
     float* flux;     ///< flux of momentum from the previous place, by the velocity before the step
     float* to_wall;  ///< implicit part of the link to the wall at the low end
@@ -158,27 +139,32 @@ bool may_hold_interface(const Lines& lines, const RowBuffers& buffers, std::ptrd
     return any_of(any);
 }
 
-/// Coefficients of the links from place r to place r + 1, including links that a wall cuts. `layered`:
-/// whether one of the two may hold an interface.
-void find_links(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r, bool layered,
-                std::span<const CutLink>& cuts) {
+/// The links from a place of each line to the next place: what their coefficients follow from.
+struct LinksToNext {
+    const float *own, *next;  ///< coefficients of both places
+    LinkRows around;          ///< those of the six places around the link, if layers are looked for
+    const float* nearer;      ///< factors of links that a wall cuts; null: none is cut
+    bool holds;               ///< whether a closed place brakes the other one
+    float most;               ///< largest coefficient of a link that no wall cuts
+};
+
+LinksToNext links_from(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r, bool layered) {
     const bool holds = lines.no_slip_at_solids || (lines.through && lines.edge != Edge::periodic);
-    const float* own = coefficients_at(lines, buffers, r);
-    const float* next = lines.coefficient + (r + 1) * lines.row;
-    for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8)
-        store(buffers.link + i, smaller(link(holds, load(own + i), load(next + i)), zero8 + lines.max_link));
-    if (layered) {
-        const LinkRows rows = rows_around(lines, buffers, r);
-        for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8)
-            store(buffers.link + i,
-                  smaller(layered_link(load(buffers.link + i), rows, i), zero8 + lines.max_link));
-    }
-    if (!holds) return;
-    const std::ptrdiff_t first = (r + lines.skipped) * lines.pitch;
-    std::size_t taken = 0;
-    for (; taken < cuts.size() && cuts[taken].at < first + lines.pitch; ++taken)
-        buffers.link[cuts[taken].at - first] *= cuts[taken].nearer;
-    cuts = cuts.subspan(taken);
+    return {.own = coefficients_at(lines, buffers, r),
+            .next = lines.coefficient + (r + 1) * lines.row,
+            .around = layered ? rows_around(lines, buffers, r) : LinkRows{},
+            .nearer = holds && lines.nearer != nullptr ? lines.nearer + r * lines.nearer_row : nullptr,
+            .holds = holds,
+            .most = lines.max_link};
+}
+
+/// Coefficients of eight links to the next place.
+template <bool layered>
+[[gnu::always_inline]] inline Floats8 link_at(const LinksToNext& links, std::ptrdiff_t i) {
+    const Floats8 most = zero8 + links.most;
+    Floats8 result = smaller(link(links.holds, load(links.own + i), load(links.next + i)), most);
+    if constexpr (layered) result = smaller(layered_link(result, links.around, i), most);
+    return links.nearer != nullptr ? result * load(links.nearer + i) : result;
 }
 
 /// Begins the elimination: computes the explicit and implicit parts of the links to the walls at the low end,
@@ -242,7 +228,8 @@ struct ExplicitHalf {
 
 template <bool ring, bool last>
 [[gnu::always_inline]] inline ExplicitHalf explicit_half(const Lines& lines, const RowBuffers& buffers,
-                                                         const PlaceRows& place, std::ptrdiff_t i) {
+                                                         const PlaceRows& place, const Floats8& link,
+                                                         std::ptrdiff_t i) {
     const Floats8 here = load(place.value + i), coefficient = load(place.coefficient + i);
     Floats8 whole, part, to_next;
     if constexpr (last) {
@@ -250,7 +237,7 @@ template <bool ring, bool last>
         part = explicit_part(whole, zero8 + max_explicit_wall_link);
         to_next = part * here;
     } else {
-        whole = load(buffers.link + i);
+        whole = link;
         part = explicit_part(whole, coefficient, load(place.next_coefficient + i));
         to_next = part * (here - load(place.value + lines.row + i));
     }
@@ -265,16 +252,20 @@ template <bool ring, bool last>
 }
 
 /// Does the explicit half at one place of each line, and eliminates it from the system of the implicit half.
-template <bool ring, bool last>
+/// `layered`: whether this place or the next one may hold an interface on some line.
+template <bool ring, bool last, bool layered>
 void eliminate_place(const Lines& lines, const RowBuffers& buffers, const EliminationFactors& left,
                      std::ptrdiff_t r) {
     const auto w = lines.pitch;
     const PlaceRows place = place_at<last>(lines, buffers, r);
+    const LinksToNext links = last ? LinksToNext{} : links_from(lines, buffers, r, layered);
     // No place precedes the first one, so zeros stand for it.
     const float* before = r == 0 ? buffers.zeros : place.value - lines.row;
     const float* low_end = r == 0 ? buffers.to_wall : buffers.zeros;
     for (std::ptrdiff_t i = 0; i < w; i += 8) {
-        const ExplicitHalf half = explicit_half<ring, last>(lines, buffers, place, i);
+        Floats8 to_next = zero8;
+        if constexpr (!last) to_next = link_at<layered>(links, i);
+        const ExplicitHalf half = explicit_half<ring, last>(lines, buffers, place, to_next, i);
         const Floats8 coefficient = load(place.coefficient + i);
         const Floats8 above = last ? zero8 : half.implicit_link;
         Floats8 to_walls = load(low_end + i);
@@ -319,22 +310,33 @@ void add_first(const Lines& lines, const float* first) {
     }
 }
 
+/// Turns a slab whose lines are `line` apart in memory, so that they are adjacent. `width` is their number;
+/// those that fill it up to a multiple of eight are closed.
+void turn_slab(const float* values, const float* coefficients, std::ptrdiff_t line, std::ptrdiff_t width,
+               const Lines& lines, float* turned_values, float* turned_coefficients) {
+    transpose({values, line}, {turned_values, lines.row}, width, lines.count);
+    transpose({coefficients, line}, {turned_coefficients, lines.row}, width, lines.count);
+    for (std::ptrdiff_t r = 0; r < lines.count && width < lines.pitch; ++r)
+        std::fill_n(turned_coefficients + r * lines.row + width, lines.pitch - width, -1.0F);
+}
+
 /// Does the explicit and the implicit half of the step for all lines at once. The tridiagonal systems are
 /// solved by elimination from the low end to the high one, then substitution back.
 template <bool ring>
 void solve(const Lines& lines, const RowBuffers& buffers, const EliminationFactors& left) {
     const auto n = lines.count;
     const auto w = lines.pitch;
-    std::span<const CutLink> cuts = lines.cuts;
     begin<ring>(lines, buffers, left);
     bool layered = may_hold_interface(lines, buffers, 0);
     for (std::ptrdiff_t r = 0; r + 1 < n; ++r) {
         const bool next_layered = may_hold_interface(lines, buffers, r + 1);
-        find_links(lines, buffers, r, layered || next_layered, cuts);
+        if (layered || next_layered)
+            eliminate_place<ring, false, true>(lines, buffers, left, r);
+        else
+            eliminate_place<ring, false, false>(lines, buffers, left, r);
         layered = next_layered;
-        eliminate_place<ring, false>(lines, buffers, left, r);
     }
-    eliminate_place<ring, true>(lines, buffers, left, n - 1);
+    eliminate_place<ring, true, false>(lines, buffers, left, n - 1);
     for (std::ptrdiff_t r = n - 2; r >= 0; --r) {
         float* value = lines.value + r * lines.row;
         float* corner = left.corner + r * w;
@@ -379,103 +381,6 @@ Viscosity::Viscosity(const Lattice& lattice, const Solids* solids, const SolidSh
             find_open_ranges(axis, across);
         }
     }
-}
-
-/// Centre of a face (m).
-vec3 Viscosity::position_of(std::size_t axis, std::size_t at) const {
-    const auto from = static_cast<std::ptrdiff_t>(at) - lattice_.at(-ghosts, -ghosts, -ghosts);
-    const auto [x, y, z] = lattice_.stride;
-    const std::ptrdiff_t i = from % y / x, j = from % z / y, k = from / z;
-    const vec3 cell(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
-    return lattice_.h * (cell - double(ghosts) + face_place(axis));
-}
-
-void Viscosity::find_faces(const SolidShare& solid, std::size_t axis) {
-    const double h = lattice_.h;
-    Samples& on_line = on_lines_[axis];
-    // The ghost cells are set to 0, so that no step can depend on them.
-    on_line = make_samples(lattice_);
-    each_cell(lattice_, [&](int, int, int, std::size_t at) { on_line[at] = solids_->open()[axis][at]; });
-    for (const CutFace& face : solids_->cut_faces(axis)) {
-        const double centre = distance_to_wall(solid, position_of(axis, face.at), h);
-        const double middle = distance_to_wall(solid, face.middle, h);
-        if (centre >= min_way * h && centre >= min_factor * middle)
-            scaled_[axis].push_back({face.at, static_cast<float>(centre / std::max(middle, min_way * h))});
-        else
-            on_line[face.at] = 0;
-    }
-    for (const CutFace& face : solids_->cut_faces(axis))
-        if (!(on_line[face.at] > 0)) dragged_[axis].push_back(dragged_face(solid, axis, face));
-    dragged_speeds_.resize(std::max(dragged_speeds_.size(), dragged_[axis].size()));
-}
-
-/// Describes a cut face that is dragged. Its neighbours' weights are those of a least-squares fit of a
-/// velocity that grows in proportion to the distance from the wall.
-DraggedFace Viscosity::dragged_face(const SolidShare& solid, std::size_t axis, const CutFace& face) const {
-    const double h = lattice_.h;
-    const double middle = distance_to_wall(solid, face.middle, h);
-    DraggedFace result{.at = face.at, .nearer = static_cast<float>(h / std::max(middle, min_way * h))};
-    std::array<double, 6> away{};
-    double squares = 0;
-    for (std::size_t side = 0; side < 6; ++side) {
-        const auto step = static_cast<std::size_t>(lattice_.stride[side / 2]);
-        const auto at = result.from[side] = side % 2 == 0 ? face.at + step : face.at - step;
-        if (on_lines_[axis][at] > 0) away[side] = distance_to_wall(solid, position_of(axis, at), h);
-        squares += away[side] * away[side];
-    }
-    for (std::size_t side = 0; side < 6 && squares > 0; ++side)
-        result.share[side] = static_cast<float>(std::min(middle * away[side] / squares, 1.0));
-    return result;
-}
-
-void Viscosity::find_cuts(const SolidShare& solid, std::size_t axis, std::size_t across) {
-    const auto [beside, outer, pitch] = slabs_along(lattice_, across);
-    const auto at = [&](const Cells& c) { return static_cast<std::size_t>(lattice_.at(c[0], c[1], c[2])); };
-    const auto is_on_line = [&](const Cells& c) { return on_lines_[axis][at(c)] > 0; };
-    Cells low{};
-    for (low[outer] = 0; low[outer] < lattice_.cells[outer]; ++low[outer]) {
-        for (low[across] = 0; low[across] + 1 < lattice_.cells[across]; ++low[across]) {
-            for (low[beside] = 0; low[beside] < lattice_.cells[beside]; ++low[beside]) {
-                Cells high = low;
-                ++high[across];
-                if (is_on_line(low) == is_on_line(high)) continue;
-                const vec3 first = position_of(axis, at(low)), second = position_of(axis, at(high));
-                const double way = is_on_line(low) ? way_to_wall(solid, first, second - first, 2)
-                                                   : way_to_wall(solid, second, first - second, 2);
-                cuts_[axis][across].push_back({low[outer], low[across] * pitch + low[beside],
-                                               static_cast<float>(1 / std::max(way, min_way))});
-            }
-        }
-    }
-}
-
-/// For each slab (layer of parallel lines), finds the range of places along its lines that contains all open
-/// ones, with one closed place at either end.
-void Viscosity::find_open_ranges(std::size_t axis, std::size_t across) {
-    const auto [beside, outer, pitch] = slabs_along(lattice_, across);
-    const int n = lattice_.cells[across];
-    Cells at{};
-    for (at[outer] = 0; at[outer] < lattice_.cells[outer]; ++at[outer]) {
-        int first = n, end = 0;
-        for (at[across] = 0; at[across] < n; ++at[across]) {
-            for (at[beside] = 0; at[beside] < lattice_.cells[beside]; ++at[beside]) {
-                if (!(solids_->open()[axis][static_cast<std::size_t>(lattice_.at(at[0], at[1], at[2]))] > 0))
-                    continue;
-                first = std::min(first, at[across]);
-                end = at[across] + 1;
-            }
-        }
-        CellRange open_range{std::max(first - 1, 0), 0};
-        if (end > 0) open_range.count = std::min(end + 1, n) - open_range.first;
-        if (end > 0 && lattice_.edges[across] == Edge::periodic) open_range = {0, n};
-        open_ranges_[axis][across].push_back(open_range);
-    }
-}
-
-std::span<const CutLink> Viscosity::cuts_of(std::size_t axis, std::size_t across, int slab) const {
-    const auto& cuts = cuts_[axis][across];
-    return {std::ranges::lower_bound(cuts, slab, {}, &CutLink::slab),
-            std::ranges::upper_bound(cuts, slab, {}, &CutLink::slab)};
 }
 
 void Viscosity::diffuse(const ViscousStep& step, std::array<Samples, 3>& velocity) {
@@ -555,36 +460,41 @@ void Viscosity::scale_to_faces(const ViscousStep& step, std::size_t axis, Sample
     for (const ScaledFace& face : scaled_[axis]) u[face.at] /= face.factor;
 }
 
+/// The part of a slab outside of which all is closed.
+Viscosity::OpenRange Viscosity::open_range(std::size_t axis, std::size_t across, int slab) const {
+    if (solids_ != nullptr) return open_ranges_[axis][across][static_cast<std::size_t>(slab)];
+    return {{0, lattice_.cells[across]}, {0, lattice_.cells[slabs_along(lattice_, across).beside]}};
+}
+
 void Viscosity::along(const ViscousStep& step, std::size_t axis, std::size_t across, Samples& u) {
-    const auto [beside, outer, w] = slabs_along(lattice_, across);
+    const auto [beside, outer, pitch] = slabs_along(lattice_, across);
     const auto place = lattice_.stride[across], line = lattice_.stride[beside];
-    const std::ptrdiff_t width = lattice_.cells[beside];
     Lines lines = lines_along(lattice_, step, axis, across);
     const bool ring = lines.edge == Edge::periodic;
     if (ring && lines.count == 1) return;
-    auto& [zeros, link, below, flux, to_wall, ends, firsts] = rows_of_lines_;
-    const RowBuffers buffers{closed_.data(), zeros.data(),   link.data(), below.data(),
+    auto& [zeros, below, flux, to_wall, ends, firsts] = rows_of_lines_;
+    const RowBuffers buffers{closed_.data(), zeros.data(),   below.data(),
                              flux.data(),    to_wall.data(), ends.data()};
-    const EliminationFactors left{upper_.data() + w, corner_.data() + w};
-    // Sets the row before the first place to 0, because slabs (layers of lines) of another width may have
-    // left values in it.
-    for (auto* rows : {&upper_, &corner_}) std::fill_n(rows->data(), w, 0.0F);
+    const auto longest = static_cast<std::ptrdiff_t>(zeros.size());
+    const EliminationFactors left{upper_.data() + longest, corner_.data() + longest};
     for (int o = 0; o < lattice_.cells[outer]; ++o) {
-        if (solids_ != nullptr) {
-            const CellRange open_range = open_ranges_[axis][across][static_cast<std::size_t>(o)];
-            if (open_range.count == 0) continue;
-            lines.skipped = open_range.first;
-            lines.count = open_range.count;
-        }
-        const auto first = lattice_.first + o * lattice_.stride[outer] + lines.skipped * place;
+        const OpenRange open = open_range(axis, across, o);
+        if (open.places.count == 0) continue;
+        const auto first =
+            lattice_.first + o * lattice_.stride[outer] + open.places.first * place + open.lines.first * line;
         float* values = u.data() + first;
         const float* coefficients = face_coefficients_.data() + first;
-        lines.cuts = cuts_of(axis, across, o);
+        const std::ptrdiff_t width = open.lines.count;
+        lines.count = open.places.count;
+        lines.pitch = round_up_to_8(width);
+        if (solids_ != nullptr)
+            lines.nearer = nearer_[axis][across].data() + open.lines.first +
+                           (o * lattice_.cells[across] + open.places.first) * pitch;
         lines.value = line == 1 ? values : value_.data();
         lines.coefficient = line == 1 ? coefficients : coefficient_.data();
         if (line != 1) {
-            transpose({values, line}, {value_.data(), w}, width, lines.count);
-            transpose({coefficients, line}, {coefficient_.data(), w}, width, lines.count);
+            lines.row = lines.pitch;
+            turn_slab(values, coefficients, line, width, lines, value_.data(), coefficient_.data());
         }
         // A uniform line must stay uniform to the bit. Rounding errors would give a flow in layers a velocity
         // across the layers, and even a little of a very viscous layer thickens all the fluid that it enters.
@@ -592,7 +502,7 @@ void Viscosity::along(const ViscousStep& step, std::size_t axis, std::size_t acr
         if (loose) subtract_first(lines, firsts.data());
         ring ? solve<true>(lines, buffers, left) : solve<false>(lines, buffers, left);
         if (loose) add_first(lines, firsts.data());
-        if (line != 1) transpose({value_.data(), w}, {values, line}, lines.count, width);
+        if (line != 1) transpose({value_.data(), lines.row}, {values, line}, lines.count, width);
     }
 }
 

@@ -25,7 +25,6 @@
 // smaller in proportion to its distance from the wall.
 #pragma once
 #include <limits>
-#include <span>
 
 #include "fluid/detail/solids.h"
 
@@ -46,12 +45,17 @@ struct ViscousStep {
     int passes = 1;                 ///< number of passes of equal length into which the step is divided
 };
 
-/// A link (coupling by viscosity) between a place on a line of the solver and a neighbour beyond a wall.
-struct CutLink {
-    int slab{};
-    std::ptrdiff_t at{};  ///< index, in the slab, of the lower of both places
-    float nearer{};       ///< h divided by the distance from the open place to the wall
+/// Layout of slabs. A slab is a layer of parallel lines side by side along x, or along y if the lines run
+/// along x.
+struct Slabs {
+    std::size_t beside, outer;  ///< axis along which lines are adjacent, and axis across the slabs
+    std::ptrdiff_t pitch;       ///< number of lines in a slab, rounded up to a multiple of eight
 };
+
+inline Slabs slabs_along(const Lattice& lattice, std::size_t across) {
+    const std::size_t beside = across == 0 ? 1 : 0;
+    return {beside, 3 - across - beside, round_up_to_8(lattice.cells[beside])};
+}
 
 /// A cut face (one that a solid covers in part) whose velocity the lines of the solver use. It is scaled from
 /// the centre of the open part to the centre of the face.
@@ -80,6 +84,12 @@ public:
     void diffuse(const ViscousStep& step, std::array<Samples, 3>& velocity);
 
 private:
+    /// Ranges of a slab (layer of parallel lines) outside of which all is closed: of places along the lines,
+    /// and of lines, whose first is a multiple of eight.
+    struct OpenRange {
+        CellRange places, lines;
+    };
+
     void component(const ViscousStep& step, std::size_t axis, Samples& u);
     void along(const ViscousStep& step, std::size_t axis, std::size_t across, Samples& u);
 
@@ -93,7 +103,7 @@ private:
     void find_faces(const SolidShare& solid, std::size_t axis);
     void find_cuts(const SolidShare& solid, std::size_t axis, std::size_t across);
     void find_open_ranges(std::size_t axis, std::size_t across);
-    std::span<const CutLink> cuts_of(std::size_t axis, std::size_t across, int slab) const;
+    OpenRange open_range(std::size_t axis, std::size_t across, int slab) const;
 
     Lattice lattice_;
     const Solids* solids_;
@@ -103,17 +113,17 @@ private:
     std::array<std::vector<ScaledFace>, 3> scaled_;
     std::array<std::vector<DraggedFace>, 3> dragged_;
     std::vector<float> dragged_speeds_;  ///< velocities of the dragged faces
-    /// Links that a wall cuts, by component and direction, sorted by slab (layer of parallel lines).
-    std::array<std::array<std::vector<CutLink>, 3>, 3> cuts_;
-    /// Range of the places that are not in solids, by component, direction and slab (layer of parallel
-    /// lines).
-    std::array<std::array<std::vector<CellRange>, 3>, 3> open_ranges_;
+    /// h divided by the distance from an open place to the wall, for each link that a wall cuts, by component
+    /// and direction, [slab][place][line]; 1 for the others. The link joins the place to the next one. Empty
+    /// if there are no solids.
+    std::array<std::array<std::vector<float>, 3>, 3> nearer_;
+    std::array<std::array<std::vector<OpenRange>, 3>, 3> open_ranges_;  ///< by component, direction and slab
     Samples face_coefficients_;  ///< dt nu / (passes h^2) at each face; below 0 on closed faces
     // Arrays of parallel lines, [place along a line][line]. Lines along x need all four; others only upper_
-    // and corner_.
+    // and corner_, which begin with a row of zeros.
     std::vector<float> value_, coefficient_, upper_, corner_;
     // Scratch memory: rows with one value for each of the parallel lines that are solved together.
-    std::array<std::vector<float>, 7> rows_of_lines_;
+    std::array<std::vector<float>, 6> rows_of_lines_;
     std::vector<float> closed_;
 };
 
