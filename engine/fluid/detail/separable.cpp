@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "core/maths.h"
+#include "fluid/detail/part_of_row.h"
 #include "fluid/detail/transpose.h"
 #include "fluid/floats8.h"
 
@@ -111,6 +112,9 @@ void fold_waves(const std::vector<SampledWave>& columns, const CellRange& places
 /// Number of columns of an array that are transformed together, so that vector instructions are used fully.
 constexpr std::ptrdiff_t wide = 16;
 
+/// The least multiple of `wide` that is >= n.
+std::ptrdiff_t whole_blocks(std::ptrdiff_t n) { return (n + wide - 1) / wide * wide; }
+
 /// out[r] = sum over d of matrix[d][r] in[d], for `rows` values of r at once; every row has `wide`
 /// values.
 template <int rows>
@@ -159,14 +163,23 @@ struct RowBlock {
 /// faster.
 template <bool whole>
 inline void load_row(const RowBlock& rows, int row, Floats8* to) {
-    if constexpr (!whole) to[0] = to[1] = Floats8{};
-    std::memcpy(to, rows.first + row * rows.pitch, sizeof(float) * (whole ? std::size_t{wide} : rows.width));
+    const float* from = rows.first + row * rows.pitch;
+    if constexpr (whole) {
+        std::memcpy(to, from, sizeof(float) * wide);
+    } else {
+        to[0] = to[1] = zero8;
+        copy_part(from, to, rows.width);
+    }
 }
 
 template <bool whole>
 inline void store_row(const RowBlock& rows, int row, const Floats8* from) {
-    std::memcpy(rows.first + row * rows.pitch, from,
-                sizeof(float) * (whole ? std::size_t{wide} : rows.width));
+    float* to = rows.first + row * rows.pitch;
+    if constexpr (whole) {
+        std::memcpy(to, from, sizeof(float) * wide);
+    } else {
+        copy_part(from, to, rows.width);
+    }
 }
 
 /// Replaces each place and its mirror image by their sum and their difference.
@@ -203,12 +216,12 @@ struct DenseTransform {
     const std::vector<std::vector<float>>& matrices;
 };
 
-template <TransformDirection direction, bool whole>
+template <TransformDirection direction, bool from_whole, bool to_whole>
 void change_columns(const DenseTransform& by, const RowBlock& from, const RowBlock& to) {
     const Waves& waves = by.waves;
     Floats8 given[2 * max_cells];
     Floats8 found[2 * max_cells];
-    for (int i = 0; i < waves.count; ++i) load_row<whole>(from, i, given + 2 * i);
+    for (int i = 0; i < waves.count; ++i) load_row<from_whole>(from, i, given + 2 * i);
     if constexpr (direction != TransformDirection::from_waves)
         for (const CellRange& places : waves.folds) fold(places, given);
     for (std::size_t d = 0; d < waves.dense.size(); ++d) {
@@ -218,18 +231,34 @@ void change_columns(const DenseTransform& by, const RowBlock& from, const RowBlo
     if constexpr (direction != TransformDirection::to_waves)
         for (auto places = waves.folds.rbegin(); places != waves.folds.rend(); ++places)
             unfold(*places, found);
-    for (int i = 0; i < waves.count; ++i) store_row<whole>(to, i, found + 2 * i);
+    for (int i = 0; i < waves.count; ++i) store_row<to_whole>(to, i, found + 2 * i);
 }
 
-/// Transforms each column of from[count][width], that is, along its outer index; `to` may be the same array.
+/// Arrays of columns side by side, whose rows are `pitch` apart in memory.
+struct Columns {
+    float* first;
+    std::ptrdiff_t pitch;
+};
+
+/// Transforms each of `width` columns, that is, along the outer index; `to` may be the same array. Rows whose
+/// pitch leaves room for whole blocks of columns are read and written to the end of the last block, which is
+/// faster.
 template <TransformDirection direction>
-void change(const DenseTransform& by, float* from, float* to, std::ptrdiff_t width) {
+void change(const DenseTransform& by, const Columns& from, const Columns& to, std::ptrdiff_t width) {
     std::ptrdiff_t c = 0;
     for (; c + wide <= width; c += wide)
-        change_columns<direction, true>(by, {from + c, width, wide}, {to + c, width, wide});
+        change_columns<direction, true, true>(by, {from.first + c, from.pitch, wide},
+                                              {to.first + c, to.pitch, wide});
     if (c == width) return;
     const auto left = static_cast<std::size_t>(width - c);
-    change_columns<direction, false>(by, {from + c, width, left}, {to + c, width, left});
+    const RowBlock in{from.first + c, from.pitch, left}, out{to.first + c, to.pitch, left};
+    const bool from_whole = from.pitch >= c + wide, to_whole = to.pitch >= c + wide;
+    if (from_whole)
+        change_columns<direction, true, false>(by, in, out);
+    else if (to_whole)
+        change_columns<direction, false, true>(by, in, out);
+    else
+        change_columns<direction, false, false>(by, in, out);
 }
 
 /// Solution of a Poisson equation for each product of three waves: a factor scale / ((along + outer) +
@@ -323,7 +352,7 @@ double laplace_symbol(double angle, int order) {
 
 PressureSolver::PressureSolver(const Lattice& lattice, int order)
     : scale_(static_cast<float>(-lattice.h * lattice.h)),
-      scratch_(static_cast<std::size_t>(lattice.cells[0]) * static_cast<std::size_t>(lattice.cells[1])) {
+      scratch_(static_cast<std::size_t>(lattice.cells[0] * whole_blocks(lattice.cells[1]))) {
     std::array<std::vector<float>, 3> symbols;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         waves_[axis] = make_waves(lattice.cells[axis], lattice.edges[axis], GhostRule::even);
@@ -343,21 +372,21 @@ void PressureSolver::solve(std::span<float> field) {
     const std::ptrdiff_t nx = waves_[0].count;
     const std::ptrdiff_t ny = waves_[1].count;
     const std::ptrdiff_t nz = waves_[2].count;
-    const std::ptrdiff_t plane = nx * ny;
+    const std::ptrdiff_t plane = nx * ny, pitch = whole_blocks(ny);
     float* values = field.data();
-    float* turned = scratch_.data();
+    const Columns turned{scratch_.data(), pitch};
     for (std::ptrdiff_t k = 0; k < nz; ++k) {
         float* here = values + k * plane;
-        change<TransformDirection::to_waves>(forth(waves_[1]), here, here, nx);
-        transpose({here, nx}, {turned, ny}, ny, nx);
-        change<TransformDirection::to_waves>(forth(waves_[0]), turned, here, ny);
+        change<TransformDirection::to_waves>(forth(waves_[1]), {here, nx}, {here, nx}, nx);
+        transpose({here, nx}, {turned.first, pitch}, ny, nx);
+        change<TransformDirection::to_waves>(forth(waves_[0]), turned, {here, ny}, ny);
     }
     divide(waves_[2], {scale_, along_z_.data(), by_x_.data(), by_y_.data()}, values, plane);
     for (std::ptrdiff_t k = 0; k < nz; ++k) {
         float* here = values + k * plane;
-        change<TransformDirection::from_waves>(back(waves_[0]), here, turned, ny);
-        transpose({turned, ny}, {here, nx}, nx, ny);
-        change<TransformDirection::from_waves>(back(waves_[1]), here, here, nx);
+        change<TransformDirection::from_waves>(back(waves_[0]), {here, ny}, turned, ny);
+        transpose({turned.first, pitch}, {here, nx}, nx, ny);
+        change<TransformDirection::from_waves>(back(waves_[1]), {here, nx}, {here, nx}, nx);
     }
 }
 
@@ -384,25 +413,35 @@ void Diffusion::diffuse(double part, double lid, std::array<Samples, 3>& velocit
     // The linear profile of a moving wall's steady flow is subtracted, because diffusion does not
     // change it.
     if (lid != 0) add_carried(-1);
-    for (std::size_t axis = 0; axis < 3; ++axis) component(part, waves_[axis], velocity[axis]);
+    if (part != part_) make_matrices(part);
+    for (std::size_t axis = 0; axis < 3; ++axis) component(waves_[axis], matrices_[axis], velocity[axis]);
     if (lid != 0) add_carried(1);
 }
 
-void Diffusion::component(double part, const std::array<Waves, 3>& waves, Samples& u) {
-    std::array<std::vector<std::vector<float>>, 3> matrices;
-    std::vector<DenseTransform> tables;
+void Diffusion::make_matrices(double part) {
+    part_ = part;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        std::vector<double> factor;
-        for (const double angle : waves[axis].angle)
-            factor.push_back(det::exp(-part * laplace_symbol(angle, order_)));
-        for (std::size_t d = 0; d < waves[axis].dense.size(); ++d) {
-            const CellRange& places = waves[axis].dense[d];
-            matrices[axis].push_back(damped(
-                waves[axis].exact[d], std::span(factor).subspan(static_cast<std::size_t>(places.first),
-                                                                static_cast<std::size_t>(places.count))));
+        for (std::size_t across = 0; across < 3; ++across) {
+            const Waves& waves = waves_[axis][across];
+            std::vector<double> factor;
+            for (const double angle : waves.angle)
+                factor.push_back(det::exp(-part * laplace_symbol(angle, order_)));
+            auto& matrices = matrices_[axis][across];
+            matrices.clear();
+            for (std::size_t d = 0; d < waves.dense.size(); ++d) {
+                const CellRange& places = waves.dense[d];
+                matrices.push_back(damped(waves.exact[d],
+                                          std::span(factor).subspan(static_cast<std::size_t>(places.first),
+                                                                    static_cast<std::size_t>(places.count))));
+            }
         }
-        tables.push_back({waves[axis], matrices[axis]});
     }
+}
+
+void Diffusion::component(const std::array<Waves, 3>& waves, const std::array<Matrices, 3>& matrices,
+                          Samples& u) {
+    const std::array<DenseTransform, 3> tables{
+        {{waves[0], matrices[0]}, {waves[1], matrices[1]}, {waves[2], matrices[2]}}};
     const std::ptrdiff_t nx = waves[0].count;
     const std::ptrdiff_t ny = waves[1].count;
     const std::ptrdiff_t nz = waves[2].count;
@@ -416,12 +455,12 @@ void Diffusion::component(double part, const std::array<Waves, 3>& waves, Sample
     for (std::ptrdiff_t k = 0; k < nz; ++k) {
         float* here = values + k * plane;
         for (std::ptrdiff_t j = 0; j < ny; ++j) std::copy_n(row_of(j, k), nx, here + j * nx);
-        change<TransformDirection::through>(tables[1], here, here, nx);
+        change<TransformDirection::through>(tables[1], {here, nx}, {here, nx}, nx);
         transpose({here, nx}, {turned, ny}, ny, nx);
-        change<TransformDirection::through>(tables[0], turned, turned, ny);
+        change<TransformDirection::through>(tables[0], {turned, ny}, {turned, ny}, ny);
         transpose({turned, ny}, {here, nx}, nx, ny);
     }
-    change<TransformDirection::through>(tables[2], values, values, plane);
+    change<TransformDirection::through>(tables[2], {values, plane}, {values, plane}, plane);
     for (std::ptrdiff_t k = 0; k < nz; ++k)
         for (std::ptrdiff_t j = 0; j < ny; ++j) std::copy_n(values + k * plane + j * nx, nx, row_of(j, k));
 }

@@ -72,16 +72,24 @@ private:
 class Diffusion {
 public:
     Diffusion(const Lattice& lattice, int order);
-    /// Diffuses a velocity. `part` is nu dt / h^2, >= 0. `lid` is Settings::lid; if it is not 0, the
-    /// edges across x and z must not be no-slip. The ghosts of the velocity are not changed.
+    /// Diffuses a velocity. `part` is nu dt / h^2, >= 0. `lid` is Settings::lid; if it is not 0, the edges
+    /// across x and z must not be no-slip. The ghosts of the velocity are not changed. Allocates memory if
+    /// `part` is another than in the last call.
     void diffuse(double part, double lid, std::array<Samples, 3>& velocity);
 
 private:
-    void component(double part, const std::array<Waves, 3>& waves, Samples& u);
+    using Matrices =
+        std::vector<std::vector<float>>;  ///< one for each dense range of the waves along an axis
+
+    void make_matrices(double part);
+    void component(const std::array<Waves, 3>& waves, const std::array<Matrices, 3>& matrices, Samples& u);
 
     Lattice lattice_;
     int order_;
     std::array<std::array<Waves, 3>, 3> waves_;  ///< waves of each component along each axis
+    /// Transforms to waves that decay by part_ and back, of each component along each axis.
+    std::array<std::array<Matrices, 3>, 3> matrices_;
+    double part_ = -1;  ///< value of `part` for which matrices_ are made; -1: none yet
     std::vector<float> packed_, turned_;
 };
 

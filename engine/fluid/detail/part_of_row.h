@@ -1,0 +1,39 @@
+// fluid/detail/part_of_row.h: copies of a few values at the end of a row, whose number the compiler does not
+// know. It would make each of them a call of a function, which takes longer than the copy.
+#pragma once
+#include <cstddef>
+#include <cstring>
+
+#include "fluid/floats8.h"
+
+namespace thaum::fluid {
+
+/// Copies `number` values if `count` has that bit, and moves both addresses on.
+template <std::size_t number>
+inline void copy_bit(const std::byte*& from, std::byte*& to, std::size_t count) {
+    if ((count & number) == 0) return;
+    std::memcpy(to, from, number * sizeof(float));
+    from += number * sizeof(float);
+    to += number * sizeof(float);
+}
+
+/// Copies `count` floats, fewer than 16.
+inline void copy_part(const void* from, void* to, std::size_t count) {
+    const auto* in = static_cast<const std::byte*>(from);
+    auto* out = static_cast<std::byte*>(to);
+    copy_bit<8>(in, out, count);
+    copy_bit<4>(in, out, count);
+    copy_bit<2>(in, out, count);
+    copy_bit<1>(in, out, count);
+}
+
+/// Writes those of eight values that lie within a row of which `left` samples are left.
+inline void store_within_row(float* to, const Floats8& values, std::ptrdiff_t left) {
+    if (left >= 8) {
+        store(to, values);
+    } else {
+        copy_part(&values, to, static_cast<std::size_t>(left));
+    }
+}
+
+}  // namespace thaum::fluid
