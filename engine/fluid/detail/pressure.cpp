@@ -1,17 +1,18 @@
 #include "fluid/detail/pressure.h"
 
-#include "fluid/detail/independent_iterations.h"
+#include "fluid/detail/part_of_row.h"
+#include "fluid/floats8.h"
 
 namespace thaum::fluid {
 namespace {
 
 /// Difference across one cell along the stride `s`; it approximates h times the derivative.
 template <bool fourth>
-inline float difference(const float* u, std::ptrdiff_t i, std::ptrdiff_t s) {
+inline Floats8 difference(const float* u, std::ptrdiff_t s) {
     if constexpr (fourth)
-        return 1.125F * (u[i + s] - u[i]) - (1.0F / 24) * (u[i + 2 * s] - u[i - s]);
+        return 1.125F * (load(u + s) - load(u)) - (1.0F / 24) * (load(u + 2 * s) - load(u - s));
     else
-        return u[i + s] - u[i];
+        return load(u + s) - load(u);
 }
 
 template <bool fourth>
@@ -25,10 +26,11 @@ void divergence_of(const Lattice& lattice, const std::array<Samples, 3>& velocit
             const float* u = velocity[0].data() + at;
             const float* v = velocity[1].data() + at;
             const float* w = velocity[2].data() + at;
-            THAUM_INDEPENDENT_ITERATIONS
-            for (std::ptrdiff_t i = 0; i < nx; ++i)
-                out[i] = per_h * (difference<fourth>(u, i, x) +
-                                  (difference<fourth>(v, i, y) + difference<fourth>(w, i, z)));
+            for (std::ptrdiff_t i = 0; i < nx; i += 8)
+                store_within_row(out + i,
+                                 per_h * (difference<fourth>(u + i, x) +
+                                          (difference<fourth>(v + i, y) + difference<fourth>(w + i, z))),
+                                 nx - i);
             out += nx;
         }
     }
@@ -42,8 +44,9 @@ void subtract_gradient_of(const Rows& rows, const Samples& potential, std::array
             const auto s = rows.lattice.stride[axis];
             const float* before = potential.data() + row.at - s;
             float* u = velocity[axis].data() + row.at;
-            THAUM_INDEPENDENT_ITERATIONS
-            for (std::ptrdiff_t i = 0; i < row.count; ++i) u[i] -= per_h * difference<fourth>(before, i, s);
+            for (std::ptrdiff_t i = 0; i < row.count; i += 8)
+                store_within_row(u + i, load(u + i) - per_h * difference<fourth>(before + i, s),
+                                 row.count - i);
         }
     });
 }

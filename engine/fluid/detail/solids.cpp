@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fluid/detail/independent_iterations.h"
+#include "fluid/detail/part_of_row.h"
 #include "fluid/detail/sums.h"
 #include "fluid/floats8.h"
 #include "fluid/ghosts.h"
@@ -33,8 +34,8 @@ void add(const Rows& rows, Samples& to, double part, const Samples& from) {
     each_row(rows, [&](Row row) {
         float* x = to.data() + row.at;
         const float* y = from.data() + row.at;
-        THAUM_INDEPENDENT_ITERATIONS
-        for (std::ptrdiff_t i = 0; i < row.count; ++i) x[i] += factor * y[i];
+        for (std::ptrdiff_t i = 0; i < row.count; i += 8)
+            store_within_row(x + i, load(x + i) + factor * load(y + i), row.count - i);
     });
 }
 

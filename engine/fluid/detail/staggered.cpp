@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "fluid/detail/buoyancy.h"
-#include "fluid/detail/independent_iterations.h"
+#include "fluid/detail/part_of_row.h"
 #include "fluid/detail/pressure.h"
 #include "fluid/detail/sums.h"
 #include "fluid/floats8.h"
@@ -155,8 +155,9 @@ void StaggeredSolver::gather_forces(const Settings& settings, const State& state
         if (!state.pushed) continue;
         const float* push = state.push[axis].data();
         each_row(pushed_rows_[axis], [&](Row row) {
-            for (std::ptrdiff_t i = row.at; i < row.at + row.count; ++i)
-                force_[axis][static_cast<std::size_t>(i)] = factor * push[i];
+            for (std::ptrdiff_t i = 0; i < row.count; i += 8)
+                store_within_row(force_[axis].data() + row.at + i, factor * load(push + row.at + i),
+                                 row.count - i);
         });
     }
     add_buoyancy(settings, state);
@@ -168,13 +169,12 @@ void StaggeredSolver::gather_forces(const Settings& settings, const State& state
 void StaggeredSolver::mix_property(const Settings& settings, const State& state, double base,
                                    double Substance::*part) {
     each_row(rows_, [&](Row row) {
-        float* to = mixed_property_.data() + row.at;
-        std::fill_n(to, row.count, static_cast<float>(base));
-        for (std::size_t s = 0; s < state.substances.size(); ++s) {
-            const auto factor = static_cast<float>(settings.substances[s].*part);
-            const float* density = state.substances[s].data() + row.at;
-            THAUM_INDEPENDENT_ITERATIONS
-            for (std::ptrdiff_t i = 0; i < row.count; ++i) to[i] += factor * density[i];
+        for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8) {
+            Floats8 sum = zero8 + static_cast<float>(base);
+            for (std::size_t s = 0; s < state.substances.size(); ++s)
+                sum +=
+                    static_cast<float>(settings.substances[s].*part) * load(state.substances[s].data() + i);
+            store(mixed_property_.data() + i, sum);
         }
     });
     fill_ghosts(rows_, all_even, mixed_property_);
