@@ -1,7 +1,8 @@
 #include "fluid/ghosts.h"
 
 #include <algorithm>
-#include <cstring>
+
+#include "fluid/floats8.h"
 
 namespace thaum::fluid {
 namespace {
@@ -61,13 +62,14 @@ Mirrors mirrors(int n, Edge edge, GhostRule rule, int depth) {
     return wall_mirrors(n, rule == GhostRule::even ? 1.0F : -1.0F, depth);
 }
 
+/// Copies a whole row or plane, whose length is a multiple of eight, times a factor. Rows are too short for
+/// calls of functions that copy or clear memory.
 void copy_scaled(const float* from, float* to, std::ptrdiff_t count, float factor) {
     if (factor == 1) {
-        if (to != from) std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(float));
-    } else if (factor == 0) {
-        std::fill_n(to, count, 0.0F);
+        if (to != from) copy_by_8(from, to, count);
     } else {
-        for (std::ptrdiff_t i = 0; i < count; ++i) to[i] = factor * from[i];
+        for (std::ptrdiff_t i = 0; i < count; i += 8)
+            store(to + i, factor == 0 ? zero8 : factor * load(from + i));
     }
 }
 
@@ -76,6 +78,28 @@ void fill_row(const Lattice& lattice, const Mirrors& all, float* row) {
     // set to 0.
     for (const Mirror& m : all) row[m.to] = m.factor == 0 ? 0 : m.factor * row[m.from];
     for (std::ptrdiff_t i = lattice.cells[0] + ghosts; i < round_up_to_8(lattice.cells[0]); ++i) row[i] = 0;
+}
+
+/// Fills the ghosts at both ends of a row between walls, which has more cells than ghosts.
+[[gnu::always_inline]] inline void fill_ends(const Lattice& lattice, GhostRule rule, int depth, float* row) {
+    const std::ptrdiff_t n = lattice.cells[0];
+    float* const end = row + n;
+    if (rule == GhostRule::through_wall) {
+        row[0] = end[0] = 0;
+        for (int layer = 1; layer <= depth; ++layer) row[-layer] = -row[layer];
+        for (int layer = 1; layer <= std::min(depth, ghosts - 1); ++layer) end[layer] = -end[-layer];
+    } else {
+        const float factor = rule == GhostRule::even ? 1.0F : -1.0F;
+        for (int layer = 1; layer <= depth; ++layer) {
+            row[-layer] = factor * row[layer - 1];
+            end[layer - 1] = factor * end[-layer];
+        }
+    }
+    for (std::ptrdiff_t i = n + ghosts; i < round_up_to_8(n); ++i) row[i] = 0;
+}
+
+bool has_simple_ends(const Lattice& lattice) {
+    return lattice.edges[0] != Edge::periodic && lattice.cells[0] > ghosts;
 }
 
 void fill_x(const Lattice& lattice, const Mirrors& all, float* cells) {
@@ -141,6 +165,9 @@ void fill_z(const Rows& rows, const Mirrors& all, float* cells) {
 }  // namespace
 
 void fill_ghosts_across(const Lattice& lattice, std::size_t axis, GhostRule rule, Samples& samples) {
+    if (axis == 0 && has_simple_ends(lattice))
+        return each_row(lattice,
+                        [&](std::ptrdiff_t at) { fill_ends(lattice, rule, ghosts, samples.data() + at); });
     constexpr std::array<void (*)(const Lattice&, const Mirrors&, float*), 3> fill{fill_x, fill_y, fill_z};
     fill[axis](lattice, mirrors(lattice.cells[axis], lattice.edges[axis], rule, ghosts), samples.data());
 }
@@ -148,6 +175,11 @@ void fill_ghosts_across(const Lattice& lattice, std::size_t axis, GhostRule rule
 void fill_ghosts_across(const Rows& rows, std::size_t axis, GhostRule rule, Samples& samples, int depth) {
     const Lattice& lattice = rows.lattice;
     if (rows.complete) return fill_ghosts_across(lattice, axis, rule, samples);
+    if (axis == 0 && has_simple_ends(lattice)) {
+        for (const std::ptrdiff_t at : rows.rows_near_sides)
+            fill_ends(lattice, rule, depth, samples.data() + at);
+        return;
+    }
     constexpr std::array<void (*)(const Rows&, const Mirrors&, float*), 3> fill{fill_x, fill_y, fill_z};
     fill[axis](rows, mirrors(lattice.cells[axis], lattice.edges[axis], rule, depth), samples.data());
 }
