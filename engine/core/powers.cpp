@@ -1,8 +1,12 @@
-// core/powers.cpp: exp, log and pow of core/maths.h.
+// core/powers.cpp: exp, log and pow of core/maths.h, and exp of core/exp8.h.
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
 #include "core/detail/double2.h"
+#include "core/doubles4.h"
+#include "core/exp8.h"
 #include "core/maths.h"
 
 namespace thaum::det {
@@ -92,6 +96,32 @@ double exp(double x) {
     double sum = 0;
     for (int n = 14; n >= 2; --n) sum = (1.0 + sum) * r / static_cast<double>(n);
     return std::ldexp(1.0 + (r + r * sum), static_cast<int>(k));
+}
+
+std::array<double, 8> exp8(const std::array<double, 8>& x) {
+    constexpr double largest = 700;  // 2^k is a normal number up to here
+    const bool is_usual = std::ranges::all_of(x, [](double one) { return std::abs(one) <= largest; });
+    std::array<double, 8> result{};
+    if (!is_usual) {
+        std::ranges::transform(x, result.begin(), [](double one) { return exp(one); });
+        return result;
+    }
+    constexpr double whole = 0x1.8p52;  // adding and subtracting it rounds to an integer
+    std::array<Doubles4, 2> k, r, sum{};
+    for (std::size_t h = 0; h < 2; ++h) {
+        const auto four = four_at<Doubles4>(&x[4 * h]);
+        const Doubles4 shifted = four / (ln2_high + ln2_low) + 0.5, rounded = (shifted + whole) - whole;
+        k[h] = rounded > shifted ? rounded - 1.0 : rounded;
+        r[h] = (four - k[h] * ln2_high) - k[h] * ln2_low;
+    }
+    for (int n = 14; n >= 2; --n)
+        for (std::size_t h = 0; h < 2; ++h) sum[h] = (1.0 + sum[h]) * r[h] / static_cast<double>(n);
+    for (std::size_t h = 0; h < 2; ++h) {
+        const auto exponent = (std::bit_cast<Integers4>(k[h] + whole) + 1023) << 52;
+        const Doubles4 four = (1.0 + (r[h] + r[h] * sum[h])) * std::bit_cast<Doubles4>(exponent);
+        put_four(&result[4 * h], four);
+    }
+    return result;
 }
 
 double log(double x) {

@@ -5,11 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <vector>
 
+#include "core/exp8.h"
 #include "core/random.h"
 #include "core/sin_cos.h"
 
@@ -143,6 +146,22 @@ TEST(MathsAccuracy, SineAndCosineTogetherAreTheSameBits) {
         const auto [sine, cosine] = det::sin_cos(x);
         ASSERT_EQ(sine, det::sin(x)) << x;
         ASSERT_EQ(cosine, det::cos(x)) << x;
+    }
+}
+
+TEST(MathsAccuracy, ExpOfEightIsTheSameBits) {
+    // Within -700 to 700, at its ends, beyond them, and with one number of eight beyond them.
+    Random random = random_stream(8, 1);
+    for (int n = 0; n < 20'000; ++n) {
+        const double reach = n % 4 == 0 ? 1 : n % 4 == 1 ? 30 : n % 4 == 2 ? 700 : 1500;
+        std::array<double, 8> x{};
+        for (double& one : x) one = random.uniform(-reach, reach);
+        if (n % 16 == 0) x = {0, -0.0, 700, -700, 0.5 * std::log(2), -1e-300, 1e-18, 1};
+        if (n % 16 == 8) x[3] = n % 32 == 8 ? std::nan("") : HUGE_VAL;
+        const auto eight = det::exp8(x);
+        for (std::size_t i = 0; i < 8; ++i)
+            ASSERT_EQ(std::bit_cast<std::uint64_t>(eight[i]), std::bit_cast<std::uint64_t>(det::exp(x[i])))
+                << x[i];
     }
 }
 

@@ -1,7 +1,12 @@
 #include "field/detail/carving_extent.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <span>
+
+#include "core/doubles4.h"
+#include "core/exp8.h"
 
 namespace thaum::field {
 namespace {
@@ -82,15 +87,13 @@ double stamp_weight(const Footprint& f, vec3 local) {
 
 using BrickAxis = std::array<double, brick_size>;
 
-/// Values of `function` for the distance from the shape's centre along each axis, one for each row of voxels
-/// of a part.
-template <class Function>
-std::array<BrickAxis, 3> along_axes(const Footprint& f, const VoxelBox& part, Function function) {
+/// Distances from the shape's centre along each axis, one for each row of voxels of a part; 0 beyond it.
+std::array<BrickAxis, 3> along_axes(const Footprint& f, const VoxelBox& part) {
     std::array<BrickAxis, 3> axes{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const int a = static_cast<int>(axis), first = part.low[axis];
         for (int i = first; i < part.high[axis]; ++i)
-            axes[axis][static_cast<std::size_t>(i - first)] = function((i - f.centre[a]) * f.step[a]);
+            axes[axis][static_cast<std::size_t>(i - first)] = (i - f.centre[a]) * f.step[a];
     }
     return axes;
 }
@@ -103,36 +106,28 @@ std::size_t combine(const std::array<BrickAxis, 3>& axes, const VoxelBox& part, 
     const auto size = [&](std::size_t axis) {
         return static_cast<std::size_t>(part.high[axis] - part.low[axis]);
     };
+    const std::size_t width = size(0);
     std::size_t at = 0;
     for (std::size_t k = 0; k < size(2); ++k) {
-        for (std::size_t j = 0; j < size(1); ++j) {
-            for (std::size_t i = 0; i < size(0); ++i)
-                weights[at++] = weight(axes[0][i], axes[1][j], axes[2][k]);
+        for (std::size_t j = 0; j < size(1); ++j, at += brick_size) {
+            for (std::size_t i = 0; i < brick_size; ++i)
+                weights[at + i] = i < width ? weight(axes[0][i], axes[1][j], axes[2][k]) : 0;
         }
     }
     return at;
 }
 
-/// Taylor series of exp(r) up to the power Last, in Horner's form. A template, so that the loop is unrolled
-/// before the compiler vectorises over voxels.
-template <int Power, int Last>
-double series(double r) {
-    if constexpr (Power > Last) {
-        return 1;
-    } else {
-        return 1 + r * (1.0 / Power) * series<Power + 1, Last>(r);
-    }
-}
-
-/// exp(x) for -max_amount <= x <= 0, without branches: x = n log 2 + r.
-double falling_exp(double x) {
+/// exp(x) for -max_amount <= x <= 0: x = n log 2 + r, and a Taylor series in Horner's form for exp(r).
+Doubles4 falling_exp(const Doubles4& x) {
     constexpr double log_2_high = 0x1.62e42fee00000p-1, log_2_low = 0x1.a39ef35793c76p-33;
     constexpr double per_log_2 = 1.4426950408889634,
                      whole = 0x1.8p52;  // adding and subtracting `whole` rounds to an integer
-    const double rounded = x * per_log_2 + whole, n = rounded - whole;
-    const double r = (x - n * log_2_high) - n * log_2_low;
-    const auto exponent = (std::bit_cast<std::uint64_t>(rounded) + 1023U) << 52U;
-    return series<1, 11>(r) * std::bit_cast<double>(exponent);
+    const Doubles4 rounded = x * per_log_2 + whole, n = rounded - whole;
+    const Doubles4 r = (x - n * log_2_high) - n * log_2_low;
+    Doubles4 series = 1.0 + r * (1.0 / 11);
+    for (int power = 10; power >= 1; --power) series = 1.0 + r * (1.0 / power) * series;
+    const auto exponent = (std::bit_cast<Integers4>(rounded) + 1023) << 52;
+    return series * std::bit_cast<Doubles4>(exponent);
 }
 
 }  // namespace
@@ -165,29 +160,40 @@ Footprint plate_of(const VoxelView& body, const Extent& extent, vec3 place, vec3
 }
 
 std::size_t weigh(const Footprint& f, const VoxelBox& part, PartWeights& weights) {
+    auto axes = along_axes(f, part);
     if (f.shape == ExtentShape::gaussian) {
         const double rim = det::exp(-bell_exponent), scale = 1 / (1 - rim);
-        const auto bells = along_axes(
-            f, part, [&](double d) { return det::exp(-bell_exponent * (d / f.half.x) * (d / f.half.x)); });
-        return combine(bells, part, weights, [&](double x, double y, double z) {
+        for (BrickAxis& axis : axes) {
+            for (double& d : axis) d = -bell_exponent * (d / f.half.x) * (d / f.half.x);
+            axis = det::exp8(axis);
+        }
+        return combine(axes, part, weights, [&](double x, double y, double z) {
             return std::max(0.0, (x * y * z - rim) * scale);
         });
     }
     if (f.shape == ExtentShape::sphere) {
-        const auto squares = along_axes(f, part, [](double d) { return d * d; });
-        return combine(squares, part, weights, [&](double x, double y, double z) {
+        for (BrickAxis& axis : axes) {
+            for (double& d : axis) d = d * d;
+        }
+        return combine(axes, part, weights, [&](double x, double y, double z) {
             return coverage(f.half.x - std::sqrt(x + y + z), f.rim);
         });
     }
-    const auto distances = along_axes(f, part, [](double d) { return d; });
-    return combine(distances, part, weights, [&](double x, double y, double z) {
+    return combine(axes, part, weights, [&](double x, double y, double z) {
         const vec3 local = vec3(x, y, z) * f.turn;  // multiplies by the transpose: body frame to tool frame
         return f.shape == ExtentShape::stamp ? stamp_weight(f, local) : box_weight(f, local);
     });
 }
 
 void to_shares(double amount, std::size_t count, PartWeights& weights) {
-    for (std::size_t i = 0; i < count; ++i) weights[i] = 1 - falling_exp(-amount * weights[i]);
+    for (std::size_t at = 0; at < count; at += brick_size) {
+        const auto row = std::span(weights).subspan(at).first<brick_size>();
+        if (std::ranges::all_of(row, [](double weight) { return weight == 0; })) continue;
+        for (std::size_t half = 0; half < brick_size; half += 4) {
+            const auto four = four_at<Doubles4>(&row[half]);
+            put_four(&row[half], 1.0 - falling_exp(-amount * four));
+        }
+    }
 }
 
 }  // namespace thaum::field

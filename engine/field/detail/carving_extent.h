@@ -35,7 +35,8 @@ Footprint footprint_of(const VoxelView& body, const Extent& extent, vec3 place, 
 /// its y axis as near to the tool's y axis as that allows. Without motion it is a box.
 Footprint plate_of(const VoxelView& body, const Extent& extent, vec3 place, vec3 motion, const mat3& turn);
 
-/// A number for each voxel of a part of at most 8 x 8 x 8 voxels, x fastest.
+/// A number for each voxel of a part of at most 8 x 8 x 8 voxels, x fastest. Each row has 8 numbers; those
+/// beyond the end of a shorter row are 0.
 using PartWeights = std::array<double, voxels_of_brick>;
 
 /// Computes the weights of the voxels of `part`, from 0 to 1. Returns the number of weights.
@@ -46,8 +47,8 @@ std::size_t weigh(const Footprint& footprint, const VoxelBox& part, PartWeights&
 inline constexpr double max_amount = 700;
 
 /// Turns the first `count` weights w into 1 - exp(-amount w), the part of the way to its constant by which a
-/// filter moves a property. The error is below 1e-13. Four voxels are computed at once: with one det::exp for
-/// each voxel an edit took twice as long.
+/// filter moves a property. The error is below 1e-13. Four voxels are computed at once, and rows of zeros, as
+/// there are around a ball, are left as they are.
 void to_shares(double amount, std::size_t count, PartWeights& weights);
 
 }  // namespace thaum::field
