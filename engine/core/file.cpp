@@ -1,65 +1,35 @@
 #include "core/file.h"
 
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <limits>
 
+#include "core/file_reader.h"
 #include "core/file_writer.h"
 #include "core/left_behind.h"
 #include "core/near_name.h"
 #include "core/text.h"
-#include "core/write_rule.h"
 
 namespace thaum {
 namespace {
-
-struct Descriptor {
-    int fd;
-    explicit Descriptor(int f) : fd(f) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() {
-        if (fd >= 0) ::close(fd);
-    }
-};
 
 Error system_error(const std::filesystem::path& path, std::string_view doing) {
     return fail(text(path.string(), ": cannot ", doing, ": ", std::strerror(errno)));
 }
 
-enum class Owner : std::uint8_t { user, program };
-
 /// Reads at most the first `most` bytes of a file. A file of more than `limit` bytes is refused.
 Expected<Bytes> read_bytes(const std::filesystem::path& path, std::size_t limit, std::size_t most,
-                           Owner owner = Owner::user) {
-    // O_NONBLOCK: opening a fifo without a writer must not hang.
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-    if (file.fd < 0) return system_error(path, "open");
-    struct stat info {};
-    if (::fstat(file.fd, &info) != 0) return system_error(path, "read");
-    if (!S_ISREG(info.st_mode)) return fail(text(path.string(), ": not an ordinary file"));
-    if (owner == Owner::user) declare_read(path);
-    const auto whole = static_cast<std::size_t>(info.st_size);
-    if (whole > limit) {
-        return fail(text(path.string(), ": ", whole, " bytes, more than the limit of ", limit));
-    }
-    const std::size_t size = std::min(whole, most);
-    Bytes bytes(size);
-    std::size_t at = 0;
-    while (at < size) {
-        const auto n = ::read(file.fd, bytes.data() + at, size - at);
-        if (n < 0 && errno == EINTR) continue;
-        if (n < 0) return system_error(path, "read");
-        if (n == 0) break;
-        at += static_cast<std::size_t>(n);
-    }
-    bytes.resize(at);
+                           FileReader::Owner owner = FileReader::Owner::user) {
+    auto file = FileReader::open(path, limit, owner);
+    if (!file) return file.error();
+    Bytes bytes(std::min(file->size(), most));
+    const auto count = file->read(bytes);
+    if (!count) return count.error();
+    bytes.resize(*count);
     return bytes;
 }
 
@@ -119,7 +89,7 @@ Expected<Bytes> read_file(const std::filesystem::path& path, std::size_t limit) 
 }
 
 Expected<Bytes> read_start(const std::filesystem::path& path, std::size_t most) {
-    return read_bytes(path, std::numeric_limits<std::size_t>::max(), most);
+    return read_bytes(path, FileReader::any_size, most);
 }
 
 namespace {
@@ -136,7 +106,7 @@ Expected<std::string> read_text_file(const std::filesystem::path& path, std::siz
 }
 
 Expected<std::string> read_own_text_file(const std::filesystem::path& path, std::size_t limit) {
-    return as_text(read_bytes(path, limit, limit, Owner::program));
+    return as_text(read_bytes(path, limit, limit, FileReader::Owner::program));
 }
 
 Expected<void> make_folder(const std::filesystem::path& folder) {

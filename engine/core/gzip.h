@@ -1,6 +1,9 @@
-// core/gzip.h: packs and unpacks gzip data (RFC 1952) in memory.
+// core/gzip.h: packs and unpacks gzip data (RFC 1952).
 #pragma once
 #include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
 #include <span>
 #include <string>
 
@@ -9,19 +12,36 @@
 
 namespace thaum {
 
+/// Unpacks gzip data, which may have several members, piece by piece. It needs little memory, whatever the
+/// data claim.
+class GzipReader {
+public:
+    /// Puts the next packed bytes into `out` and returns how many they are; 0 at their end.
+    using Source = std::function<Expected<std::size_t>(std::span<std::byte> out)>;
+    /// Whether other data may follow the last member, or are damage.
+    enum class Rest : std::uint8_t { damage, ignored };
+
+    GzipReader(Source source, Rest rest);
+    GzipReader(GzipReader&&) noexcept;
+    GzipReader& operator=(GzipReader&&) = delete;
+    ~GzipReader();
+
+    /// Unpacks the next bytes and returns how many they are: fewer than `out` has room for only at the end of
+    /// the gzip data. The error says what is wrong: not gzip, cut off or damaged. Or it is that of the
+    /// source.
+    Expected<std::size_t> read(std::span<std::byte> out);
+    /// Whether data follow that are no gzip data. Known once `read` has reached the end.
+    bool is_followed() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
 /// Unpacks gzip data, which may have several members. The error says what is wrong: not gzip,
 /// cut off, damaged, or larger than `limit` bytes unpacked. Memory stays below about twice
 /// the limit, whatever the data claim.
 Expected<std::string> unpack_gzip(std::span<const std::byte> packed, std::size_t limit);
-
-/// The first bytes of unpacked gzip data.
-struct UnpackedStart {
-    std::string bytes;
-    bool goes_on{};  ///< true: not all was unpacked, or other data follow the gzip data
-};
-
-/// Unpacks at most the first `most` bytes. Whatever follows them is not checked.
-Expected<UnpackedStart> unpack_gzip_start(std::span<const std::byte> packed, std::size_t most);
 
 /// Packs bytes as one member without name or time, so that equal bytes give equal data.
 Bytes pack_gzip(std::span<const std::byte> bytes);

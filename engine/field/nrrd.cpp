@@ -1,11 +1,11 @@
 #include "field/nrrd.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "core/assert.h"
 #include "core/file.h"
+#include "core/file_reader.h"
 #include "core/file_writer.h"
 #include "core/gzip.h"
 #include "core/one_line.h"
@@ -13,6 +13,7 @@
 #include "field/detail/nrrd_fields.h"
 #include "field/detail/nrrd_header.h"
 #include "field/detail/nrrd_samples.h"
+#include "field/detail/sample_decoder.h"
 #include "field/detail/samples.h"
 
 namespace thaum::field {
@@ -132,9 +133,8 @@ FileAxes axes_of(const NrrdHeader& header, const Arrangement& a, const Volume& v
 }
 
 /// Refuses samples that are clearly in the wrong byte order, and adds a note if they may be.
-Expected<void> check_order(const NrrdHeader& header, std::span<const std::byte> samples, Volume& volume) {
+Expected<void> check_order(const NrrdHeader& header, ByteOrder order, Volume& volume) {
     if (header.encoding == NrrdEncoding::ascii) return {};
-    const auto order = check_byte_order({samples, header.type, header.big_endian});
     const auto* other = header.big_endian ? "'endian: little'" : "'endian: big'";
     if (order == ByteOrder::wrong)
         return fail_field(
@@ -158,10 +158,9 @@ StoredOrder order_of(const NrrdHeader& header, const Arrangement& a, int frame) 
     return order;
 }
 
-/// Puts stored samples in the volume's order. `volume` already holds the notes of the header. The error says
-/// what is wrong with the samples, without the path.
-Expected<void> fill(const NrrdHeader& header, const Arrangement& a, std::span<const std::byte> samples,
-                    const ReadChoice& choice, Volume& volume) {
+/// A volume without samples that has all else that the header says.
+Volume volume_for(const NrrdHeader& header, const Arrangement& a) {
+    Volume volume;
     volume.spacing = a.spacing;
     volume.components = header.components;
     volume.stored_as = header.type;
@@ -181,11 +180,13 @@ Expected<void> fill(const NrrdHeader& header, const Arrangement& a, std::span<co
     volume.file_axes = axes_of(header, a, volume);
     if (header.is_in_space) volume.file_axes->middle = header.first.value_or(vec3(0)) + half;
     volume.save_name = header.save_name;
-    const bool in_text = header.encoding == NrrdEncoding::ascii;
-    constexpr bool big = std::endian::native == std::endian::big;
-    decode(in_text ? StoredSamples{samples, SampleType::float64, big}
-                   : StoredSamples{samples, header.type, header.big_endian},
-           order_of(header, a, choice.frame), volume);
+    return volume;
+}
+
+/// Takes the samples, which are in the volume's order already, as the header says. The error says what is
+/// wrong with the samples, without the path.
+Expected<void> interpret(const NrrdHeader& header, const Arrangement& a, const ReadChoice& choice,
+                         Volume& volume) {
     if (header.frames > 1)
         volume.notes.push_back(text("moment ", choice.frame + 1, " of ", header.frames, " is read"));
     if (auto kept = check_rounding(volume); !kept) return kept;
@@ -285,14 +286,18 @@ std::string header_of(const Volume& volume, Packing packing) {
     return out + '\n';
 }
 
+Expected<NrrdHeader> read_header(const Path& path, std::size_t limit) {
+    const auto start = read_start(path, longest_header + 1);
+    if (!start) return start.error();
+    const std::string_view characters(reinterpret_cast<const char*>(start->data()), start->size());
+    return parse_nrrd_header(characters, path.string(), limit);
+}
+
 }  // namespace
 
 Expected<Volume> read_nrrd(const Path& path, const ReadChoice& choice) {
     const std::size_t max_bytes = choice.limit * size_of(SampleType::float64) + longest_header;
-    auto file = read_start(path, longest_header + 1);
-    if (!file) return file.error();
-    const std::string_view characters(reinterpret_cast<const char*>(file->data()), file->size());
-    auto header = parse_nrrd_header(characters, path.string(), choice.limit);
+    auto header = read_header(path, choice.limit);
     if (!header) return header.error();
     if (choice.frame < 0 || choice.frame >= header->frames)
         return fail_file(path,
@@ -304,16 +309,18 @@ Expected<Volume> read_nrrd(const Path& path, const ReadChoice& choice) {
                           "the axes are not at right angles; resample the volume to a straight box");
     if (choice.colours_as_vectors && header->colour > NrrdColour::red_green_blue)
         return fail_field(*header, "kinds", "colours must be red, green and blue; convert to 'RGB-color'");
-    // The rest of the file is read only now; a short file has been read completely with its header.
-    if (header->data_files.empty() && file->size() > longest_header) file = read_file(path, max_bytes);
+    auto file = FileReader::open(path, header->data_files.empty() ? max_bytes : FileReader::any_size);
     if (!file) return Error{in_one_line(file.error().message)};
-    Volume volume;
+    Volume volume = volume_for(*header, *arrangement);
     volume.notes = std::move(header->notes);
-    NrrdSamples samples;
-    samples.file = std::move(*file);
-    if (auto done = read_nrrd_samples(*header, path, max_bytes, samples, volume); !done) return done.error();
-    if (auto done = check_order(*header, samples.all, volume); !done) return done.error();
-    if (auto done = fill(*header, *arrangement, samples.all, choice, volume); !done)
+    const bool in_text = header->encoding == NrrdEncoding::ascii;
+    SampleDecoder decoder(in_text ? SampleType::float64 : header->type, !in_text && header->big_endian,
+                          order_of(*header, *arrangement, choice.frame), header->stored, volume);
+    if (auto done = read_nrrd_samples(*header, path, *file, max_bytes, decoder, volume); !done)
+        return done.error();
+    if (auto done = check_order(*header, decoder.byte_order(), volume); !done) return done.error();
+    decoder.finish();
+    if (auto done = interpret(*header, *arrangement, choice, volume); !done)
         return fail_file(path, done.error().message);
     return volume;
 }

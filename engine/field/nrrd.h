@@ -34,6 +34,9 @@
 // that lose most of their differences when they are rounded to float are refused (Rounding, field/volume.h).
 // So are bytes of another encoding, and floats in the other byte order.
 //
+// Samples are read, unpacked and converted in pieces, so reading needs hardly more memory than the samples of
+// the volume take as floats. Only a file of text is in memory as a whole.
+//
 // Comments and key/value pairs are skipped. Volume::notes lists everything else that was left out or changed.
 // Samples that are not numbers (NaN) remain so.
 #pragma once

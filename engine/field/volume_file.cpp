@@ -6,9 +6,12 @@
 
 #include "core/config.h"
 #include "core/file.h"
+#include "core/file_reader.h"
 #include "core/one_line.h"
 #include "core/text.h"
 #include "field/detail/nrrd_fields.h"
+#include "field/detail/nrrd_samples.h"
+#include "field/detail/sample_decoder.h"
 #include "field/detail/sample_file.h"
 #include "field/detail/samples.h"
 #include "field/nrrd.h"
@@ -113,13 +116,21 @@ Expected<Volume> read_raw(const std::filesystem::path& path, std::size_t limit) 
     const auto data_path = sample_file(path, raw->file);
     if (const auto note = note_on_place(path, raw->file, data_path); !note.empty())
         raw->volume.notes.push_back(note);
-    const auto bytes = read_file(data_path, limit * size_of(SampleType::float64));
-    if (!bytes) return Error{in_one_line(bytes.error().message)};
-    if (bytes->size() != raw->bytes)
-        return fail(in_one_line(text(data_path.string(), ": ", bytes->size(), " bytes, but ", path.string(),
+    auto file = FileReader::open(data_path, limit * size_of(SampleType::float64));
+    if (!file) return Error{in_one_line(file.error().message)};
+    const auto fits = [&](std::size_t bytes) -> Expected<void> {
+        if (bytes == raw->bytes) return {};
+        return fail(in_one_line(text(data_path.string(), ": ", bytes, " bytes, but ", path.string(),
                                      " describes ", raw->bytes, "; correct sizes and type")));
-    decode({*bytes, raw->volume.stored_as, raw->big_endian},
-           plain_order(raw->volume.count, raw->volume.components), raw->volume);
+    };
+    if (auto good = fits(file->size()); !good) return good.error();
+    SampleDecoder decoder(raw->volume.stored_as, raw->big_endian,
+                          plain_order(raw->volume.count, raw->volume.components),
+                          raw->bytes / size_of(raw->volume.stored_as), raw->volume);
+    const auto bytes = decode_bytes(*file, raw->bytes, decoder);
+    if (!bytes) return Error{in_one_line(bytes.error().message)};
+    if (auto good = fits(*bytes); !good) return good.error();
+    decoder.finish();
     if (auto kept = check_rounding(raw->volume); !kept)
         return fail(in_one_line(text(data_path.string(), ": ", kept.error().message)));
     raw->volume.files = {path, data_path};
@@ -132,7 +143,7 @@ Expected<Volume> read_volume(const std::filesystem::path& path, const ReadChoice
     const bool nrrd = ending == ".nrrd" || ending == ".nhdr";
     if (!nrrd && ending != ".toml") return fail(in_one_line(text(path.string(), ": ", advice_for(ending))));
     auto volume = nrrd ? read_nrrd(path, choice) : read_raw(path, choice.limit);
-    if (volume && not_finite(*volume) == volume->samples.size())
+    if (volume && std::ranges::none_of(volume->samples, [](float sample) { return std::isfinite(sample); }))
         return fail(in_one_line(text(path.string(), ": none of its ", volume->samples.size(),
                                      " samples is a finite number; export the volume again")));
     return volume;

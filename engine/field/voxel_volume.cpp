@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/text.h"
 
@@ -40,9 +41,8 @@ Expected<void> check_bytes(const Voxels& body, const Volume& volume, int compone
 
 std::uint8_t byte_of(float sample) { return static_cast<std::uint8_t>(sample); }
 
-}  // namespace
-
-Expected<Voxels> voxels_of(const Volume& volume, std::optional<DensityRange> range) {
+/// The body of a volume, still without densities.
+Expected<Voxels> body_of(const Volume& volume, std::optional<DensityRange> range) {
     if (volume.components != 1)
         return fail("only a volume of one component can be carved; this one holds vectors");
     std::size_t total = 1;
@@ -58,13 +58,30 @@ Expected<Voxels> voxels_of(const Volume& volume, std::optional<DensityRange> ran
     const DensityRange used = range.value_or(usual_range(volume));
     if (!std::isfinite(used.empty) || !std::isfinite(used.full) || !(used.full > used.empty))
         return fail("the density of solid material must be above that of nothing");
-    Voxels body = make_voxels(volume.count, spacing);
-    body.placement = volume.placement;
+    Voxels body{.count = volume.count,
+                .spacing = spacing,
+                .colour = std::vector(total, Rgb8{255, 255, 255}),
+                .material = std::vector<std::uint8_t>(total),
+                .bricks = make_bricks(volume.count),
+                .placement = volume.placement};
     body.empty = used.empty;
     body.full = used.full;
     // Computed in double precision, because the sum of two floats may be too large for a float.
     body.surface = static_cast<float>(0.5 * (double{used.empty} + double{used.full}));
-    body.density = volume.samples;
+    return body;
+}
+
+}  // namespace
+
+Expected<Voxels> voxels_of(const Volume& volume, std::optional<DensityRange> range) {
+    auto body = body_of(volume, range);
+    if (body) body->density = volume.samples;
+    return body;
+}
+
+Expected<Voxels> voxels_of(Volume&& volume, std::optional<DensityRange> range) {
+    auto body = body_of(volume, range);
+    if (body) body->density = std::move(volume.samples);
     return body;
 }
 

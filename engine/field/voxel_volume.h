@@ -20,6 +20,9 @@ struct DensityRange {
 /// range, its least and greatest finite samples are the densities of empty and of solid material. The surface
 /// is half-way between them. The error says what is wrong with the volume or the range.
 Expected<Voxels> voxels_of(const Volume& volume, std::optional<DensityRange> range = std::nullopt);
+/// Makes the same body and moves the samples out of the volume, which keeps all else. So a large volume is
+/// not in memory twice. On an error the volume is as before.
+Expected<Voxels> voxels_of(Volume&& volume, std::optional<DensityRange> range = std::nullopt);
 
 /// Volume of the densities, stored as float32.
 Volume density_volume(const Voxels& body);

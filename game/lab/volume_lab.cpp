@@ -353,13 +353,12 @@ Expected<VolumeLab> make_volume_lab(field::Volume volume, VolumeLabData data) {
     lab.usual_level = field::usual_level(volume);
     lab.source = std::move(volume);
     if (lab.carvable()) {
-        auto body = field::voxels_of(lab.source);
+        auto body = field::voxels_of(std::move(lab.source));  // which keeps all but its samples
         if (!body) return body.error();
         lab.body = std::move(*body);
         lab.history = field::make_history(lab.body.view());
         lab.views->averages =
             field::make_block_averages(lab.body.density_grid(field::Kernel::linear), &lab.body.bricks);
-        lab.source.samples = {};
     }
     take_up_device(lab);
     return lab;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
 #include <string>
 
 #include "core/random.h"
@@ -30,6 +31,29 @@ TEST(CoreGzip, UnpacksWhatItPacked) {
         EXPECT_EQ(unpack_gzip(packed(words), 300'000).value_or("none"), words);
     EXPECT_LT(packed(std::string(300'000, 'x')).size(), 1000);
     EXPECT_EQ(packed("again"), packed("again"));
+}
+
+TEST(CoreGzip, UnpacksMembersThatComeByteByByte) {
+    const std::string words = noise(3000);
+    const Bytes bytes = joined(joined(packed(words), packed("end")), Bytes{std::byte{0x1f}, std::byte{7}});
+    for (const auto rest : {GzipReader::Rest::ignored, GzipReader::Rest::damage}) {
+        std::size_t next = 0;
+        GzipReader reader(
+            [&](std::span<std::byte> out) -> Expected<std::size_t> {
+                if (next == bytes.size()) return std::size_t{0};
+                out[0] = bytes[next++];
+                return std::size_t{1};
+            },
+            rest);
+        std::string out(words.size() + 3, ' ');
+        EXPECT_EQ(reader.read(std::as_writable_bytes(std::span(out))), out.size());
+        EXPECT_EQ(out, words + "end");
+        std::byte more{};
+        const auto count = reader.read(std::span(&more, 1));
+        EXPECT_EQ(count.has_value(), rest == GzipReader::Rest::ignored) << "two bytes that are no member";
+        if (count) EXPECT_EQ(*count, 0U);
+        EXPECT_EQ(reader.is_followed(), rest == GzipReader::Rest::ignored);
+    }
 }
 
 TEST(CoreGzip, UnpacksSeveralMembers) {

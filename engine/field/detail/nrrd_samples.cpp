@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <utility>
 
-#include "core/file.h"
 #include "core/gzip.h"
 #include "core/one_line.h"
 #include "core/text.h"
@@ -23,8 +24,6 @@ constexpr std::size_t max_before_end = std::size_t{64} << 20U;
 
 using Path = std::filesystem::path;
 
-std::span<const std::byte> bytes_of(std::string_view s) { return std::as_bytes(std::span(s)); }
-
 std::string_view characters_of(std::span<const std::byte> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
@@ -32,18 +31,44 @@ std::string_view characters_of(std::span<const std::byte> bytes) {
 /// The stored samples of one file.
 struct FileOfSamples {
     Path path;
-    std::span<const std::byte> bytes;  ///< bytes after the header, if the samples are in the same file
-    std::size_t samples{};             ///< number of samples that the header promises
-    std::size_t not_read{};            ///< number of bytes at the end of the file that were not read
+    FileReader* file{};
+    std::size_t begin{};    ///< position of the first byte after the header and the skipped lines
+    std::size_t bytes{};    ///< number of bytes from there to the end of the file
+    Bytes start{};          ///< the first of these bytes, at most `start_bytes`
+    std::size_t samples{};  ///< number of samples that the header promises
 };
 
-/// Returns the bytes after the lines that the header says to skip.
-std::span<const std::byte> behind_lines(std::span<const std::byte> data, std::size_t lines) {
-    for (; lines > 0 && !data.empty(); --lines) {
-        const auto end = std::ranges::find(data, std::byte{'\n'});
-        data = data.subspan(std::min(data.size(), static_cast<std::size_t>(end - data.begin()) + 1));
+/// Number of bytes from which another encoding is recognised.
+constexpr std::size_t start_bytes = 256;
+/// Number of bytes that are read at once. So the bytes and the floats that they become stay in the cache.
+constexpr std::size_t piece_bytes = std::size_t{1} << 17U;
+
+/// Position after `lines` more lines of a file, or its end.
+Expected<std::size_t> after_lines(FileReader& file, std::size_t position, std::size_t lines) {
+    Bytes piece(lines > 0 ? piece_bytes : 0);
+    file.go_to(position);
+    while (lines > 0) {
+        const auto count = file.read(piece);
+        if (!count) return count;
+        for (std::size_t i = 0; i < *count && lines > 0; ++i, ++position)
+            if (piece[i] == std::byte{'\n'}) --lines;
+        if (*count < piece.size()) break;
     }
-    return data;
+    return position;
+}
+
+/// Goes on to `begin` and reads the first bytes there.
+Expected<void> begin_at(FileOfSamples& samples, std::size_t begin) {
+    FileReader& file = *samples.file;
+    samples.begin = std::min(begin, file.size());
+    samples.bytes = file.size() - samples.begin;
+    samples.start.resize(std::min(samples.bytes, start_bytes));
+    file.go_to(samples.begin);
+    const auto count = file.read(samples.start);
+    if (!count) return count.error();
+    samples.start.resize(*count);
+    file.go_to(samples.begin);
+    return {};
 }
 
 /// Name of the file in messages: "ball.raw" for a separate file of samples, "the file" for one that also
@@ -95,13 +120,13 @@ bool begins_with_text(std::string_view bytes) {
 
 /// Says what the bytes are and what to do, if their encoding clearly differs from the header's; else empty.
 std::string other_encoding(const NrrdHeader& header, const FileOfSamples& file) {
-    const auto bytes = characters_of(file.bytes);
+    const auto bytes = characters_of(file.start);
     const auto is = [&](std::string_view what, std::string_view advice) {
         return text("the samples in ", name_in_message(header, file), " are ", what, "; ", advice);
     };
     const std::size_t skipped = header.skipped_bytes < 0 ? 0 : static_cast<std::size_t>(header.skipped_bytes);
     const bool may_be_plain = header.encoding != NrrdEncoding::raw && !begins_with_text(bytes);
-    if (may_be_plain && bytes.size() == skipped + size_of(header.type) * file.samples)
+    if (may_be_plain && file.bytes == skipped + size_of(header.type) * file.samples)
         return is("as many plain bytes as the sizes and the type promise", "write 'encoding: raw'");
     for (const Form& form : forms) {
         // A zlib stream is known by two bytes only, with which plain samples may begin, too. So these two
@@ -137,77 +162,129 @@ Error too_few(const NrrdHeader& header, const FileOfSamples& file, std::string_v
 /// Says that the header seems to have an empty line too many, if the bytes after it begin with a line break;
 /// else empty.
 std::string_view line_too_many(const NrrdHeader& header, const FileOfSamples& file) {
-    const auto bytes = characters_of(file.bytes);
+    const auto bytes = characters_of(file.start);
     const bool begins_so = bytes.starts_with("\n") || bytes.starts_with("\r\n");
     return begins_so && header.data_files.empty() ? "; the header seems to have an empty line too many" : "";
 }
 
 void note_more(const NrrdHeader& header, const FileOfSamples& file, std::vector<std::string>& notes) {
     const auto where = header.data_files.empty() ? "" : text(file.path.filename().string(), ": ");
-    const auto type = header.encoding == NrrdEncoding::raw
-                          ? other_type(header, file.samples, file.bytes.size() + file.not_read)
-                          : "";
+    const auto type =
+        header.encoding == NrrdEncoding::raw ? other_type(header, file.samples, file.bytes) : "";
     // If at most two bytes are too many, they may be a line break before the samples, which would shift all
     // of them.
     const bool one_line_more =
-        header.encoding == NrrdEncoding::raw && file.bytes.size() <= size_of(header.type) * file.samples + 2;
+        header.encoding == NrrdEncoding::raw && file.bytes <= size_of(header.type) * file.samples + 2;
     const auto ends = one_line_more ? line_too_many(header, file) : "";
     notes.push_back(in_one_line(text(where, "what follows the samples is left out", type, ends)));
 }
 
 // ---- reading ----------------------------------------------------------------------------------------------
 
-/// Unpacks gzip data and leaves out the skipped bytes, which are counted after unpacking.
-Expected<std::string> unpacked(const NrrdHeader& header, const FileOfSamples& file, std::size_t promised,
-                               std::vector<std::string>& notes) {
-    if (!characters_of(file.bytes).starts_with("\x1f\x8b")) {
+/// Reads `count` bytes in pieces by read(span), which returns how many it has read, and passes them to the
+/// decoder; null: they are skipped. Returns how many there were.
+template <class Read>
+Expected<std::size_t> pass_on(std::size_t count, SampleDecoder* decoder, Read read) {
+    Bytes piece(std::min(count, piece_bytes));
+    std::size_t done = 0;
+    while (done < count) {
+        const auto wanted = std::span(piece).first(std::min(piece.size(), count - done));
+        const Expected<std::size_t> n = read(wanted);
+        if (!n) return n;
+        done += *n;
+        if (*n < wanted.size()) break;
+        if (decoder != nullptr) decoder->take(wanted);
+    }
+    return done;
+}
+
+/// Reads the bytes of a file unpacked, from the file's position on.
+GzipReader unpacked(FileReader& file) {
+    return {[&file](std::span<std::byte> out) { return file.read(out); }, GzipReader::Rest::ignored};
+}
+
+Error gzip_fault(const FileOfSamples& file, const Error& error) {
+    return fail(in_one_line(text(file.path.string(), ": ", error.message)));
+}
+
+Expected<std::size_t> skip_unpacked(const FileOfSamples& file, GzipReader& reader, std::size_t count) {
+    auto skipped = pass_on(count, nullptr, [&](std::span<std::byte> out) { return reader.read(out); });
+    if (!skipped) return gzip_fault(file, skipped.error());
+    return skipped;
+}
+
+/// Number of unpacked bytes that lie before the samples, which are at the end of the data.
+Expected<std::size_t> bytes_before(const NrrdHeader& header, const FileOfSamples& file,
+                                   std::size_t promised) {
+    GzipReader reader = unpacked(*file.file);
+    const auto all = skip_unpacked(file, reader, promised + max_before_end);
+    if (!all) return all;
+    if (*all < promised) return too_few(header, file, "bytes", promised, *all);
+    const auto more = skip_unpacked(file, reader, 1);
+    if (!more) return more;
+    if (*more > 0 || reader.is_followed())
+        return fail_field(header, "byte skip",
+                          text("more than ", max_before_end, " bytes are packed before the samples"));
+    file.file->go_to(file.begin);
+    return *all - promised;
+}
+
+/// Refuses bytes that are no gzip data, and a promise that they cannot keep.
+Expected<void> check_packed(const NrrdHeader& header, const FileOfSamples& file, std::size_t promised) {
+    if (!characters_of(file.start).starts_with("\x1f\x8b")) {
         if (const auto other = other_encoding(header, file); !other.empty())
             return fail_field(header, "encoding", other);
         return fail_field(header, "encoding",
                           text("the samples in ", name_in_message(header, file), " are no gzip bytes",
                                line_too_many(header, file)));
     }
-    if (promised / max_packed > file.bytes.size())
+    if (promised / max_packed > file.bytes)
         return fail_field(header, "sizes",
-                          text("the header promises ", promised, " bytes of samples, but ", file.bytes.size(),
+                          text("the header promises ", promised, " bytes of samples, but ", file.bytes,
                                " bytes cannot hold them; copy the file again"));
-    const bool from_end = header.skipped_bytes < 0;
-    const std::size_t skipped = from_end ? 0 : static_cast<std::size_t>(header.skipped_bytes);
-    auto start = unpack_gzip_start(file.bytes, promised + (from_end ? max_before_end : skipped));
-    if (!start) return fail(in_one_line(text(file.path.string(), ": ", start.error().message)));
-    if (start->bytes.size() < promised + skipped)
-        return too_few(header, file, "bytes", promised,
-                       start->bytes.size() - std::min(start->bytes.size(), skipped));
-    if (from_end && start->goes_on)
-        return fail_field(header, "byte skip",
-                          text("more than ", max_before_end, " bytes are packed before the samples"));
-    start->bytes.erase(0, from_end ? start->bytes.size() - promised : skipped);
-    if (start->goes_on) note_more(header, file, notes);
-    return std::move(start->bytes);
+    return {};
 }
 
-/// The samples of one file as bytes of the header's type: a part of the file, or unpacked into `from_gzip`.
-Expected<std::span<const std::byte>> bytes_in(const NrrdHeader& header, FileOfSamples file,
-                                              std::string& from_gzip, std::vector<std::string>& notes) {
+/// Unpacks gzip data and leaves out the skipped bytes, which are counted after unpacking.
+Expected<void> decode_packed(const NrrdHeader& header, const FileOfSamples& file, SampleDecoder& decoder,
+                             std::vector<std::string>& notes) {
     const std::size_t promised = size_of(header.type) * file.samples;
-    if (header.encoding == NrrdEncoding::gzip) {
-        auto words = unpacked(header, file, promised, notes);
-        if (!words) return words.error();
-        from_gzip = std::move(*words);
-        return bytes_of(from_gzip).first(promised);
+    if (auto fits = check_packed(header, file, promised); !fits) return fits;
+    const auto before = header.skipped_bytes < 0
+                            ? bytes_before(header, file, promised)
+                            : Expected<std::size_t>(static_cast<std::size_t>(header.skipped_bytes));
+    if (!before) return before.error();
+    GzipReader reader = unpacked(*file.file);
+    const auto skipped = skip_unpacked(file, reader, *before);
+    if (!skipped) return skipped.error();
+    const auto count =
+        pass_on(promised, &decoder, [&](std::span<std::byte> out) { return reader.read(out); });
+    if (!count) return gzip_fault(file, count.error());
+    if (*count < promised) return too_few(header, file, "bytes", promised, *count);
+    const auto more = skip_unpacked(file, reader, 1);
+    if (!more) return more.error();
+    if (*more > 0 || reader.is_followed()) note_more(header, file, notes);
+    return {};
+}
+
+/// Decodes bytes that are stored as they are.
+Expected<void> decode_plain(const NrrdHeader& header, FileOfSamples file, SampleDecoder& decoder,
+                            std::vector<std::string>& notes) {
+    const std::size_t promised = size_of(header.type) * file.samples;
+    const std::size_t before = header.skipped_bytes >= 0 ? static_cast<std::size_t>(header.skipped_bytes)
+                               : file.bytes > promised   ? file.bytes - promised
+                                                         : 0;
+    if (auto begun = begin_at(file, file.begin + before); !begun) return begun;
+    if (file.bytes != promised) {
+        if (const auto other = other_encoding(header, file); !other.empty())
+            return fail_field(header, "encoding", other);
     }
-    if (header.skipped_bytes >= 0) {
-        file.bytes =
-            file.bytes.subspan(std::min(file.bytes.size(), static_cast<std::size_t>(header.skipped_bytes)));
-    } else if (file.bytes.size() > promised) {
-        file.bytes = file.bytes.last(promised);
-    }
-    if (file.bytes.size() == promised) return file.bytes;
-    if (const auto other = other_encoding(header, file); !other.empty())
-        return fail_field(header, "encoding", other);
-    if (file.bytes.size() < promised) return too_few(header, file, "bytes", promised, file.bytes.size());
-    note_more(header, file, notes);
-    return file.bytes.first(promised);
+    const auto count = file.bytes < promised ? Expected<std::size_t>(file.bytes)
+                                             : decode_bytes(*file.file, promised, decoder);
+    if (!count) return Error{in_one_line(count.error().message)};
+    if (*count < promised) return too_few(header, file, "bytes", promised, *count);
+    if (file.bytes > promised) note_more(header, file, notes);
+    return {};
 }
 
 /// Truncates a number to an integer and limits it to the range of the type.
@@ -216,39 +293,63 @@ double whole_number(double value, SampleType type) {
     return std::clamp(std::trunc(value), low, high);
 }
 
-/// Appends numbers written as text, separated by blanks or commas, as the bytes of doubles.
-Expected<void> append_numbers(const NrrdHeader& header, const FileOfSamples& file, Bytes& out,
+constexpr std::string_view between_numbers = " \t\r\n,";
+
+/// The number of a word of a text. NaN is a number, too.
+Expected<double> value_of(const FileOfSamples& file, std::string_view word, std::size_t place) {
+    const double value = number_of(word);
+    if (!std::isnan(value) || in_lower_case(word).find("nan") != std::string::npos) return value;
+    return fail(in_one_line(
+        text(file.path.string(), ": '", printable(word, 40), "' at place ", place, " is no number",
+             word.find(';') == std::string_view::npos ? "" : "; write points, and blanks between")));
+}
+
+/// Decodes the numbers at the start of `remaining`, as doubles. They are separated by blanks or commas.
+Expected<void> decode_numbers(const NrrdHeader& header, const FileOfSamples& file,
+                              std::string_view& remaining, SampleDecoder& decoder,
                               std::vector<std::string>& notes) {
-    const auto skipped = std::min(file.bytes.size(), static_cast<std::size_t>(header.skipped_bytes));
-    std::string_view remaining = characters_of(file.bytes.subspan(skipped));
-    const auto fault = [&](Error other) {
-        const auto encoding = other_encoding(header, file);
-        return encoding.empty() ? std::move(other) : fail_field(header, "encoding", encoding);
+    std::vector<double> waiting;
+    const auto pass_on_waiting = [&] {
+        decoder.take(std::as_bytes(std::span(waiting)));
+        waiting.clear();
     };
-    constexpr std::string_view between = " \t\r\n,";
-    std::size_t changed = 0;
+    bool changed = false;
     for (std::size_t n = 0; n < file.samples; ++n) {
-        remaining.remove_prefix(std::min(remaining.size(), remaining.find_first_not_of(between)));
-        const auto word = remaining.substr(0, remaining.find_first_of(between));
-        if (word.empty()) return fault(too_few(header, file, "numbers", file.samples, n));
-        double value = number_of(word);
-        if (std::isnan(value) && in_lower_case(word).find("nan") == std::string::npos)
-            return fault(fail(in_one_line(
-                text(file.path.string(), ": '", printable(word, 40), "' at place ", n + 1, " is no number",
-                     word.find(';') == std::string_view::npos ? "" : "; write points, and blanks between"))));
+        remaining.remove_prefix(std::min(remaining.size(), remaining.find_first_not_of(between_numbers)));
+        const auto word = remaining.substr(0, remaining.find_first_of(between_numbers));
+        if (word.empty()) return too_few(header, file, "numbers", file.samples, n);
+        const auto number = value_of(file, word, n + 1);
+        if (!number) return number.error();
+        double value = *number;
         if (header.type < SampleType::float32) {
-            const double whole = whole_number(value, header.type);
-            if (whole != value && changed++ == 0)
+            value = whole_number(value, header.type);
+            if (value != *number && !changed)
                 notes.push_back(
                     in_one_line(text("samples such as ", printable(word, 40), " are no numbers of the type '",
                                      name_of(header.type), "', and are made so")));
-            value = whole;
+            changed = changed || value != *number;
         }
-        const auto bytes = std::as_bytes(std::span(&value, 1));
-        out.insert(out.end(), bytes.begin(), bytes.end());
+        waiting.push_back(value);
+        if (waiting.size() * sizeof(double) == piece_bytes) pass_on_waiting();
         remaining.remove_prefix(word.size());
     }
-    const auto more = remaining.find_first_not_of(between);
+    pass_on_waiting();
+    return {};
+}
+
+/// Decodes numbers written as text.
+Expected<void> decode_text(const NrrdHeader& header, const FileOfSamples& file, SampleDecoder& decoder,
+                           std::vector<std::string>& notes) {
+    Bytes all(file.bytes);
+    const auto count = file.file->read(all);
+    if (!count) return Error{in_one_line(count.error().message)};
+    const auto skipped = std::min(*count, static_cast<std::size_t>(header.skipped_bytes));
+    std::string_view remaining = characters_of(std::span(all).first(*count).subspan(skipped));
+    if (auto done = decode_numbers(header, file, remaining, decoder, notes); !done) {
+        const auto encoding = other_encoding(header, file);
+        return encoding.empty() ? done.error() : fail_field(header, "encoding", encoding);
+    }
+    const auto more = remaining.find_first_not_of(between_numbers);
     if (more != std::string_view::npos && remaining.find(',') != std::string_view::npos)
         return fail_field(header, "sizes",
                           text("there are more than the ", file.samples,
@@ -257,26 +358,24 @@ Expected<void> append_numbers(const NrrdHeader& header, const FileOfSamples& fil
     return {};
 }
 
-/// Reads as much of a file as its samples can occupy, and one byte more to notice a longer file.
-Expected<Bytes> read_part(const NrrdHeader& header, const Path& path, std::size_t samples,
-                          std::size_t max_bytes) {
-    const bool ends_known =
-        header.encoding == NrrdEncoding::raw && header.skipped_lines == 0 && header.skipped_bytes >= 0;
-    if (!ends_known) return read_file(path, max_bytes);
-    return read_start(path,
-                      static_cast<std::size_t>(header.skipped_bytes) + samples * size_of(header.type) + 1);
+/// Decodes the samples of one file, which begin at `position` or behind skipped lines.
+Expected<void> decode_file(const NrrdHeader& header, FileOfSamples file, std::size_t position,
+                           SampleDecoder& decoder, std::vector<std::string>& notes) {
+    const auto begin = after_lines(*file.file, position, header.skipped_lines);
+    if (!begin) return Error{in_one_line(begin.error().message)};
+    if (auto begun = begin_at(file, *begin); !begun) return Error{in_one_line(begun.error().message)};
+    switch (header.encoding) {
+        case NrrdEncoding::ascii: return decode_text(header, file, decoder, notes);
+        case NrrdEncoding::gzip: return decode_packed(header, file, decoder, notes);
+        case NrrdEncoding::raw: return decode_plain(header, std::move(file), decoder, notes);
+    }
+    return {};
 }
 
-/// Number of bytes of a file after the first `read` bytes.
-std::size_t rest_of(const Path& path, std::size_t read) {
-    std::error_code error;
-    const auto size = std::filesystem::file_size(path, error);
-    return error || size < read ? 0 : static_cast<std::size_t>(size) - read;
-}
-
-/// Reads one of the files that a header names, and adds its path to the volume.
-Expected<Bytes> read_named(const NrrdHeader& header, const Path& path, const NrrdDataFile& named,
-                           std::size_t max_bytes, Volume& volume) {
+/// Opens one of the files that a header names, and adds its path to the volume. A file of more than
+/// `max_bytes` is refused unless the header tells where its samples end.
+Expected<FileReader> open_named(const NrrdHeader& header, const Path& path, const NrrdDataFile& named,
+                                std::size_t max_bytes, Volume& volume) {
     const auto place = sample_file(path, named.name);
     std::error_code ignored;
     if (!std::filesystem::exists(place, ignored))
@@ -285,48 +384,35 @@ Expected<Bytes> read_named(const NrrdHeader& header, const Path& path, const Nrr
                                      place.lexically_normal().string(), " was looked for)")));
     if (const auto note = note_on_place(path, named.name, place); !note.empty() && volume.files.size() == 1)
         volume.notes.push_back(note);
-    auto bytes = read_part(header, place, header.stored / header.data_files.size(), max_bytes);
-    if (!bytes)
+    const bool ends_known =
+        header.encoding == NrrdEncoding::raw && header.skipped_lines == 0 && header.skipped_bytes >= 0;
+    auto file = ends_known ? FileReader::open(place) : FileReader::open(place, max_bytes);
+    if (!file)
         return Error{
-            in_one_line(text(header.path, ":", named.line, ": field 'data file': ", bytes.error().message))};
+            in_one_line(text(header.path, ":", named.line, ": field 'data file': ", file.error().message))};
     volume.files.push_back(place);
-    return bytes;
+    return file;
 }
 
 }  // namespace
 
-Expected<void> read_nrrd_samples(const NrrdHeader& header, const Path& path, std::size_t max_bytes,
-                                 NrrdSamples& out, Volume& volume) {
-    const auto take = [&](const Path& from, std::span<const std::byte> bytes, std::size_t samples,
-                          std::size_t not_read) -> Expected<void> {
-        const FileOfSamples one{from, behind_lines(bytes, header.skipped_lines), samples, not_read};
-        if (header.encoding == NrrdEncoding::ascii)
-            return append_numbers(header, one, out.joined, volume.notes);
-        const auto part = bytes_in(header, one, out.from_gzip, volume.notes);
-        if (!part) return part.error();
-        if (samples == header.stored)
-            out.all = *part;  // not copied, because a scan may be large
-        else
-            out.joined.insert(out.joined.end(), part->begin(), part->end());
-        return {};
-    };
+Expected<std::size_t> decode_bytes(FileReader& file, std::size_t count, SampleDecoder& decoder) {
+    return pass_on(count, &decoder, [&](std::span<std::byte> out) { return file.read(out); });
+}
+
+Expected<void> read_nrrd_samples(const NrrdHeader& header, const Path& path, FileReader& file,
+                                 std::size_t max_bytes, SampleDecoder& decoder, Volume& volume) {
     volume.files = {path};
-    if (header.data_files.empty()) {
-        const auto data =
-            std::span<const std::byte>(out.file).subspan(std::min(header.data_at, out.file.size()));
-        if (auto done = take(path, data, header.stored, 0); !done) return done;
-    }
+    if (header.data_files.empty())
+        return decode_file(header, {.path = path, .file = &file, .samples = header.stored}, header.data_at,
+                           decoder, volume.notes);
     for (const auto& named : header.data_files) {
-        auto bytes = read_named(header, path, named, max_bytes, volume);
-        if (!bytes) return bytes.error();
-        out.file = std::move(*bytes);
-        const auto& place = volume.files.back();
-        if (auto done = take(place, out.file, header.stored / header.data_files.size(),
-                             rest_of(place, out.file.size()));
-            !done)
-            return done;
+        auto data = open_named(header, path, named, max_bytes, volume);
+        if (!data) return data.error();
+        const FileOfSamples one{
+            .path = volume.files.back(), .file = &*data, .samples = header.stored / header.data_files.size()};
+        if (auto done = decode_file(header, one, 0, decoder, volume.notes); !done) return done;
     }
-    if (out.all.empty()) out.all = out.joined;
     return {};
 }
 

@@ -1,26 +1,23 @@
 // field/detail/nrrd_samples.h: the bytes of the samples that an NRRD header describes.
 #pragma once
 #include <filesystem>
-#include <span>
-#include <string>
 
-#include "core/bytes.h"
 #include "core/error.h"
+#include "core/file_reader.h"
 #include "field/detail/nrrd_header.h"
+#include "field/detail/sample_decoder.h"
 
 namespace thaum::field {
 
-/// All samples that a header describes, and the buffers that hold their bytes.
-struct NrrdSamples {
-    Bytes file{}, joined{};
-    std::string from_gzip{};
-    std::span<const std::byte> all{};  ///< the samples, a part of one of the buffers above
-};
-
-/// Reads the samples behind the header in `out.file`, or those of the files that it names: bytes of the
-/// header's type, or doubles if they stand in text. Sets files and notes of the volume. The error names the
-/// header's line, and says so if the bytes are of another encoding.
+/// Gives the decoder all samples behind the header in `file`, or those of the files that it names: bytes of
+/// the header's type, or doubles if they stand in text. Files that it names may have `max_bytes`, unless the
+/// header tells where their samples end. Sets files and notes of the volume. The error names the header's
+/// line, and says so if the bytes are of another encoding.
 Expected<void> read_nrrd_samples(const NrrdHeader& header, const std::filesystem::path& path,
-                                 std::size_t max_bytes, NrrdSamples& out, Volume& volume);
+                                 FileReader& file, std::size_t max_bytes, SampleDecoder& decoder,
+                                 Volume& volume);
+
+/// Gives the decoder the next `count` bytes of a file. Returns how many there were.
+Expected<std::size_t> decode_bytes(FileReader& file, std::size_t count, SampleDecoder& decoder);
 
 }  // namespace thaum::field

@@ -1,7 +1,7 @@
 // field/detail/samples.h: samples as files store them.
 #pragma once
-#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -12,6 +12,23 @@
 
 namespace thaum::field {
 
+/// Calls use(T{}), where T is the C++ type of a sample type.
+template <class Use>
+void with_type(SampleType type, Use use) {
+    switch (type) {
+        case SampleType::int8: return use(std::int8_t{});
+        case SampleType::uint8: return use(std::uint8_t{});
+        case SampleType::int16: return use(std::int16_t{});
+        case SampleType::uint16: return use(std::uint16_t{});
+        case SampleType::int32: return use(std::int32_t{});
+        case SampleType::uint32: return use(std::uint32_t{});
+        case SampleType::int64: return use(std::int64_t{});
+        case SampleType::uint64: return use(std::uint64_t{});
+        case SampleType::float32: return use(float{});
+        case SampleType::float64: return use(double{});
+    }
+}
+
 /// Number of bytes of a sample in a file.
 std::size_t size_of(SampleType type);
 
@@ -20,38 +37,6 @@ std::string_view name_of(SampleType type);
 /// Smallest and largest number of a type.
 std::pair<double, double> limits_of(SampleType type);
 std::span<const std::string_view> sample_type_names();  ///< Names of all types, in the order of SampleType.
-
-/// Positions of a volume's samples in a file, counted in samples.
-struct StoredOrder {
-    std::ptrdiff_t first{};  ///< index of component 0 of sample (0, 0, 0)
-    /// Distance in the file to the next sample along each axis of the volume; negative if the file runs the
-    /// other way.
-    std::array<std::ptrdiff_t, 3> stride{};
-    std::ptrdiff_t component_stride{1};
-};
-
-/// The order in which Volume::samples holds samples.
-StoredOrder plain_order(const std::array<int, 3>& count, int components);
-
-/// Samples as bytes of a file, with their type and byte order.
-struct StoredSamples {
-    std::span<const std::byte> bytes;
-    SampleType type{};
-    bool big_endian{};
-};
-
-/// Whether the samples are plausible in the byte order in which they are read.
-enum class ByteOrder : std::uint8_t {
-    plausible,
-    doubtful,  ///< every sample is an integer multiple of 256
-    /// Many floats are too large or too small for any physical quantity. With the other byte order, no float
-    /// would be.
-    wrong,
-};
-ByteOrder check_byte_order(const StoredSamples& stored);
-
-/// Fills volume.samples and volume.rounding from stored samples; every index that the order gives must exist.
-void decode(const StoredSamples& stored, const StoredOrder& order, Volume& volume);
 
 /// Checks that rounding to float has not made different samples equal, and adds a note if it has changed
 /// some. The error says what to do with the samples.
