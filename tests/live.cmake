@@ -21,7 +21,11 @@ target_link_libraries(live_session PRIVATE thaum_flags thaum_live)
 add_executable(live_log_probe drivers/log_probe.cpp)
 target_link_libraries(live_log_probe PRIVATE thaum_flags thaum_duel)
 add_executable(press_keys drivers/press_keys.cpp)
-target_link_libraries(press_keys PRIVATE thaum_flags)
+add_executable(look_at drivers/look_at.cpp)
+if(NOT THAUM_SANITIZE)  # tests start these two again and again, and a start under sanitizers takes ten times as long
+    target_link_libraries(press_keys PRIVATE thaum_flags)
+    target_link_libraries(look_at PRIVATE thaum_flags)
+endif()
 
 # A virtual pad, if umockdev is installed.
 pkg_check_modules(umockdev IMPORTED_TARGET umockdev-1.0)
@@ -42,8 +46,9 @@ endif()
 # ten times as long.
 function(thaum_driver_test name)
     add_test(NAME drivers.${name} COMMAND ${timed} ${ARGN})
+    set(environment LOOK_AT=$<TARGET_FILE:look_at> ${sanitizer_environment})
     set_tests_properties(drivers.${name} PROPERTIES
-        SKIP_RETURN_CODE 77 RESOURCE_LOCK screen COST 100 TIMEOUT ${longest_test} ENVIRONMENT "${sanitizer_environment}")
+        SKIP_RETURN_CODE 77 RESOURCE_LOCK screen COST 100 TIMEOUT ${longest_test} ENVIRONMENT "${environment}")
 endfunction()
 thaum_driver_test(window ${CMAKE_CURRENT_SOURCE_DIR}/drivers/with_screen.sh
     $<TARGET_FILE:test_render> --gtest_filter=WindowTest.*)
@@ -75,9 +80,9 @@ if(NOT THAUM_SANITIZE)
         $<TARGET_FILE:live_session> $<TARGET_FILE:thaum>)
 endif()
 thaum_driver_test(live_threads ${CMAKE_CURRENT_SOURCE_DIR}/drivers/live_threads.sh
-    $<TARGET_FILE:thaum> $<TARGET_FILE:fake_hd> $<TARGET_FILE:press_keys>)
+    $<TARGET_FILE:thaum> $<TARGET_FILE:fake_hd> $<TARGET_FILE:live_log_probe> $<TARGET_FILE:press_keys>)
 set_tests_properties(drivers.range drivers.live_threads PROPERTIES LABELS threads)
-thread_program(thaum thaum-tools fake_hd press_keys)
+thread_program(thaum fake_hd live_log_probe look_at press_keys)
 add_executable(forge_log drivers/forge_log.cpp)
 target_link_libraries(forge_log PRIVATE thaum_flags thaum_input)
 thaum_driver_test(fake_phantom_plays ${CMAKE_CURRENT_SOURCE_DIR}/drivers/fake_phantom_plays.sh
@@ -129,7 +134,7 @@ if(umockdev_FOUND)
     thaum_driver_test(menu ${CMAKE_CURRENT_SOURCE_DIR}/drivers/menu.sh
         $<TARGET_FILE:thaum> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe> $<TARGET_FILE:press_keys>)
     thaum_driver_test(pad_duel ${CMAKE_CURRENT_SOURCE_DIR}/drivers/pad_duel.sh
-        $<TARGET_FILE:live_session> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe>)
+        $<TARGET_FILE:thaum> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe>)
     thaum_driver_test(two_pads ${CMAKE_CURRENT_SOURCE_DIR}/drivers/two_pads.sh
         $<TARGET_FILE:thaum> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe> $<TARGET_FILE:press_keys>)
     thaum_driver_test(pads ${CMAKE_CURRENT_SOURCE_DIR}/drivers/pads.sh

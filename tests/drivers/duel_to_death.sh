@@ -1,14 +1,13 @@
 #!/usr/bin/env bash
-# tests/drivers/duel_to_death.sh THAUM PAD_HARNESS LOG_PROBE PRESS_KEYS [SCREENSHOTS]: two players in the program under Xvfb.
+# tests/drivers/duel_to_death.sh THAUM PAD_HARNESS LOG_PROBE PRESS_KEYS: two players in the program under Xvfb.
 # Player 2 turns with the pad's stick and kills player 1. Player 1 returns on another pad, turns with the mouse and kills
 # with it. The log must say 1 : 1 and replay to the same bits. The test reads positions from the log while it is being
 # written, so a busy machine makes the duel longer but does not change it. Exits with 77 if a tool is missing.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 thaum=$1 harness=$2 probe=$3 press_keys=$4
-need Xvfb xdotool import umockdev-wrapper
+need Xvfb xdotool umockdev-wrapper
 open_screen 640x360
-shots=${5:-$folder}
 few_pictures
 # A slow turning speed, so that one push of the stick turns by a small angle.
 echo 'turn_deg_per_s = 22.5' >>"$XDG_CONFIG_HOME/thaum/settings.toml"
@@ -95,11 +94,11 @@ hits() {
 eventually "no match" is_written 0
 aims p2 p1 stick
 eventually "player 2 does not hit" hits 'pad rt 255' 'pad rt 0' '0 : 1'
-import -window root "$shots/player_1_is_dead.png"
+picture player_1_is_dead
 eventually "player 1 does not come back" alive
 aims p1 p2 mouse
 eventually "player 1 does not hit" hits 'xdotool mousedown 1' 'xdotool mouseup 1' '1 : 1'
-import -window root "$shots/player_2_is_dead.png"
+picture player_2_is_dead
 presses Escape
 eventually "no pause" paused
 presses q

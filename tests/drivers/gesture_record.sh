@@ -7,16 +7,17 @@ set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 thaum=$1 fake=$2
 gestures=$(readlink -f "$(dirname "$0")/../../assets/gestures")
-need Xvfb xdotool import
+need Xvfb xdotool
 open_screen 1280x720
+few_pictures
 fail() { failed "$1"; }
-at_failure() { cat "$folder/said"; import -window root "${SHOTS:-$folder}/failed.png"; }
+at_failure() { cat "$folder/said"; picture failed; }
 # Tests whether the title of the window is drawn: words on the dark ground.
-drawn() { [ "$(import -window root -crop 600x60+340+30 -format %k info: 2>/dev/null)" -gt 10 ]; }
-picture() { import -window root -crop "$1" rgba:- 2>/dev/null | md5sum; }
-changed() { [ "$(picture 600x60+340+30)" != "$before" ]; }
+drawn() { [ "$(colours 600x60+340+30)" -gt 10 ]; }
+head() { pixels 600x60+340+30 | md5sum; }
+changed() { [ "$(head)" != "$before" ]; }
 # counts: waits until the title counts another stroke.
-counts() { eventually "a stroke was not counted" changed; before=$(picture 600x60+340+30); }
+counts() { eventually "a stroke was not counted" changed; before=$(head); }
 # circle BUTTON: a circle of 3 cm radius in about a second, begun and ended slowly as hands do.
 circle() {
     xdotool mousedown "$1" $(awk 'BEGIN {
@@ -30,15 +31,15 @@ circle() {
     }') mouseup "$1"
 }
 # record WORDS...: starts the program, with its window.
-record() { "$thaum" gesture record "$@" >"$folder/said" 2>&1 & program=$!; eventually "no window" drawn; before=$(picture 600x60+340+30); }
+record() { "$thaum" gesture record "$@" >"$folder/said" 2>&1 & program=$!; eventually "no window" drawn; before=$(head); }
 
 # 1. Four strokes by mouse, of which one is taken back. A click before them is no stroke, and the window says so.
 record circle --closed --any-direction --rotation 180 --planar --out "$folder/circle.toml"
-note() { [ "$(import -window root -crop 900x30+190+98 -format %k info: 2>/dev/null)" -gt 10 ]; }
+note() { [ "$(colours 900x30+190+98)" -gt 10 ]; }
 ! note || fail "a note before the first stroke"
 xdotool mousedown 1 sleep 0.3 mouseup 1
 eventually "no word of a click" note
-import -window root "${SHOTS:-$folder}/gesture_record_click.png"
+picture gesture_record_click
 ! changed || fail "a click was counted"
 circle 1
 counts
@@ -47,7 +48,7 @@ counts
 xdotool key BackSpace
 counts
 circle 3
-import -window root "${SHOTS:-$folder}/gesture_record.png"
+picture gesture_record
 counts
 [ ! -e "$folder/circle.toml" ] || fail "the file is written before the last stroke"
 circle 1

@@ -6,14 +6,14 @@
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 thaum=$1 press_keys=$2
-need Xvfb xdotool import
+need Xvfb xdotool
 open_screen 1280x720
 few_pictures
 fail() { failed "$1"; }
-at_failure() { cat "$folder/said"; import -window root "${SHOTS:-$folder}/failed.png"; }
-drawn() { [ "$(import -window root -crop 400x100+100+500 -format %k info: 2>/dev/null)" -gt 100 ]; }
+at_failure() { cat "$folder/said"; picture failed; }
+drawn() { [ "$(colours 400x100+100+500)" -gt 100 ]; }
 # The wall covers the left of the picture by a dark plate.
-wall() { [ "$(import -window root -crop 200x18+100+538 -resize 1x1 -depth 8 txt: 2>/dev/null | grep -c '#[0-2][0-9A-F][0-2][0-9A-F][0-3][0-9A-F]')" = 1 ]; }
+wall() { [[ $(mean 200x18+100+538) == \#[0-2]?[0-2]?[0-3]? ]]; }
 # stroke DX DY STEPS...: draws one straight line for each three numbers, in STEPS steps of DX and DY counts,
 # with Trace (the right button) held. It takes about a second.
 stroke() {
@@ -67,7 +67,7 @@ record 'not saved, since it is too like V: [0-9]* % of ' 13 31 22 13 -31 22
 [ ! -e "$own" ] || fail "a copy of V is saved"
 record 'saved: this is your Circle' 0 -22 30 -16 0 30
 sleep 0.5
-import -window root "${SHOTS:-$folder}/gesture_wall.png"
+picture gesture_wall
 presses Escape
 eventually "no second pause of the range" paused
 presses q

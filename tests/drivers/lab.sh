@@ -5,20 +5,20 @@
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 thaum=$1 press_keys=$2
-need Xvfb xdotool import
+need Xvfb xdotool
 open_screen 1280x720
 few_pictures
 fail() { failed "$1"; }
-at_failure() { cat "$folder/said"; tail -3 "$folder/trace.csv"* || true; import -window root "${SHOTS:-$folder}/failed.png"; }
-drawn() { [ "$(import -window root -crop 300x200+200+100 -format %k info: 2>/dev/null)" -gt 100 ]; }
+at_failure() { cat "$folder/said"; tail -3 "$folder/trace.csv"* || true; picture failed; }
+drawn() { [ "$(colours 300x200+200+100)" -gt 100 ]; }
 "$thaum" lab --fluid --size 640x360 --cells 24 --trace "$folder/trace.csv" --save "$folder/brew" --seconds 600 >"$folder/said" 2>&1 &
 lab=$!
 eventually "no window" drawn
 # The figures on the screen change with every picture. A key takes effect at the latest in the second new
 # picture.
-picture() { import -window root -crop 640x360+0+0 rgba:- | md5sum; }
-is_new() { [ "$(picture)" != "$before" ]; }
-new_picture() { before=$(picture); eventually "no new picture" is_new; }
+drawing() { pixels 640x360+0+0 | md5sum; }
+is_new() { [ "$(drawing)" != "$before" ]; }
+new_picture() { before=$(drawing); eventually "no new picture" is_new; }
 key() { presses "$@"; new_picture; new_picture; }
 stir() {
     for i in $(seq 12); do
@@ -32,7 +32,7 @@ xdotool mousemove 320 180 mousedown 1 keydown space
 stir
 xdotool keyup space
 stir
-import -window root "${SHOTS:-$folder}/lab.png"
+picture lab
 xdotool mouseup 1
 key s
 key equal

@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
-# tests/drivers/live_threads.sh THAUM FAKE_HD PRESS_KEYS: all threads of a live session at once, for the thread sanitizer: a match
-# under Xvfb with an arm whose libHD.so is our fake, against a bot, recorded. Keys and mouse by xdotool pause it, open a
-# page of settings, mark the log and quit. The log must replay with the arm's forces. Exits with 77 if a tool is missing.
+# tests/drivers/live_threads.sh THAUM FAKE_HD LOG_PROBE PRESS_KEYS: all threads of a live session at once, for
+# the thread sanitizer: a match under Xvfb with an arm whose libHD.so is our fake, against a bot, recorded. Keys
+# and mouse by xdotool pause it, open a page of settings, mark the log and quit. The log must replay with the
+# arm's forces. Exits with 77 if a tool is missing.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
-thaum=$1 fake=$2 press_keys=$3
-need Xvfb xdotool import
+thaum=$1 fake=$2 probe=$3 press_keys=$4
+need Xvfb xdotool
 open_screen 1280x720
-at_failure() { cat "$folder/said"; import -window root "${SHOTS:-$folder}/failed.png"; }
+few_pictures
+at_failure() { cat "$folder/said"; picture failed; }
 
 # The hand holds still, then moves to and fro with the button held, so that each shot kicks.
 awk 'BEGIN {
@@ -35,6 +37,5 @@ presses q
 wait "$game" || failed "the session's exit code"
 cat "$folder/said"
 grep -q '^arm: [0-9]* ticks.*; 0 forces differ' "$folder/said" || failed "the match computes other forces than the arm's thread"
-"$thaum" replay "$folder/log" --verify | tee "$folder/verified"
-grep -q 'state hashes agree' "$folder/verified" || failed "the replay differs"
+"$probe" "$folder/log" || failed "the log does not play again"
 echo "a live session with an arm was played, paused and recorded"

@@ -1,10 +1,15 @@
-// Reads a log in one of three ways.
+// Reads a log in one of four ways.
 //
 //     live_log_probe LOG
 //
 // Prints the input: devices that left or joined, and pauses; then one line per device with sums, buttons and
 // the player's faders for the brew's effects; and the result of a replay ("same" or the first tick with a
-// different hash).
+// different hash of the state or of the forces).
+//
+//     live_log_probe LOG --input
+//
+// Prints the same without the pauses and the result, which need a replay: tests that wait for an input ask
+// for it again and again.
 //
 //     live_log_probe LOG --model-ages
 //
@@ -122,6 +127,42 @@ int print_model_ages(const char* path) {
     return 0;
 }
 
+/// The match that a log replays.
+struct Replayed {
+    std::unique_ptr<game::Simulation> match;
+    bool paused = false;
+    Tick differs = 0;  ///< the first tick with another hash than the log's; 0: none
+
+    void tick(const input::InputFrame& frame, const input::LogReader& log) {
+        match->tick(frame);
+        const auto now = match->now();
+        const auto recorded = log.hash_at(now);
+        if (differs == 0 && recorded &&
+            (recorded->state != match->state_hash() || recorded->force != match->force_hash()))
+            differs = now;
+        const bool pause = match->match().paused != 0;
+        if (pause != paused)
+            std::printf("%s at %llu by %u\n", pause ? "paused" : "on", static_cast<unsigned long long>(now),
+                        match->match().paused_by);
+        paused = pause;
+    }
+};
+
+/// Prints the input of a log and, with a match, the pauses.
+void print_input(input::LogReader& log, Replayed* replayed) {
+    std::array<Seen, input::max_devices> seen{};
+    input::InputFrame frame;
+    for (Tick tick = 1; log.next(frame); ++tick) {
+        for (std::size_t d = 0; d < seen.size(); ++d) {
+            note(frame.devices[d], seen[d]);
+            note_change(d, tick, frame.devices[d], seen[d]);
+        }
+        if (replayed != nullptr) replayed->tick(frame, log);
+    }
+    for (std::size_t d = 0; d < log.header().devices.size(); ++d) print(d, log.header().devices[d], seen[d]);
+    std::printf("ended %s: %s\n", log.ended_cleanly() ? "cleanly" : "early", log.result().c_str());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -129,31 +170,14 @@ int main(int argc, char** argv) {
     if (argc == 3 && std::string_view(argv[2]) == "--model-ages") return print_model_ages(argv[1]);
     auto log = input::LogReader::open(argc > 1 ? argv[1] : "");
     if (!log) return std::fprintf(stderr, "%s\n", log.error().message.c_str()), 1;
+    if (argc == 3 && std::string_view(argv[2]) == "--input") return print_input(*log, nullptr), 0;
     auto match = game::match_of_log(log->header(), game::find_assets());
     if (!match) return std::fprintf(stderr, "%s\n", match.error().message.c_str()), 1;
-    std::array<Seen, input::max_devices> seen{};
-    input::InputFrame frame;
-    bool paused = false;
-    Tick differs = 0;
-    while (log->next(frame)) {
-        for (std::size_t d = 0; d < seen.size(); ++d) note(frame.devices[d], seen[d]);
-        (*match)->tick(frame);
-        const auto now = (*match)->now();
-        for (std::size_t d = 0; d < seen.size(); ++d) note_change(d, now, frame.devices[d], seen[d]);
-        const auto recorded = log->hash_at(now);
-        if (differs == 0 && recorded && recorded->state != (*match)->state_hash()) differs = now;
-        const bool pause = (*match)->match().paused != 0;
-        if (pause != paused)
-            std::printf("%s at %llu by %u\n", pause ? "paused" : "on", static_cast<unsigned long long>(now),
-                        (*match)->match().paused_by);
-        paused = pause;
-    }
-    for (std::size_t d = 0; d < log->header().devices.size(); ++d)
-        print(d, log->header().devices[d], seen[d]);
-    std::printf("ended %s: %s\n", log->ended_cleanly() ? "cleanly" : "early", log->result().c_str());
-    if (differs == 0)
+    Replayed replayed{std::move(*match)};
+    print_input(*log, &replayed);
+    if (replayed.differs == 0)
         std::printf("replay same\n");
     else
-        std::printf("replay differs at %llu\n", static_cast<unsigned long long>(differs));
-    return differs == 0 && log->ended_cleanly() ? 0 : 1;
+        std::printf("replay differs at %llu\n", static_cast<unsigned long long>(replayed.differs));
+    return replayed.differs == 0 && log->ended_cleanly() ? 0 : 1;
 }

@@ -8,8 +8,8 @@ thaum=$(readlink -f "$1")
 open_screen 640x360
 few_pictures
 
-match_is_shown() { xdotool search --name '^Thaum$' >/dev/null 2>&1 && ls "$XDG_DATA_HOME"/thaum/matches/* >/dev/null 2>&1; }
-window_is_there() { xdotool search --name '^Thaum$' >/dev/null 2>&1; }
+match_is_shown() { window_is_there && ls "$XDG_DATA_HOME"/thaum/matches/* >/dev/null 2>&1; }
+window_is_there() { [ "$(title)" = Thaum ]; }
 
 for moment in window_is_there match_is_shown match_is_shown; do
     "$thaum" --demo >/dev/null 2>"$folder/said" &

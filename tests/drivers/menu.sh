@@ -7,7 +7,7 @@
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 thaum=$1 harness=$2 probe=$3 press_keys=$4
-need Xvfb xdotool import convert umockdev-wrapper
+need Xvfb xdotool umockdev-wrapper
 open_screen 1280x720
 settings=$XDG_CONFIG_HOME/thaum/settings.toml
 # Asks for few pictures as few_pictures does, but in a copy of the shipped settings file with its comments.
@@ -16,17 +16,15 @@ sed 's/^quality = [^ ]*/quality = "low"/; s/^frames_per_second = [^ ]*/frames_pe
     "$(dirname "$0")/../../assets/settings.toml" >"$settings"
 matches=$XDG_DATA_HOME/thaum/matches
 fail() { failed "$1"; }
-at_failure() { import -window root "${SHOTS:-$folder}/failed.png"; }
+at_failure() { picture failed; }
 
-# bright X Y LOW HIGH: tests whether the brightness of a pixel is within LOW to HIGH percent.
-bright() {
-    local level
-    level=$(import -window root -crop "1x1+$1+$2" -colorspace Gray -format '%[fx:int(100*u)]' info: 2>/dev/null) || return 1
-    [ "$level" -ge "$3" ] && [ "$level" -le "$4" ]
-}
-drawn() { [ "$(import -window root -crop 400x100+100+500 -format %k info: 2>/dev/null)" -gt 100 ]; }
+drawn() { [ "$(colours 400x100+100+500)" -gt 100 ]; }
 # A seat that is taken has a bar at its left in its team's light colour.
-seat_taken() { bright "$1" 127 45 100; }
+seat_taken() {
+    local colour
+    colour=$(mean "1x1+$1+127") || return 1
+    ((213 * 0x${colour:1:2} + 715 * 0x${colour:3:2} + 72 * 0x${colour:5:2} >= 450 * 255))
+}
 # quits: leaves the start screen by its last row.
 quits() { choose Quit Up && presses Return; }
 logs() { find "$matches" -name '*.thaumlog' 2>/dev/null | wc -l; }
@@ -36,7 +34,7 @@ field() { sed -n "s/^device $1:.* $2 \\(.*\\)/\\1/p" <<<"$seen" | cut -d' ' -f1;
 # logged DEVICE FIELD VALUE: tests whether the log that is being written has this input. Inputs are held until then,
 # because a slow machine looks at a pad only every few seconds.
 logged() {
-    seen=$("$probe" "$(find "$matches" -name '*.thaumlog')" 2>/dev/null) || true
+    seen=$("$probe" "$(find "$matches" -name '*.thaumlog')" --input 2>/dev/null) || true
     [ "$(field "$1" "$2")" = "$3" ]
 }
 
@@ -134,7 +132,7 @@ game=$!
 eventually "no window" drawn
 xdotool keydown i
 moved() {
-    seen=$("$probe" "$folder/log" 2>/dev/null) || true
+    seen=$("$probe" "$folder/log" --input 2>/dev/null) || true
     [ "$(field 0 forward)" = 0..127 ]
 }
 eventually "the new key after a restart" moved

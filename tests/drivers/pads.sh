@@ -8,20 +8,19 @@
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 thaum=$1 harness=$2 probe=$3 press_keys=$4
-need Xvfb xdotool import umockdev-wrapper setpriv
+need Xvfb xdotool umockdev-wrapper setpriv
 open_screen 1280x720
 few_pictures
 matches=$XDG_DATA_HOME/thaum/matches
 own=$XDG_CONFIG_HOME/thaum/pads.txt
-at_failure() { cat "$folder/said"; import -window root "${SHOTS:-$folder}/failed.png"; }
-picture() { [ -z "${SHOTS:-}" ] || import -window root "$SHOTS/$1.png"; }
+at_failure() { cat "$folder/said"; picture failed; }
 
 pad() { echo "$@" >&4; }
 says() { grep -qE "$1" "$folder/said"; }
 log() { find "$matches" -name '*.thaumlog' 2>/dev/null | sort | tail -1; }
 field() { sed -n "s/^device $1:.* $2 \\(.*\\)/\\1/p" <<<"$seen" | cut -d' ' -f1; }
 logged() {
-    seen=$("$probe" "$(log)" 2>/dev/null) || true
+    seen=$("$probe" "$(log)" --input 2>/dev/null) || true
     [ "$(field "$1" "$2")" = "$3" ]
 }
 # starts OPTIONS -- ARGUMENTS: starts the program with a pad. ends: ends it.

@@ -6,15 +6,15 @@
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 thaum=$1 press_keys=$2 only=${3:-}
-need Xvfb xdotool import
+need Xvfb xdotool
 open_screen 1280x720
 few_pictures
 cp -r "$(dirname "$0")/../../assets" "$folder/assets"
 export THAUM_ASSETS=$folder/assets
 bolt=$folder/assets/wands/bolt.toml
 fail() { failed "$1"; }
-at_failure() { cat "$folder/said"; import -window root "${SHOTS:-$folder}/failed.png"; }
-drawn() { [ "$(import -window root -crop 400x100+100+500 -format %k info: 2>/dev/null)" -gt 100 ]; }
+at_failure() { cat "$folder/said"; picture failed; }
+drawn() { [ "$(colours 400x100+100+500)" -gt 100 ]; }
 said() { grep -q "$1" "$folder/said"; }
 
 # 1. Shoots, and edits a file as editors do: a new file renamed over the old one. Then makes it faulty.
@@ -27,7 +27,7 @@ eventually "the file was not read" said '^read wands/bolt.toml$'
 xdotool mousedown 1
 sleep 2
 xdotool mouseup 1
-import -window root "${SHOTS:-$folder}/range.png"
+picture range
 sed -i 's/^damage = 50/damage = -50/' "$bolt"
 eventually "the wrong file was not named" said "bolt.toml:10: 'damage' is -50"
 presses Escape
@@ -60,7 +60,7 @@ choose 'Skip this step'
 presses Return
 eventually "the second step was not skipped" said '^apprentice: 3 of '
 eventually "the pause of the Apprentice is still there" no_pause_menu
-import -window root "${SHOTS:-$folder}/apprentice.png"
+picture apprentice
 presses Escape
 eventually "no second pause of the Apprentice" pause_menu
 presses q

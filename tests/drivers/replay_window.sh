@@ -5,16 +5,16 @@
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 thaum=$1 press_keys=$2
-need Xvfb xdotool import
+need Xvfb xdotool
 open_screen 1280x720
 few_pictures
-at_failure() { cat "$folder/said"; import -window root "${SHOTS:-$folder}/failed.png"; }
+at_failure() { cat "$folder/said"; picture failed; }
 # knob_at X: tests whether the bar's knob, which is higher than its line, is at this place.
-knob_at() { import -window root -crop "1x1+$1+678" -depth 8 txt: 2>/dev/null | grep -q '#F[0-9A-F]F[0-9A-F]F[0-9A-F]'; }
+knob_at() { [[ $(mean "1x1+$1+678") == \#F?F?F? ]]; }
 knob_has_left() { ! knob_at "$left"; }
 left=13 middle=640 right=1267
 
-bar_is_drawn() { import -window root -crop 1x1+4+655 -depth 8 txt: 2>/dev/null | grep -q '#0A0614'; }
+bar_is_drawn() { [ "$(mean 1x1+4+655)" = '#0A0614' ]; }
 
 "$thaum" --headless --seconds 10 --record "$folder/log" --out "$folder/out" >/dev/null
 # A quarter of the speed: on a busy machine the replay may go on for a while between two keys.

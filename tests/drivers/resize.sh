@@ -11,7 +11,7 @@ few_pictures
 
 "$thaum" --solo 0 --record "$folder/log" >"$folder/said" 2>&1 &
 game=$!
-look() { "$probe" "$folder/log" >"$folder/seen" 2>/dev/null || true; sed -n 's/^device 0: look \([-0-9]* [-0-9]*\) .*/\1/p' "$folder/seen"; }
+look() { "$probe" "$folder/log" --input >"$folder/seen" 2>/dev/null || true; sed -n 's/^device 0: look \([-0-9]* [-0-9]*\) .*/\1/p' "$folder/seen"; }
 begun() { [ -n "$(look)" ]; }
 eventually "no match" begun
 window=$(xdotool search --name '^Thaum$')

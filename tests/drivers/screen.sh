@@ -16,8 +16,7 @@ failed() {
 }
 
 # eventually WORDS COMMAND...: waits until the command succeeds. The limit only ends a test that hangs. A busy
-# machine may take any time, so tests must wait for events and not count seconds. Commands that look at the screen take a
-# tenth of a second of a core, so they are not asked more often than a person would look.
+# machine may take any time, so tests must wait for events and not count seconds.
 eventually() {
     local what=$1 until=$((SECONDS + 900))
     shift
@@ -51,6 +50,13 @@ presses() { "$press_keys" "$@"; }
 # largest force, 4 ticks, 5 whether a program has the arm, 6 to 8 the force at its closing. TYPE is f8 or u8.
 live() { od -An -v -t"$3" -j$((8 * $2)) -N8 "$folder/$1.live" 2>/dev/null | tr -d ' '; }
 
+# colours AREA, pixels AREA, mean AREA: what the screen shows in an area, WIDTHxHEIGHT+X+Y: the number of colours, each pixel,
+# or the mean colour (look_at.cpp). picture NAME: keeps a picture of the whole screen if $SHOTS names a folder.
+colours() { "$LOOK_AT" colours "$1" 2>/dev/null || echo 0; }
+pixels() { "$LOOK_AT" pixels "$1" 2>/dev/null; }
+mean() { "$LOOK_AT" mean "$1" 2>/dev/null; }
+picture() { [ -z "${SHOTS:-}" ] || import -window root "$SHOTS/$1.png"; }
+
 # few_pictures: settings for tests that need few pictures, of any quality. Drawing without a graphics card would take
 # every core.
 few_pictures() {
@@ -60,7 +66,7 @@ few_pictures() {
 
 # title: the window's title, which names the menu's page and its chosen row: "Thaum (paused): Settings / Split: top and
 # bottom". on_row ROW: tests whether the row with this label is chosen.
-title() { xdotool search --name '^Thaum' getwindowname 2>/dev/null | head -1; }
+title() { "$LOOK_AT" title 2>/dev/null || true; }
 on_row() {
     local now
     now=$(title)
@@ -102,5 +108,5 @@ no_pause_menu() { [ "$(title)" = Thaum ]; }
 # in its colour. The row alone could be one of the start screen, which stays until the match is drawn.
 pause_menu() {
     paused &&
-        [ "$(import -window root -crop 80x720+900+0 -depth 8 txt: 2>/dev/null | grep -c '#5[0-9A-F]3[0-9A-F][89][0-9A-F]')" -gt 1600 ]
+        [ "$(pixels 80x720+900+0 | grep -c '#5[0-9A-F]3[0-9A-F][89][0-9A-F]')" -gt 1600 ]
 }

@@ -6,18 +6,17 @@
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 thaum=$1 harness=$2 probe=$3 press_keys=$4
-need Xvfb xdotool import umockdev-wrapper
+need Xvfb xdotool umockdev-wrapper
 open_screen 1280x720
 few_pictures
 settings=$XDG_CONFIG_HOME/thaum/settings.toml
 matches=$XDG_DATA_HOME/thaum/matches
-at_failure() { import -window root "${SHOTS:-$folder}/failed.png"; }
-picture() { [ -z "${SHOTS:-}" ] || import -window root "$SHOTS/$1.png"; }
+at_failure() { picture failed; }
 
 pad() { echo "$@" >&4; }
 logs() { find "$matches" -name '*.thaumlog' 2>/dev/null | sort; }
 has_logs() { [ "$(logs | wc -l)" = "$1" ]; }
-look() { seen=$("$probe" "$(logs | tail -1)" 2>/dev/null) || true; }
+look() { seen=$("$probe" "$(logs | tail -1)" --input 2>/dev/null) || true; }
 field() { sed -n "s/^device $1:.* $2 \\(.*\\)/\\1/p" <<<"$seen" | cut -d' ' -f1; }
 logged() { look; [ "$(field "$1" "$2")" = "$3" ]; }
 

@@ -5,15 +5,15 @@
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 thaum=$1 press_keys=$2
-need Xvfb xdotool import
+need Xvfb xdotool
 open_screen 1280x720
 few_pictures
 fail() { failed "$1"; }
-at_failure() { cat "$folder/said"; tail -3 "$folder/trace.csv"* || true; import -window root "${SHOTS:-$folder}/failed.png"; }
+at_failure() { cat "$folder/said"; tail -3 "$folder/trace.csv"* || true; picture failed; }
 cd "$folder"
 "$thaum" lab sphere --count 32 --size 1280x720 --trace "$folder/trace.csv" --save "$folder/body.nrrd" --seconds 6000 >"$folder/said" 2>&1 &
 lab=$!
-drawn() { [ "$(import -window root -crop 300x200+500+260 -format %k info: 2>/dev/null)" -gt 50 ]; }
+drawn() { [ "$(colours 300x200+500+260)" -gt 50 ]; }
 eventually "no window" drawn
 
 # seen LINE CONDITION: tests whether a row of the trace after that line fulfils a condition of awk, in which
@@ -61,8 +61,8 @@ from=$(rows)
 xdotool mousedown 1
 eventually "nothing was carved" seen "$from" '$changed_voxels > 20'
 xdotool mouseup 1
-import -window root "${SHOTS:-$folder}/volume_lab.png"
-plotted() { [ "$(import -window root -crop 300x60+20+58 -format %k info: 2>/dev/null)" -gt 2 ]; }
+picture volume_lab
+plotted() { [ "$(colours 300x60+20+58)" -gt 2 ]; }
 eventually "the force was not plotted" plotted
 presses z
 presses y
@@ -70,10 +70,22 @@ presses y
 # The panel: its third heading folds the modes away, the next one opens the feel of the body, and the first button there
 # adds opacity. The hand rests while the mouse is over the panel.
 click() { xdotool mousemove "$1" "$2" sleep 0.3 mousedown 1 sleep 0.3 mouseup 1 sleep 0.3; }
-picture() { import -window root -crop 330x570+8+130 rgba:- | md5sum; }
-is_new() { [ "$(picture)" != "$before" ]; }
-settled() { local now; now=$(picture); sleep 0.3; [ "$now" = "$(picture)" ]; }
-changes() { before=$(picture); xdotool "$@"; eventually "the panel did not change" is_new; eventually "the panel does not rest" settled; }
+panel() { pixels 330x570+8+130 | md5sum; }
+is_new() { [ "$(panel)" != "$before" ]; }
+# Each picture shows another time at the lower right. What the mouse does shows in the second new picture at
+# the latest.
+clock() { pixels 420x60+850+650 | md5sum; }
+ticked() { [ "$(clock)" != "$time" ]; }
+new_picture() { time=$(clock); eventually "no new picture" ticked; }
+settled() {
+    local now
+    new_picture
+    new_picture
+    now=$(panel)
+    new_picture
+    [ "$now" = "$(panel)" ]
+}
+changes() { before=$(panel); xdotool "$@"; eventually "the panel did not change" is_new; eventually "the panel does not rest" settled; }
 pressed_there() {
     xdotool mousemove "$1" "$2"
     eventually "the panel does not rest" settled
@@ -92,7 +104,7 @@ eventually "the panel does not rest" settled
 pressed_there 26 258
 pressed_there 26 282
 pressed_there 40 304
-import -window root "${SHOTS:-$folder}/volume_lab_panel.png"
+picture volume_lab_panel
 # "save session" stands at the end of the panel, whatever is open above.
 click 60 634
 eventually "the session was not saved" test -s "$folder/lab.toml"
@@ -136,7 +148,7 @@ xdotool mouseup 1
 presses Escape
 from=$(rows)
 eventually "no rows after the question" goes_on
-import -window root "${SHOTS:-$folder}/volume_lab_question.png"
+picture volume_lab_question
 xdotool mousemove 650 370 sleep 0.3 mousedown 1 sleep 0.3 mouseup 1
 wait "$lab" || fail "the exit code after the question"
 
