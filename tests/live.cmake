@@ -4,12 +4,16 @@ thaum_test(test_hud
     LINK thaum_duel thaum_range thaum_render_audit
     NOT_SANITIZED IngredientShapes.DifferInOutline*)
 thaum_test(test_live
-    SOURCES unit/arm_pace_test.cpp unit/audio_jacket_test.cpp unit/bhaptics_jacket_test.cpp unit/fake_bhaptics.cpp unit/control_names_test.cpp unit/felt_recorder_test.cpp unit/hid_jacket_test.cpp unit/jacket_test.cpp unit/live_body_test.cpp unit/live_arm_test.cpp unit/live_hands_test.cpp
+    SOURCES unit/arm_pace_test.cpp unit/audio_jacket_test.cpp unit/control_names_test.cpp unit/hid_jacket_test.cpp unit/live_hands_test.cpp
         unit/body_trial_test.cpp unit/feel_profile_test.cpp unit/gesture_wall_test.cpp unit/live_menu_test.cpp unit/live_pause_test.cpp unit/live_recording_test.cpp unit/live_seats_test.cpp
-        unit/live_session_test.cpp unit/live_sound_test.cpp unit/live_start_screen_test.cpp unit/live_tactile_test.cpp unit/live_threads_test.cpp unit/osc_jacket_test.cpp unit/own_pads_test.cpp unit/pad_setup_test.cpp unit/match_requests_test.cpp unit/menu_pages_test.cpp unit/menu_seams_test.cpp unit/menu_test.cpp unit/own_gestures_test.cpp unit/practice_test.cpp
-        unit/recorded_names_test.cpp unit/replay_threads_test.cpp unit/replay_view_test.cpp
+        unit/live_session_test.cpp unit/live_start_screen_test.cpp unit/own_pads_test.cpp unit/pad_setup_test.cpp unit/match_requests_test.cpp unit/menu_pages_test.cpp unit/menu_seams_test.cpp unit/menu_test.cpp unit/own_gestures_test.cpp
+        unit/recorded_names_test.cpp unit/replay_view_test.cpp
         unit/faulty_settings_test.cpp unit/settings_test.cpp unit/apprentice_course_test.cpp unit/screen_player.cpp unit/screen_player_test.cpp
         unit/screen_reader.cpp
+    THREAD_SOURCES
+        unit/bhaptics_jacket_test.cpp unit/fake_bhaptics.cpp unit/felt_recorder_test.cpp unit/jacket_test.cpp
+        unit/live_arm_test.cpp unit/live_body_test.cpp unit/live_sound_test.cpp unit/live_tactile_test.cpp
+        unit/live_threads_test.cpp unit/osc_jacket_test.cpp unit/practice_test.cpp unit/replay_threads_test.cpp
     LINK thaum_live fake_arm nlohmann_json::nlohmann_json PkgConfig::websockets PkgConfig::openal
     NOT_SANITIZED ScreenPlayer.Wins* ScreenPlayer.Reads* BhapticsJacketThreads.EachAddress* OscJacket.AHostGets*  # sanitizers have a getaddrinfo of their own
     THREADS LiveSoundTest.* LiveArms.* LiveTactileThreads.* LiveTactileSession.* PracticeTest.Thread* LiveThreadsTest.* ReplayThreads.* LiveJacketThreads.* LiveBodyThreads.* FeltRecorder.EveryFrame* BhapticsJacketThreads.* TactilePlayerThreads.*)

@@ -23,20 +23,20 @@ using input::rig::jacket_frame;
 using input::rig::trace;
 using input::rig::UdpReceiver;
 
-const std::string& silent() {
+const std::string& silent_message() {
     static const auto bytes = trace("osc_x16_silent.hex");
     return bytes;
 }
-tactile::TactileFrame some_frame() { return jacket_frame(16, {{0, 1.0F}, {6, 1e-5F}, {15, 0.5F}}); }
+tactile::TactileFrame frame_of_16() { return jacket_frame(16, {{0, 1.0F}, {6, 1e-5F}, {15, 0.5F}}); }
 
 std::unique_ptr<input::TactileOutput> jacket_for(const UdpReceiver& receiver, std::size_t motors = 16) {
     return osc_jacket({"127.0.0.1", receiver.port()}, motors);
 }
 
 TEST(OscMessage, HasTheBytesOfTheTraces) {
-    EXPECT_EQ(osc_message(some_frame(), 16), trace("osc_x16.hex"));
+    EXPECT_EQ(osc_message(frame_of_16(), 16), trace("osc_x16.hex"));
     EXPECT_EQ(osc_message(jacket_frame(40, {{20, 0.25F}, {39, 0.75F}}), 40), trace("osc_x40.hex"));
-    EXPECT_EQ(osc_message({}, 16), silent());
+    EXPECT_EQ(osc_message({}, 16), silent_message());
     EXPECT_EQ(osc_ping(1500), trace("osc_ping.hex"));
 }
 
@@ -71,8 +71,8 @@ TEST(OscJacket, SendsAFrameWhenItChangedAndAfterHalfOfItsTime) {
     ASSERT_TRUE(jacket->open());
     const auto ping = receiver.next();
     EXPECT_EQ(ping, osc_ping(receiver.sender_port())) << "first it tells where heartbeats may go";
-    EXPECT_EQ(receiver.next(), silent()) << "motors that were left on stop at once";
-    const auto frame = some_frame();
+    EXPECT_EQ(receiver.next(), silent_message()) << "motors that were left on stop at once";
+    const auto frame = frame_of_16();
     for (const double now_s : {1.0, 1.008, 1.016, 1.04, 1.0499}) jacket->write(frame, now_s);
     for (const double now_s : {1.051, 1.06, 1.1}) jacket->write(frame, now_s);
     jacket->write(jacket_frame(16, {{3, 1.0F}}), 1.1);
@@ -86,8 +86,8 @@ TEST(OscJacket, AHostGetsTheMessagesAtEachOfItsAddresses) {
     const auto jacket = osc_jacket({"two-addresses", receiver.port()}, 16);
     ASSERT_TRUE(jacket->open());
     EXPECT_EQ(receiver.next(), osc_ping(receiver.sender_port()));
-    EXPECT_EQ(receiver.next(), silent());
-    jacket->write(some_frame(), 1);
+    EXPECT_EQ(receiver.next(), silent_message());
+    jacket->write(frame_of_16(), 1);
     EXPECT_EQ(receiver.next(), trace("osc_x16.hex"));
 }
 
@@ -95,7 +95,7 @@ TEST(OscJacket, SilenceGoesOutSeveralTimesAndEndsWhenAFrameComes) {
     UdpReceiver receiver;
     const auto jacket = jacket_for(receiver);
     ASSERT_TRUE(jacket->open());
-    jacket->write(some_frame(), 1);
+    jacket->write(frame_of_16(), 1);
     EXPECT_TRUE(receiver.gets(trace("osc_x16.hex")));
     jacket->silence();
     int silences = 0;
@@ -103,28 +103,28 @@ TEST(OscJacket, SilenceGoesOutSeveralTimesAndEndsWhenAFrameComes) {
         EXPECT_TRUE(jacket->is_connected());
         const auto message = receiver.next(1);
         if (!message) continue;
-        ASSERT_EQ(*message, silent());
+        ASSERT_EQ(*message, silent_message());
         ++silences;
     }
     for (int i = 0; i < 100; ++i) jacket->is_connected();
     jacket->silence();
-    jacket->write(some_frame(), 2);
+    jacket->write(frame_of_16(), 2);
     jacket->is_connected();
     EXPECT_EQ(receiver.count_until(trace("osc_x16.hex")), 1)
         << "after eight messages the jacket is left alone";
     EXPECT_EQ(receiver.next(0), std::nullopt);
     jacket->close();
-    EXPECT_EQ(receiver.next(), silent());
+    EXPECT_EQ(receiver.next(), silent_message());
 }
 
 TEST(OscJacket, AFrameTooWeakForTheJacketIsSilence) {
     UdpReceiver receiver;
     const auto jacket = jacket_for(receiver);
     ASSERT_TRUE(jacket->open());
-    jacket->write(some_frame(), 1);
+    jacket->write(frame_of_16(), 1);
     EXPECT_TRUE(receiver.gets(trace("osc_x16.hex")));
     for (int i = 0; i < 5; ++i) jacket->write(jacket_frame(16, {{3, 1e-7F}}), 1.01);
-    EXPECT_EQ(receiver.next(), silent());
+    EXPECT_EQ(receiver.next(), silent_message());
     EXPECT_EQ(receiver.next(0), std::nullopt);
 }
 
@@ -138,12 +138,12 @@ TEST(OscJacket, ADeadJacketCostsNothingAndIsServedWhenItIsBack) {
     }
     ASSERT_TRUE(jacket->open());
     for (int i = 0; i < 1000; ++i) {
-        jacket->write(some_frame(), i);
+        jacket->write(frame_of_16(), i);
         ASSERT_TRUE(jacket->is_connected());
     }
     UdpReceiver again(port);
     if (again.port() == 0) GTEST_SKIP() << "another program has taken the port";
-    jacket->write(some_frame(), 2000);
+    jacket->write(frame_of_16(), 2000);
     EXPECT_EQ(again.next(), trace("osc_x16.hex")) << "no error of an earlier message swallows this one";
 }
 
@@ -170,11 +170,11 @@ TEST(TactilePlayerThreads, AnOscJacketIsSilentWhenFramesStop) {
     const auto wanted = trace("osc_x16.hex");
     bool felt = false;
     for (int i = 0; i < input::rig::patience_ms && !felt; ++i) {
-        player.feel(some_frame());
+        player.feel(frame_of_16());
         felt = receiver.next(1) == wanted;
     }
     ASSERT_TRUE(felt);
-    EXPECT_TRUE(receiver.gets(silent()));
+    EXPECT_TRUE(receiver.gets(silent_message()));
     EXPECT_GE(player.report().times_opened, 1U);
 }
 
