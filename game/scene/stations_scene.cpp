@@ -15,7 +15,7 @@ constexpr vec3 far_away(1e6);
 /// The rod from a wizard's hand to the tip: position of the hand (m, eye frame), radius, and distance from
 /// the tip at which the rod ends.
 constexpr vec3 hand{0.25, -0.35, -0.3};
-constexpr double rod_radius = 0.006, rod_ends = 0.02;
+constexpr double beam_radius = 0.006, beam_ends = 0.02;
 
 vec3 eye_of_viewer(const Picture& picture, std::uint32_t viewer) {
     return viewer < players ? picture.wizards.at(viewer).vitals.eye : far_away;
@@ -141,7 +141,8 @@ void add_stations(const ArenaScene& arena_scene, const Picture& picture, std::ui
         if (tip == nullptr) continue;
         const vec3 from = p.vitals.eye + look_rotation(p.vitals.yaw, 0) * hand;
         const vec3 way = glm::normalize(tip->place - from);
-        add_beam(arena_scene, from, tip->place - rod_ends * way, rod_radius, team_colours(player).light, out);
+        add_beam(arena_scene, from, tip->place - beam_ends * way, beam_radius, team_colours(player).light,
+                 out);
     }
 }
 

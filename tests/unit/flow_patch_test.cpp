@@ -13,7 +13,7 @@
 namespace thaum::haptics {
 namespace {
 
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double without_value = std::numeric_limits<double>::quiet_NaN();
 
 fluid::Fluid wild_fluid() {
     auto made = fluid::make_fluid(
@@ -100,7 +100,7 @@ TEST(FlowPatch, ContinuesBeyondItsNodesAndIsEmptyWithoutAFluid) {
         const vec3 top = patch.origin + vec3(3 * patch.spacing + far);
         EXPECT_LE(glm::length(flow_at(patch, top).velocity - vec3(patch.nodes[63].velocity)), 1e-6) << far;
     }
-    for (const vec3 place : {vec3(no_number, 0, 0), vec3(0, HUGE_VAL, 0)}) {
+    for (const vec3 place : {vec3(without_value, 0, 0), vec3(0, HUGE_VAL, 0)}) {
         EXPECT_EQ(flow_at(patch, place).velocity, vec3(0));
         EXPECT_EQ(patch_of(source_of(fluid), place).spacing, 0);
     }

@@ -29,19 +29,20 @@ std::map<std::size_t, int> bytes_of(const ff_effect& effect) {
         if (bytes.at(i) != 0) set[i] = bytes.at(i);
     return set;
 }
-using Bytes = std::map<std::size_t, int>;
+using BytesByOffset = std::map<std::size_t, int>;
 
 TEST(RumbleEffect, LeftIsTheStrongMotorAndRightTheWeakOne) {
     static_assert(sizeof(ff_effect) == 48);
     // Offsets: 0 type (0x50), 2 id, 10 length, 16 strong magnitude, 18 weak magnitude; the lower byte first.
     EXPECT_EQ(bytes_of(rumble_effect(frame_of(1, 0), 0)),
-              (Bytes{{0, 0x50}, {10, 48}, {16, 0xff}, {17, 0xff}}));
+              (BytesByOffset{{0, 0x50}, {10, 48}, {16, 0xff}, {17, 0xff}}));
     EXPECT_EQ(bytes_of(rumble_effect(frame_of(0, 1), 0)),
-              (Bytes{{0, 0x50}, {10, 48}, {18, 0xff}, {19, 0xff}}));
+              (BytesByOffset{{0, 0x50}, {10, 48}, {18, 0xff}, {19, 0xff}}));
     EXPECT_EQ(bytes_of(rumble_effect(frame_of(0.2F, 0.4F, 300), 5)),
-              (Bytes{{0, 0x50}, {2, 5}, {10, 300 - 256}, {11, 1}, {16, 51}, {17, 51}, {18, 102}, {19, 102}}));
+              (BytesByOffset{
+                  {0, 0x50}, {2, 5}, {10, 300 - 256}, {11, 1}, {16, 51}, {17, 51}, {18, 102}, {19, 102}}));
     EXPECT_EQ(bytes_of(rumble_effect(frame_of(0, 0), -1)),
-              (Bytes{{0, 0x50}, {2, 0xff}, {3, 0xff}, {10, 48}}));
+              (BytesByOffset{{0, 0x50}, {2, 0xff}, {3, 0xff}, {10, 48}}));
 }
 
 TEST(RumbleEffect, HostileAmplitudesAreClipped) {

@@ -25,10 +25,12 @@ option(THAUM_PORTABLE "Build for any x86-64, not only for x86-64-v3 (AVX2)" OFF)
 set(THAUM_SANITIZE "" CACHE STRING "Sanitizers: empty, 'address,undefined' or 'thread'")
 
 # Compiling several sources of a folder as one halves the time of a whole build, which mostly instantiates the same
-# templates again and again. Batches are small, so that a change of one source compiles in seconds. The code must
-# compile both ways: tools/tidy.sh compiles each source on its own.
+# templates again and again. Batches are small, so that a change of one source compiles in seconds; those of builds
+# that only the tests make are larger (CMakePresets.json). The code must compile in any batches: tools/tidy.sh compiles
+# each source on its own.
 option(CMAKE_UNITY_BUILD "Compile several sources as one" ON)
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 12)
+set(THAUM_BATCH 12 CACHE STRING "How many sources are compiled as one at most")
+set(CMAKE_UNITY_BUILD_BATCH_SIZE ${THAUM_BATCH})
 
 option(THAUM_WARNINGS_AS_ERRORS "Stop a build at its first warning" OFF)
 option(THAUM_HARDENED "Let programs end where memory is overrun, and name no folder of the build" OFF)

@@ -86,17 +86,17 @@ struct Form {
     std::string_view advice;
 };
 constexpr std::string_view as_gzip = "write 'encoding: gzip'";
-constexpr std::string_view unpack = "unpack them and write 'encoding: raw'";
+constexpr std::string_view unpack_them = "unpack them and write 'encoding: raw'";
 constexpr std::array forms{Form{"\x1f\x8b\x08", "gzip", as_gzip},
-                           Form{"BZh", "bzip2", unpack},
-                           Form{"PK\x03\x04", "zip", unpack},
+                           Form{"BZh", "bzip2", unpack_them},
+                           Form{"PK\x03\x04", "zip", unpack_them},
                            Form{"\xfd"
                                 "7zXZ",
-                                "xz", unpack},
-                           Form{"(\xb5/\xfd", "zstd", unpack},
-                           Form{"\x78\x9c", "zlib", unpack},
-                           Form{"\x78\xda", "zlib", unpack},
-                           Form{"\x78\x01", "zlib", unpack}};
+                                "xz", unpack_them},
+                           Form{"(\xb5/\xfd", "zstd", unpack_them},
+                           Form{"\x78\x9c", "zlib", unpack_them},
+                           Form{"\x78\xda", "zlib", unpack_them},
+                           Form{"\x78\x01", "zlib", unpack_them}};
 
 /// True if the bytes begin with several numbers in text.
 bool begins_with_numbers(std::string_view bytes) {
