@@ -1,5 +1,5 @@
-# Fuzzing of all readers: as many inputs each as tests/fuzz_runs.txt says, and 3,000 others in `./thaum test --long`. A longer
-# run of one reader by hand: thaum_fuzz arena --runs 10000 --seed 3
+# Fuzzing of all readers: as many inputs each as tests/fuzz_runs.txt says, by the sanitizers' build alone, and 3,000 others in
+# `./thaum test --long`. A longer run of one reader by hand: thaum_fuzz arena --runs 10000 --seed 3
 add_executable(thaum_fuzz
     fuzz/carving_readers.cpp fuzz/data_readers.cpp fuzz/device_reader.cpp fuzz/gesture_readers.cpp fuzz/jacket_reader.cpp fuzz/lab_reader.cpp fuzz/log_reader.cpp fuzz/main.cpp fuzz/volume_session_reader.cpp fuzz/mutate.cpp fuzz/scenario_reader.cpp
     fuzz/sound_reader.cpp fuzz/tactile_readers.cpp fuzz/volume_readers.cpp
