@@ -6,4 +6,5 @@ thaum_test(test_fluid
         unit/fluid_resample_test.cpp unit/fluid_saved_test.cpp
     LINK thaum_classic
     NOT_SANITIZED FluidBuoyancy.NoFlowGains* FluidAccuracy.ABowlBrakes* FluidAccuracy.PushesAdd* FluidAccuracy.FluidDriven* FluidAccuracy.ADrifting* TransportAccuracy.AStretched*
-        FluidBuoyancy.AWaveInLayers* FluidHostile.ASemiLagrangian* FluidHostile.ABowlLeftAlone* SpringSurfaceStability.JumpingProbes*)
+        FluidBuoyancy.AWaveInLayers* FluidHostile.ASemiLagrangian* FluidHostile.ABowlLeftAlone* SpringSurfaceStability.JumpingProbes*
+    LONG FluidAccuracyLong.*)
